@@ -1,4 +1,5 @@
-//! The pinhole camera: a point of the film becomes a direction of sight.
+//! Pinhole camera: maps points of the film to viewing directions, and directions back to film
+//! points.
 
 use crate::geometry::Vector;
 
@@ -8,28 +9,30 @@ pub(crate) const MAXIMAL_RESOLUTION: usize = 8192;
 /// A pinhole camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the pinhole is.
+    /// Position of the pinhole.
     pub origin: Vector,
     /// Width and height of the picture in pixels.
     pub resolution: [usize; 2],
-    /// Unit vector along the line of sight.
+    /// Unit vector along the optical axis.
     forward: Vector,
-    /// From the middle of the picture to the middle of its right border, at unit distance along the line of
-    /// sight.
+    /// Vector from the centre of the picture to the centre of its right border, at unit distance
+    /// along the optical axis.
     right: Vector,
-    /// The same to its upper border.
+    /// Vector from the centre of the picture to the centre of its upper border, at the same
+    /// distance.
     up: Vector,
 }
 
 impl Camera {
-    /// The camera at `origin` that looks at `target`, with `up` upright in the picture and a vertical field
-    /// of view of `fov` degrees. None if target and origin coincide, if `up` lies along the line of sight, or
-    /// if the field of view is not between 0 and 180 degrees.
+    /// Creates the camera at `origin` that looks at `target`, with `up` upright in the picture and
+    /// a vertical field of view of `fov` degrees. Returns `None` if target and origin coincide, if
+    /// `up` is parallel to the optical axis, or if the field of view is not between 0 and 180
+    /// degrees.
     pub fn new(origin: Vector, target: Vector, up: Vector, fov: f64, resolution: [usize; 2]) -> Option<Self> {
         Self::looking(origin, target - origin, up, fov, resolution)
     }
 
-    /// The same camera by the direction in which it looks, of any length.
+    /// Creates the same camera from its viewing direction, a vector of any length.
     pub fn looking(
         origin: Vector,
         direction: Vector,
@@ -49,16 +52,16 @@ impl Camera {
         Some(Self { origin, resolution, forward, right: half_width * right, up })
     }
 
-    /// The direction, not of unit length, in which the film point (x, y) looks; x runs from 0 at the left
-    /// border to the width at the right border, y from 0 at the upper border to the height at the lower
-    /// border.
+    /// Returns the viewing direction, not normalized, of the film point (x, y). x runs from 0 at
+    /// the left border to the width at the right border, y from 0 at the upper border to the height
+    /// at the lower border.
     pub fn direction(&self, x: f64, y: f64) -> Vector {
         let [width, height] = self.resolution.map(|side| side as f64);
         self.forward + (2.0 * x / width - 1.0) * self.right + (1.0 - 2.0 * y / height) * self.up
     }
 
-    /// The film point in which a point before the pinhole is seen that lies this way from it: the inverse of
-    /// [`direction`](Self::direction).
+    /// Returns the film point onto which a point in front of the pinhole projects; `way` is the
+    /// vector from the pinhole to that point. Inverse of [`direction`](Self::direction).
     pub(crate) fn film(&self, way: Vector) -> [f64; 2] {
         let depth = way.dot(self.forward);
         let along = |axis: Vector| way.dot(axis) / (axis.dot(axis) * depth);
@@ -66,7 +69,8 @@ impl Camera {
         [0.5 * width * (1.0 + along(self.right)), 0.5 * height * (1.0 - along(self.up))]
     }
 
-    /// Normals of the four planes through the pinhole and the borders of the film, towards what is seen.
+    /// Returns the normals of the four planes through the pinhole and the borders of the film. They
+    /// point into the view frustum.
     pub(crate) fn sides(&self) -> [Vector; 4] {
         let [right, up] = [self.right, self.up].map(|axis| (1.0 / axis.dot(axis)) * axis);
         [self.forward + right, self.forward - right, self.forward + up, self.forward - up]

@@ -1,9 +1,10 @@
-//! Extinction: what a homogeneous medium leaves of light along a ray, e^(−σ d).
+//! Extinction: transmittance e^(−σ d) of a homogeneous medium along a ray.
 
-// what rounding may make of it is part of every error that is told, so that it needs no guard
+// the kernel's rounding error is part of every reported error, so it needs no guard
 pub(crate) use crate::kernels::transmittance::unguarded as transmittance;
 
-/// What is left after a distance, which may be without end. Where nothing is taken away, all of it is.
+/// Returns the transmittance over a distance, which can be infinite. It is 1 where the extinction
+/// is zero.
 pub(crate) fn left(extinction: f64, distance: f64) -> f64 {
     match (extinction > 0.0, distance.is_finite()) {
         (false, _) => 1.0,
@@ -12,7 +13,7 @@ pub(crate) fn left(extinction: f64, distance: f64) -> f64 {
     }
 }
 
-/// What is taken away on the way: 1 − e^(−σ d), without cancellation.
+/// Returns the fraction that extinction removes along the way: 1 − e^(−σ d), without cancellation.
 pub(crate) fn lost(extinction: f64, distance: f64) -> f64 {
     if extinction > 0.0 { -(-extinction * distance).exp_m1() } else { 0.0 }
 }

@@ -1,15 +1,17 @@
-//! Faces: the surfaces of a scene become the convex planar pieces of their sides.
+//! Faces: tessellates the surfaces of a scene into convex planar polygons, one for each side.
 //!
 //! ```text
-//! polygon ─▶ its convex pieces          mesh ─▶ those of its polygons
-//! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron          both of the same area
+//! polygon ─▶ its convex pieces          mesh ─▶ the convex pieces of its polygons
+//! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron
 //! ```
+//! The regular polygon and the polyhedron have the areas of the disk and of the sphere.
 
 use crate::geometry::{Face, Round};
 use crate::scene::{Scene, Shape};
 
-/// The faces of all surfaces, each front followed by its back. A surface with one side has a back too: it is black, and stops light.
-/// Each step of fineness doubles the number of edges round a disk, a sphere, or the hole for a disk that lies on a polygon.
+/// Returns the faces of all surfaces, each front followed by its back. A one-sided surface has a
+/// back too: it is black, and blocks light. Each step of `fineness` doubles the number of edges
+/// around a disk, around a sphere, and around the hole for a disk that lies on a polygon.
 pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     let mut faces = Vec::new();
     for (index, surface) in scene.surfaces.iter().enumerate() {
@@ -29,7 +31,7 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     faces
 }
 
-/// Whether a face sends or reflects light: it is a front, or the back of a surface with two sides.
+/// Whether a face emits or reflects light: it is a front, or the back of a two-sided surface.
 pub(crate) fn is_bright(scene: &Scene, face: &Face) -> bool {
     is_side_bright(scene, face.surface, face.is_back)
 }
@@ -43,7 +45,7 @@ pub(crate) fn emits(scene: &Scene, face: &Face) -> bool {
     emits_from(scene, face.surface, face.is_back)
 }
 
-/// The radiance that a face emits, for each band; nothing if it emits none.
+/// Returns the radiance that a face emits in each band; an empty slice if it does not emit.
 pub(crate) fn emitted<'s>(scene: &'s Scene, face: &Face) -> &'s [f64] {
     if emits(scene, face) { &scene.surfaces[face.surface].radiance } else { &[] }
 }
@@ -53,18 +55,18 @@ pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
     scene.surfaces[surface].emits() && is_side_bright(scene, surface, is_back)
 }
 
-/// Whether the faces of a scene stand for round shapes, so that they depend on their fineness.
+/// Whether a scene has disks or spheres, so that its faces depend on the tessellation level.
 pub(crate) fn is_round(scene: &Scene) -> bool {
     round_surfaces(scene).next().is_some()
 }
 
-/// Whether disks lie on a surface, so that its faces depend on their fineness.
+/// Whether disks lie on a surface, so that its faces depend on the tessellation level.
 pub(crate) fn has_round_holes(scene: &Scene, surface: usize) -> bool {
     let polygon = scene.surfaces[surface].shape.as_polygon();
     polygon.is_some_and(|polygon| !polygon.round_holes().is_empty())
 }
 
-/// The round surfaces of a scene, each with its index.
+/// Returns the disks and spheres of a scene, each with the index of its surface.
 pub(crate) fn round_surfaces(scene: &Scene) -> impl Iterator<Item = (usize, &dyn Round)> {
     let surfaces = scene.surfaces.iter().enumerate();
     surfaces.filter_map(|(index, surface)| Some((index, surface.shape.as_round()?)))

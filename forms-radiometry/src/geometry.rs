@@ -1,6 +1,6 @@
-//! Geometry of light: vertices become polygons, polygons seen from a point become cones of directions, and
-//! what is left of one cone after others have been cut out of it is what the point sees. Two polygons exchange light by an
-//! area that is a sum over their edges.
+//! Geometry of light. A list of vertices is checked and becomes a polygon. A polygon seen from a
+//! point spans a cone of directions; subtracting the cones of all occluders from it leaves the
+//! visible part. The exchange area of two polygons is a sum over their edges.
 
 mod bulge;
 mod clip;

@@ -1,15 +1,15 @@
-//! Direct irradiance: a scene becomes a list of luminaires; a point and a normal become the light that falls
-//! there.
+//! Direct irradiance: a scene becomes a list of luminaires; from a position and a normal follows
+//! the irradiance there.
 //!
-//! The only error is rounding: form factors are Lambert's closed form, and what hides a lamp is cut out of
-//! it.
+//! The only error is rounding: form factors are evaluated by Lambert's closed form, and occluders
+//! are clipped out of each luminaire.
 
 use crate::faces::{emits, faces};
 use crate::geometry::{Between, Face, Screens, Vector, Workspace, form_factor_of_pieces};
 use crate::kernels::irradiance;
 use crate::scene::{DiffuseScene, ReceiverKind, Scene, SceneError, WorkingScene};
 
-/// A scene prepared for direct light.
+/// A scene preprocessed for direct light.
 #[derive(Clone, Debug)]
 pub struct DirectLight<'s> {
     scene: DiffuseScene<'s>,
@@ -17,14 +17,14 @@ pub struct DirectLight<'s> {
     screens: Screens,
     /// The indices of the faces that emit.
     luminaires: Vec<usize>,
-    /// What positions are multiplied by to be among the faces.
+    /// Scale factor from scene coordinates to the working units of the faces.
     factor: f64,
 }
 
-/// What a ray meets first.
+/// First intersection of a ray.
 pub(crate) struct Met<'l> {
     pub(crate) face: &'l Face,
-    /// The point, in working units.
+    /// The intersection point, in working units.
     pub(crate) position: Vector,
 }
 
@@ -35,20 +35,20 @@ pub struct ReceiverResult {
     pub receiver: String,
     /// Irradiance in W/m², per band.
     pub irradiance: Vec<f64>,
-    /// What the irradiance would be if no surface hid a lamp, in W/m², per band.
+    /// Irradiance without occlusion of the luminaires, in W/m², per band.
     pub unoccluded: Vec<f64>,
 }
 
-/// Lists that are reused from receiver to receiver.
+/// Buffers that are reused from receiver to receiver.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Receiving {
     between: Vec<u32>,
     work: Workspace,
 }
 
-/// The direct irradiance of every point receiver of a scene, in the order of the file. Light that surfaces
-/// pass on to each other is not part of it. A camera's answer is a picture. A scene that asks for what is not
-/// simulated is refused with all of it.
+/// Computes the direct irradiance of every point receiver of a scene, in the order of the file.
+/// Interreflected light is not included. Camera receivers are skipped: their result is a picture.
+/// If the scene requests features that are not simulated, returns an error for each of them.
 pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneError>> {
     let light = DirectLight::new(scene)?;
     let mut lists = Receiving::default();
@@ -64,8 +64,8 @@ pub fn simulate_direct(scene: &Scene) -> Result<Vec<ReceiverResult>, Vec<SceneEr
 }
 
 impl<'s> DirectLight<'s> {
-    /// Prepares a scene: its lamps become faces, and what may come before them screens. A scene that asks for what is not
-    /// simulated is refused with all of it.
+    /// Prepares a scene: tessellates it, lists its luminaires, and builds the tree of occluders. If
+    /// the scene requests features that are not simulated, returns an error for each of them.
     pub fn new(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
         DiffuseScene::of(scene).map(Self::of)
     }
@@ -77,15 +77,15 @@ impl<'s> DirectLight<'s> {
         Self { screens: Screens::of(&faces), luminaires, faces, factor, scene }
     }
 
-    /// What a ray meets first.
+    /// Returns the first intersection of a ray with the scene.
     pub(crate) fn first(&self, origin: Vector, direction: Vector) -> Option<Met<'_>> {
         let origin = self.factor * origin;
         let hit = self.screens.first(origin, direction)?;
         Some(Met { face: &self.faces[hit.face], position: origin + hit.distance * direction })
     }
 
-    /// The irradiance at a point in W/m², per band, on the side to which `normal` points. The normal need not
-    /// be a unit vector; if it is zero, the irradiance is not a number.
+    /// Returns the irradiance at a point in W/m², per band, on the side to which `normal` points.
+    /// The normal need not be a unit vector; if it is zero, the irradiance is NaN.
     pub fn irradiance(&self, position: Vector, normal: Vector) -> Vec<f64> {
         let Some(normal) = normal.unit() else { return vec![f64::NAN; self.scene.scene.band_count()] };
         let mut sum = vec![0.0; self.scene.scene.band_count()];
@@ -93,7 +93,8 @@ impl<'s> DirectLight<'s> {
         sum
     }
 
-    /// Adds to `sum` the irradiance of a receiver with a unit normal, in working units: E = Σ π F L over the luminaires.
+    /// Adds to `sum` the irradiance of a receiver with a unit normal, in working units: E = Σ π F L
+    /// over the luminaires.
     pub(crate) fn add_irradiance(
         &self,
         position: Vector,

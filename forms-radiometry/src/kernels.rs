@@ -1,7 +1,9 @@
-//! The library's kernels: every formula through which light passes in this crate is generated from its proof.
+//! The library's kernels: every light-transport formula of this crate is generated code with a
+//! proof.
 //!
-//! Each file declares the forms and maps a kernel is made from and proves what it rests on; a false claim there
-//! does not compile. All are pure functions of scalars, in the units of the caller.
+//! Each file declares the forms and maps from which a kernel is made, and proves the claims that
+//! the kernel relies on; a false claim there does not compile. All kernels are pure functions of
+//! scalars, in the units of the caller.
 
 forms::include_forms!("kernels/solid_angle.forms");
 forms::include_forms!("kernels/irradiance.forms");

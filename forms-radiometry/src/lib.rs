@@ -1,8 +1,10 @@
-//! Radiometry of scenes: the text of a scene file becomes a [`Scene`](scene::Scene), a plan says which effects of light it
-//! calls for, and what its receivers get comes out with an error ([`simulation`]).
+//! Radiometry of scenes. A scene file is parsed into a [`Scene`](scene::Scene); a plan selects the
+//! light-transport effects that the scene needs; the simulation returns the quantity at each
+//! receiver with its error ([`simulation`]).
 //!
-//! Nearly everything that a scene file can describe is simulated: diffuse, reflecting and refracting surfaces, media, bands and
-//! time. [`scene::not_simulated`] lists the rest; such a scene is refused, with the place of each request.
+//! Nearly everything that a scene file can describe is simulated: diffuse, reflecting and
+//! refracting surfaces, media, bands and time. [`scene::not_simulated`] lists the exceptions. A
+//! scene that requests one is rejected, with the place of each request.
 //!
 //! ```
 //! use forms_radiometry::{scene, simulation};
@@ -61,5 +63,6 @@ pub use library::{RADIANCE, TheoryFile, library, theory};
 pub use picture::{Picture, picture};
 pub use view_factors::{ViewFactor, ViewFactors, view_factors};
 
-/// The scene file of the Cornell box, as measured at the Cornell University Program of Computer Graphics.
+/// The scene file of the Cornell box, as measured at the Cornell University Program of Computer
+/// Graphics.
 pub const CORNELL_BOX: &str = include_str!("../scenes/cornell_box.toml");

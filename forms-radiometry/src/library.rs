@@ -1,29 +1,29 @@
-//! The theory and the kernels that come with the library, as the text they are generated from.
+//! Source text of the theory and of the kernels that ship with the library.
 
-/// One file of the forms language.
+/// A source file in the forms language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TheoryFile {
-    /// Its file name.
+    /// File name.
     pub name: &'static str,
-    /// Its characters.
+    /// Source text.
     pub text: &'static str,
-    /// The forms chosen for its kernels, if there is a file of them.
+    /// Text of the file that records the forms chosen for the kernels, if there is one.
     pub choices: Option<&'static str>,
 }
 
-/// One file of the folder `theory`.
+/// A file of the folder `theory`.
 macro_rules! theory_file {
     ($name:literal) => {
         TheoryFile { name: $name, text: include_str!(concat!("../theory/", $name)), choices: None }
     };
 }
 
-/// The identities of Lessig, Fiume and Desbrun, *On the Mathematical Formulation of Radiance*, by their
-/// numbers there. `refute … as_printed` marks equations that are wrong as printed.
+/// The identities of Lessig, Fiume and Desbrun, *On the Mathematical Formulation of Radiance*,
+/// numbered as in the paper. `refute … as_printed` marks equations that are wrong as printed.
 pub const RADIANCE: TheoryFile = theory_file!("radiance.forms");
 
-/// The theory: a file for each topic, from the definitions of the quantities to sampling densities. Every statement is
-/// named and says what it means and where it comes from.
+/// Returns the theory: one file for each topic, from the definitions of the quantities to sampling
+/// densities. Every statement has a name, an explanation and a source.
 pub fn theory() -> &'static [TheoryFile] {
     &[
         theory_file!("quantities.forms"),
@@ -48,7 +48,7 @@ pub fn theory() -> &'static [TheoryFile] {
     ]
 }
 
-/// One file of the folder `kernels`, and the file of choices beside it where there is one.
+/// A file of the folder `kernels`, with its file of choices where there is one.
 macro_rules! kernel_file {
     ($name:literal) => {
         TheoryFile { name: $name, text: include_str!(concat!("../kernels/", $name)), choices: None }
@@ -62,7 +62,8 @@ macro_rules! kernel_file {
     };
 }
 
-/// The files whose `pub kernel`s are the library's kernels, each beside the statements it rests on.
+/// Returns the files whose `pub kernel`s are the library's kernels; each also contains the
+/// statements that its kernels rely on.
 pub fn library() -> &'static [TheoryFile] {
     &[
         kernel_file!("solid_angle.forms"),

@@ -1,14 +1,18 @@
-//! Monte Carlo: light is followed backwards from receivers along random paths, through everything that a scene can say: mirrors, metals,
-//! boundaries of media, media that absorb and scatter, and diffuse surfaces.
+//! Monte Carlo: backward path tracing from the receivers. It covers every feature of a scene file:
+//! mirrors, metals, interfaces between media, absorbing and scattering media, and diffuse surfaces.
 //!
 //! ```text
 //! scene ─▶ world (walls, media, luminaires) ─┐
-//! question ─▶ samples ─▶ first vertex ───────┴─▶ path: vertex ─▶ light straight from luminaires, and the next vertex ─▶ … ─▶ sums
-//! sums of independent replicates ─▶ mean, standard error ─▶ more samples, until the error is small enough
+//! query ─▶ samples ─▶ first vertex ──────────┴─▶ path
+//! path: vertex ─▶ next-event estimation, and the next vertex ─▶ … ─▶ sums
+//! independent replicates ─▶ mean, standard error ─▶ more samples, until the error is small enough
 //! ```
-//! L(x, ω) = Lₑ + T L is expanded into its Neumann series; a path finds one term after the other. At each vertex that spreads light, a direction
-//! to a luminaire and one by the law of the vertex are both taken, and what both can find is weighed by the power heuristic; so is what flat
-//! mirrors show of luminaires. Every direction and distance comes from a warp of the library, whose density is the proved reciprocal of its pullback.
+//! L(x, ω) = Lₑ + T L is expanded into its Neumann series; a path estimates the terms in order. At
+//! each vertex that scatters light, two directions are sampled: one to a luminaire (next-event
+//! estimation) and one from the scattering distribution of the vertex. Contributions that both
+//! techniques can produce are combined by multiple importance sampling with the power heuristic.
+//! The same holds for the images of luminaires in flat mirrors. Every direction and distance comes
+//! from a warp of the library, whose density is the proved reciprocal of its pullback.
 //!
 //! Source: E. Veach, Robust Monte Carlo methods for light transport simulation (1997).
 

@@ -1,14 +1,15 @@
-//! Files: what a simulation found becomes the bytes of tables and pictures. Nothing is written to a disk here.
+//! Output files: the results of a simulation become the bytes of tables and pictures. Nothing is
+//! written to disk here.
 //!
 //! ```text
-//! Plan, Simulation, Map ─ notebook ─▶ what a cell of a notebook shows of them
+//! Plan, Simulation, Map ─ notebook ─▶ their display in a notebook cell
 //! Simulation ─┬─ csv ─▶ results.csv: every number, every cell of every map
-//!             └─ Map ─┬─ exr ─▶ the values as they are, a channel for each band
-//!                     ├─ png ─▶ a map as a picture on a scale of colours
-//!                     └─ photograph ─▶ an image as the eye would see it
+//!             └─ Map ─┬─ exr ─▶ the values unchanged, one channel for each band
+//!                     ├─ png ─▶ the map as a picture on a colour scale
+//!                     └─ photograph ─▶ the map tone-mapped for the eye
 //! ```
-//! The pictures show a surface as it is seen from its front, with the first edge of its polygon below: the last row of
-//! a map is the first one of a picture.
+//! The pictures show a surface from its front, with the first edge of its polygon at the bottom:
+//! the last row of a map is the first row of the picture.
 
 mod csv;
 mod digits;
@@ -27,7 +28,7 @@ pub use png::{png, viridis};
 
 use crate::simulation::Map;
 
-/// The cells of a map in the order of a picture: row by row from above.
+/// Returns the cells of a map in picture order: row by row from the top.
 fn from_above<'v, T>(map: &Map, values: &'v [T]) -> Vec<&'v [T]> {
     let mut rows: Vec<&[T]> = values.chunks_exact(map.size[0]).collect();
     if !map.is_image {
@@ -36,7 +37,7 @@ fn from_above<'v, T>(map: &Map, values: &'v [T]) -> Vec<&'v [T]> {
     rows
 }
 
-/// For each cell the sum of all bands.
+/// Returns the sum over all bands for each cell.
 fn total(map: &Map) -> Vec<f64> {
     (0..map.size[0] * map.size[1]).map(|cell| map.values.iter().map(|band| band[cell]).sum()).collect()
 }

@@ -1,9 +1,10 @@
-//! Pictures: a scene and a camera become the pixels of a screen.
+//! Pictures: renders a scene seen by a camera into pixels for a screen.
 //!
-//! Rays are first sent through the corners of the pixels, which neighbours share. A pixel whose corners agree
-//! is their mean; one whose corners see different surfaces, or visibly different light, is sampled again at
-//! the points of a Hammersley set, the same in every pixel. Nothing is random, and no pixel depends on
-//! another one's samples: the picture is the same, to the last bit, for any number of threads.
+//! Rays are first sent through the corners of the pixels, which neighbours share. If the corners of
+//! a pixel agree, the pixel is their mean. If they see different surfaces, or visibly different
+//! light, the pixel is sampled again at the points of a Hammersley set, the same in every pixel.
+//! Nothing is random, and no pixel depends on the samples of another: the picture is the same, to
+//! the last bit, for any number of threads.
 
 use crate::camera::Camera;
 use crate::scene::{Scene, SceneError};
@@ -12,7 +13,7 @@ use crate::spectrum::{Colour, add_scaled, luminance};
 use crate::tone::{Exposure, differ, encode};
 use rayon::prelude::*;
 
-/// How many samples a pixel with an edge in it takes: 2⁵.
+/// Number of samples of a pixel with an edge in it: 2⁵.
 const EDGE_SAMPLES: u32 = 32;
 
 /// A picture in sRGB, eight bits a component.
@@ -23,12 +24,12 @@ pub struct Picture {
     pixels: Vec<u8>,
 }
 
-/// What a camera sees of a scene by direct light only: lamps, and surfaces that lamps shine on. The rest is
-/// black.
+/// Renders a camera's view of a scene with direct light only: the lamps, and the surfaces that they
+/// illuminate. Everything else is black.
 ///
-/// The exposure comes from the picture: the 99th percentile of the luminance of what reflects light is shown
-/// at 0.8 of the screen's white. The light of the lamps counts as white. A scene that asks for what is not
-/// simulated is refused with all of it.
+/// The exposure is derived from the picture: the 99th percentile of the luminance of the reflecting
+/// surfaces is shown at 0.8 of the screen's white. The light of the lamps counts as white. If the
+/// scene requests features that are not simulated, returns an error for each of them.
 pub fn picture(scene: &Scene, camera: &Camera) -> Result<Picture, Vec<SceneError>> {
     let [width, height] = camera.resolution;
     let sight = Sight::new(scene, camera)?;
@@ -58,9 +59,9 @@ fn exposure(sight: &Sight, samples: &[Sample]) -> Exposure {
     Exposure::of(samples.iter().filter(reflects).map(|sample| luminance(sample.colour)).collect())
 }
 
-/// The mean colour of a pixel on the screen. Samples are compressed to the range of the screen before the
-/// mean is taken: else one sample in thirty-two of a bright lamp would saturate the pixel, and the lamp's
-/// edge be jagged.
+/// Returns the mean colour of a pixel on the screen. Samples are compressed to the range of the
+/// screen before the mean is taken. Otherwise one sample of a bright lamp among thirty-two would
+/// saturate the pixel, and the edge of the lamp would be jagged.
 fn pixel_colour(
     sight: &Sight,
     exposure: Exposure,
@@ -88,8 +89,8 @@ fn mean(colours: impl Iterator<Item = Colour>, count: u32) -> Colour {
     sum
 }
 
-/// The i-th point of the Hammersley set in the unit square: every column and every row of width 1/32 holds
-/// one.
+/// Returns the i-th point of the Hammersley set in the unit square: every column and every row of
+/// width 1/32 contains one point.
 fn hammersley(i: u32) -> (f64, f64) {
     let count = f64::from(EDGE_SAMPLES);
     let reversed = i.reverse_bits() >> (32 - EDGE_SAMPLES.trailing_zeros());

@@ -1,15 +1,17 @@
-//! Radiosity: the diffuse faces of a scene become elements, light that goes from element to element becomes a matrix of
-//! form factors, and its solution is the irradiance everywhere, from which any receiver gathers.
+//! Radiosity: the diffuse faces of a scene are divided into elements, light transport between
+//! elements becomes a matrix of form factors, and the solution of the linear system is the
+//! irradiance everywhere, from which any receiver gathers.
 //!
 //! ```text
-//! faces ─▶ elements with nodes ─▶ form factors from nodes to elements (weights) ─▶ E = D + G E ─▶ receivers gather
-//!              ▲                                                                        │
-//!              └──────────────── those that change the answers most are split ◀────────┘
+//! faces ─▶ elements, nodes ─▶ form factors node × element (weights) ─▶ E = D + G E ─▶ gathering
+//!             ▲                                                             │
+//!             └─ refinement: elements that change answers most are split ◀──┘
 //! ```
-//! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), D the irradiance that comes straight from lights. E is a polynomial on
-//! each element, given at its Gauss points; what is between the points comes out of the equation itself (Nyström), and
-//! visibility is exact. The solution is that of the continuous equation, not of one value a surface. Where surfaces are many, light is
-//! followed along rays instead ([`gathering`], [`paths`]).
+//! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), with D the direct irradiance from lights. E is
+//! a polynomial on each element, given at its Gauss points. Between these points the equation
+//! itself interpolates (Nyström method), and visibility is exact. The solution is that of the
+//! continuous equation, not one constant for each surface. In scenes with many surfaces, light is
+//! traced along rays instead ([`gathering`], [`paths`]).
 
 mod arriving;
 mod brightest;

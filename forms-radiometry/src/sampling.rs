@@ -1,6 +1,7 @@
-//! Sampling: keys become points of the unit square, and these directions about an axis.
+//! Sampling: hash keys become points of the unit square, and these become directions about an axis.
 //!
-//! Warps themselves are kernels ([`kernels`](crate::kernels)); here is what they are given, and what turns their axis to where it is wanted.
+//! The warps themselves are kernels ([`kernels`](crate::kernels)); this module provides their
+//! inputs, and the frames that rotate their axis to the required direction.
 
 mod choice;
 mod draws;

@@ -1,5 +1,6 @@
-//! Scenes: the text of a scene file is read, checked as a whole, and becomes a model, or the list of all that
-//! is wrong with it. What a model asks of a solver that the solver cannot do is told by [`not_simulated`].
+//! Scenes: the text of a scene file is parsed, checked as a whole, and becomes a model or the list
+//! of all its errors. [`not_simulated`] lists the requests of a model that the solver does not
+//! support.
 
 mod bands;
 mod element;

@@ -1,19 +1,20 @@
-//! Sharing: a loop is run by one thread or shared by all, as its operations tell.
+//! Loop parallelism: a loop runs in one thread or in all threads, depending on its number of
+//! operations.
 //!
 //! ```text
-//! rows × operations of a kernel ─▶ Sharing ─┬─ Alone:  in the thread that asks, in order
-//!                                           └─ Shared: by all threads; results in the same order
+//! rows × operations of a kernel ─▶ Sharing ─┬─ Alone:  in the calling thread, in order
+//!                                           └─ Shared: in all threads; results in the same order
 //! ```
-//! What is found does not depend on it.
+//! The results do not depend on the choice.
 
 use rayon::prelude::*;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Operations below which one thread is done before others would be worth it. In vectors it does so many in some 0.15 ms; a loop that is
-/// shared waits 10 to 50 µs for the others to wake.
+/// Number of operations below which one thread is faster than several. Vectorized code executes
+/// this many in about 0.15 ms; a parallel loop waits 10 to 50 µs for the other threads to wake up.
 const WORTHWHILE: f64 = 2e6;
 
-/// Whether a loop is shared by threads.
+/// Whether a loop runs in parallel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Sharing {
     Alone,
@@ -21,13 +22,13 @@ pub(crate) enum Sharing {
 }
 
 impl Sharing {
-    /// Of a loop of so many operations.
+    /// Returns the choice for a loop of this many operations.
     pub(crate) fn of(operations: f64) -> Self {
         if operations < WORTHWHILE { Self::Alone } else { Self::Shared }
     }
 
-    /// Does some work inside of the threads, if it has loops that are shared: one way in, instead of one for every loop, each of which
-    /// would wait for them to wake.
+    /// Runs some work inside the thread pool if it contains parallel loops. The pool is entered
+    /// once instead of once for each loop, each of which would wait for the threads to wake up.
     pub(crate) fn enter<R: Send>(self, work: impl FnOnce() -> R + Send) -> R {
         match self {
             Self::Alone => work(),
@@ -35,7 +36,7 @@ impl Sharing {
         }
     }
 
-    /// What is made by two works that do not wait for each other.
+    /// Runs two independent closures and returns both results.
     pub(crate) fn both<A: Send, B: Send>(
         self,
         one: impl FnOnce() -> A + Send,
@@ -47,7 +48,7 @@ impl Sharing {
         }
     }
 
-    /// What is made of the first item of which something is.
+    /// Returns the result of the first item, in order, for which `each` returns one.
     pub(crate) fn find_map<I, R: Send>(
         self,
         items: I,
@@ -62,7 +63,8 @@ impl Sharing {
         }
     }
 
-    /// What is made of each item, in their order, with lists that each thread keeps from item to item.
+    /// Maps each item and returns the results in order. Each thread keeps its buffers from item to
+    /// item.
     pub(crate) fn map<I, S: Default + Send, R: Send>(
         self,
         items: I,
@@ -87,7 +89,7 @@ impl Sharing {
     }
 }
 
-/// Lists lent to a part of a loop, given back for the next one.
+/// Buffers lent to one part of a loop and returned for the next part.
 struct Lent<'f, S: Default> {
     lists: S,
     free: &'f Mutex<Vec<S>>,
@@ -99,7 +101,8 @@ impl<S: Default> Drop for Lent<'_, S> {
     }
 }
 
-/// The lists that are free. Each is whole, whatever happened to one that had another.
+/// Locks the list of free buffers. A poisoned lock is harmless: each free buffer is intact, even if
+/// a thread panicked while it used another one.
 fn lock<S>(free: &Mutex<Vec<S>>) -> MutexGuard<'_, Vec<S>> {
     free.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -1,4 +1,5 @@
-//! Sight: a ray of a camera becomes the surface that it meets and the colour that it brings.
+//! Camera view: traces a camera ray to the first surface that it hits and returns the colour seen
+//! along it.
 
 use crate::camera::Camera;
 use crate::geometry::Face;
@@ -18,20 +19,20 @@ pub(crate) struct Sight<'s> {
 /// The colours of a surface.
 struct Paint {
     emitted: Colour,
-    /// What the irradiance in each band adds to the colour: ρ/π of the band's colour.
+    /// Colour reflected per unit of irradiance in each band: ρ/π times the colour of the band.
     reflected: Vec<Colour>,
 }
 
-/// What a ray brings.
+/// Result of a camera ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample {
-    /// The surface that the ray meets first, if any.
+    /// The first surface that the ray hits, if any.
     pub(crate) surface: Option<usize>,
     /// Linear sRGB.
     pub(crate) colour: Colour,
 }
 
-/// Lists that are reused from ray to ray.
+/// Buffers that are reused from ray to ray.
 #[derive(Default)]
 pub(crate) struct Tracing {
     lists: Receiving,
@@ -46,7 +47,8 @@ impl<'s> Sight<'s> {
         Ok(Self { light: DirectLight::of(scene.clone()), scene, camera, paints })
     }
 
-    /// What the film point (x, y) sees: L = Lₑ + ρ E/π on a diffuse surface, nothing outside the scene.
+    /// Returns the surface and the colour seen at the film point (x, y): L = Lₑ + ρ E/π on a
+    /// diffuse surface, black outside the scene.
     pub(crate) fn sample(&self, x: f64, y: f64, tracing: &mut Tracing) -> Sample {
         let direction = self.camera.direction(x, y);
         let Some(Met { face, position }) = self.light.first(self.camera.origin, direction) else {
@@ -91,7 +93,8 @@ mod tests {
     use crate::geometry::Vector;
     use crate::scene::{ReceiverKind, read};
 
-    /// A floor, a lamp above its left half, and a two-sided screen beside it that hangs lower, without bands.
+    /// A floor, a lamp above its left half, and to its right a two-sided screen that hangs lower;
+    /// without bands.
     const SCENE: &str = r#"
         [[material]]
         name = "grey"
@@ -129,7 +132,8 @@ mod tests {
         resolution = [100, 100]
     "#;
 
-    /// The brightness that the camera of this name sees in the direction of a point, and the index of the surface.
+    /// Returns the surface index and the brightness that the camera with this name sees in the
+    /// direction of a point.
     fn seen(camera: &str, x: f64, y: f64) -> (Option<usize>, f64) {
         let scene = read(SCENE, "sight.toml").unwrap();
         let receiver = scene.receivers.iter().find(|r| r.name == camera).unwrap();

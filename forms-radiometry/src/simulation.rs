@@ -1,9 +1,12 @@
-//! Simulation: a scene becomes a plan of the effects that it calls for, and these become answers with their errors.
+//! Simulation: a scene becomes a plan of the effects that it needs, and the plan becomes answers
+//! with their errors.
 //!
 //! ```text
-//! scene ─▶ plan (which effects, why, what dropping them can change) ─▶ answers and maps, refined until they are exact enough
+//! scene ─▶ plan (which effects, why, what dropping them can change)
+//!       ─▶ answers and maps, refined until they are exact enough
 //! ```
-//! Who watches is told of progress, and can stop the work: what is there by then is returned.
+//! A watcher is notified of progress and can stop the computation; the results obtained by then are
+//! returned.
 
 mod accuracy;
 mod answer;

@@ -1,4 +1,5 @@
-//! Colour: radiance in wavelength bands becomes linear sRGB, as an eye adapted to the lamps sees it.
+//! Colour: converts radiance in wavelength bands to linear sRGB, as seen by an eye adapted to the
+//! lamps.
 
 use crate::scene::{Band, LightKind, Scene};
 
@@ -7,14 +8,14 @@ pub(crate) type Colour = [f64; 3];
 
 type Matrix = [[f64; 3]; 3];
 
-/// From XYZ to linear sRGB (IEC 61966-2-1).
+/// Matrix from XYZ to linear sRGB (IEC 61966-2-1).
 const XYZ_TO_SRGB: Matrix =
     [[3.2406, -1.5372, -0.4986], [-0.9689, 1.8758, 0.0415], [0.0557, -0.2040, 1.0570]];
 
-/// The white of sRGB, CIE illuminant D65.
+/// The white point of sRGB, CIE illuminant D65.
 const D65: [f64; 3] = [0.9505, 1.0, 1.089];
 
-/// From XYZ to the cone responses of Lam's Bradford transform, and back.
+/// Matrix from XYZ to the cone responses of Lam's Bradford transform, and its inverse.
 const BRADFORD: Matrix = [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]];
 const BRADFORD_INVERSE: Matrix = [
     [0.9869929, -0.1470543, 0.1599627],
@@ -22,14 +23,14 @@ const BRADFORD_INVERSE: Matrix = [
     [-0.0085287, 0.0400428, 0.9684867],
 ];
 
-/// The luminance of linear sRGB.
+/// Returns the luminance of a linear sRGB colour.
 pub(crate) fn luminance(colour: Colour) -> f64 {
     0.2126 * colour[0] + 0.7152 * colour[1] + 0.0722 * colour[2]
 }
 
-/// What each band adds to a colour, per unit of radiance in the band. The light of all lamps together is
-/// white, as it is to an eye adapted to it: a picture by a reddish lamp is not reddish. Without bands colour
-/// is grey.
+/// Returns the contribution of each band to a colour, per unit of radiance in the band. The light
+/// of all lamps together is white, as it appears to an eye adapted to it: a picture lit by a
+/// reddish lamp is not reddish. Without bands, colours are grey.
 pub(crate) fn band_colours(scene: &Scene) -> Vec<Colour> {
     if scene.bands.is_empty() {
         return vec![[1.0; 3]];
@@ -56,8 +57,8 @@ pub(crate) fn add_scaled(sum: &mut Colour, factor: f64, colour: Colour) {
     }
 }
 
-/// XYZ under a white, adapted to D65: cone responses are scaled by the ratio of those of the two whites (von
-/// Kries).
+/// Adapts an XYZ colour from a white point to D65: the cone responses are scaled by the ratio of
+/// the responses of the two white points (von Kries).
 fn adapted(xyz: [f64; 3], white: [f64; 3]) -> [f64; 3] {
     if white.iter().any(|&component| component <= 0.0) {
         return xyz;
@@ -71,7 +72,8 @@ fn apply(matrix: &Matrix, v: [f64; 3]) -> [f64; 3] {
     matrix.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
 }
 
-/// The mean of the colour matching functions over a band, at the middles of intervals of 1 nm or less.
+/// Returns the mean of the colour matching functions over a band, by the midpoint rule with
+/// intervals of 1 nm or less.
 fn mean_response(band: &Band) -> [f64; 3] {
     let low = band.low.clamp(300.0, 900.0);
     let high = band.high.clamp(300.0, 900.0);
@@ -84,9 +86,9 @@ fn mean_response(band: &Band) -> [f64; 3] {
     sum
 }
 
-/// The CIE 1931 2° colour matching functions x̄, ȳ, z̄ at a wavelength in nm, by the multi-lobe fit of Wyman,
-/// Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color matching functions", JCGT 2(2),
-/// 2013.
+/// Returns the CIE 1931 2° colour matching functions x̄, ȳ, z̄ at a wavelength in nm, by the
+/// multi-lobe fit of Wyman, Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color
+/// matching functions", JCGT 2(2), 2013.
 fn colour_matching(wavelength: f64) -> [f64; 3] {
     let lobe = |height: f64, peak: f64, left: f64, right: f64| {
         let t = (wavelength - peak) / if wavelength < peak { left } else { right };

@@ -1,21 +1,23 @@
-//! Tone: linear colour of any brightness becomes the colour of a screen.
+//! Tone mapping: linear colour of any brightness becomes a colour for the screen.
 
 use crate::spectrum::{Colour, luminance};
 
-/// The fraction of what reflects light that is darker than the brightness chosen for [`KEY`].
+/// Fraction of the samples on reflecting surfaces that is darker than the brightness mapped to
+/// [`KEY`].
 const PERCENTILE: f64 = 0.99;
-/// The screen's linear brightness of that percentile.
+/// Linear screen brightness of that percentile.
 const KEY: f64 = 0.8;
-/// Brightness up to here is shown in proportion; above, it approaches 1 without reaching it.
+/// Upper end of the linear part of the tone curve. Above it, brightness approaches 1 without
+/// reaching it.
 const SHOULDER: f64 = 0.7;
 
-/// A factor from radiance to the brightness of a screen.
+/// Factor from radiance to the brightness of the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Exposure(f64);
 
 impl Exposure {
-    /// The exposure that shows the 99th percentile of these luminances at 0.8; one for a picture without
-    /// light.
+    /// Returns the exposure that shows the 99th percentile of these luminances at 0.8, or 1 for a
+    /// picture without light.
     pub(crate) fn of(mut luminances: Vec<f64>) -> Self {
         if luminances.is_empty() {
             return Self(1.0);
@@ -27,10 +29,11 @@ impl Exposure {
         Self(if reference > 0.0 { KEY / reference } else { 1.0 })
     }
 
-    /// The linear colour of the screen, each component from 0 to 1.
+    /// Returns the linear colour on the screen, each component from 0 to 1.
     ///
-    /// The largest component m is compressed to s + (1 − s)(1 − e^(−(m − s)/(1 − s))) where it exceeds s =
-    /// 0.7, which is smooth there, and the others in proportion, which keeps the hue.
+    /// Where the largest component m exceeds s = 0.7, it is compressed to s + (1 − s)(1 − e^(−(m −
+    /// s)/(1 − s))), which is smooth at s. The other components are scaled in proportion, which
+    /// keeps the hue.
     pub(crate) fn screen(self, colour: Colour) -> Colour {
         let exposed = colour.map(|component| (self.0 * component).max(0.0));
         let largest = exposed.into_iter().fold(0.0, f64::max);
@@ -43,14 +46,14 @@ impl Exposure {
     }
 }
 
-/// Whether two colours of the screen differ visibly across a pixel: by 2% of white, or by a tenth of the
+/// Whether two screen colours differ visibly across a pixel: by 2% of white, or by a tenth of the
 /// brighter one.
 pub(crate) fn differ(a: Colour, b: Colour) -> bool {
     let (a, b) = (luminance(a), luminance(b));
     (a - b).abs() > (0.1 * a.max(b)).clamp(0.002, 0.02)
 }
 
-/// The eight-bit value of a linear component by the transfer function of sRGB (IEC 61966-2-1).
+/// Encodes a linear component in eight bits by the transfer function of sRGB (IEC 61966-2-1).
 pub(crate) fn encode(linear: f64) -> u8 {
     let encoded = if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
     (255.0 * encoded.clamp(0.0, 1.0)).round() as u8

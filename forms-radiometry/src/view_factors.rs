@@ -1,10 +1,12 @@
-//! View factors: the surfaces of a scene become the matrix of the fractions of light that they send to each other.
+//! View factors: computes the matrix of the fractions of light that the surfaces of a scene send to
+//! each other.
 //!
 //! ```text
-//! scene ─▶ faces that send light ─ with what may come between ─▶ exchange areas of all pairs ─▶ F = AF/A by surfaces
+//! scene ─▶ bright faces, their occluders ─▶ exchange areas of all pairs ─▶ F = AF/A by surface
 //! ```
-//! A surface sends from its front, and a two-sided one from both sides. Rows are computed independently of each other: how far
-//! A₁F₁₂ is from A₂F₂₁ is a check of both. No surface sends more than it has: a row whose sum is above 1 by more than its error is
+//! A one-sided surface sends light from its front, a two-sided one from both sides. Rows are
+//! computed independently of each other: the difference between A₁F₁₂ and A₂F₂₁ is a check of both.
+//! No surface sends more than all of its light: a row whose sum exceeds 1 by more than its error is
 //! an error of the scene ([`ViewFactors::contradictions`]).
 
 use crate::faces::{faces, is_bright, is_round};
@@ -12,11 +14,11 @@ use crate::geometry::{Exchange, Face, Screens, exchange_with};
 use crate::scene::{Scene, SceneError};
 use rayon::prelude::*;
 
-/// View factors below this are computed to the absolute error of one of this size.
+/// View factors below this value are computed to the absolute error of a view factor of this value.
 const LEAST: f64 = 1e-3;
-/// Rounding of a view factor, relative to the sum of its row.
+/// Rounding error of a view factor, relative to the sum of its row.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// The surfaces that an error names, those with the largest view factors.
+/// Number of surfaces that an error message names, those with the largest view factors.
 const NAMED: usize = 8;
 
 /// The view factors of a scene.
@@ -24,23 +26,26 @@ const NAMED: usize = 8;
 pub struct ViewFactors {
     /// The names of the surfaces.
     pub names: Vec<String>,
-    /// The area that each surface sends from, in the square of the scene's unit: twice that of its shape where it is two-sided.
+    /// The area from which each surface sends light, in the square of the scene's unit: twice the
+    /// area of its shape where it is two-sided.
     pub areas: Vec<f64>,
-    /// For each surface the fractions that arrive at each, with the estimates of their errors.
+    /// For each surface, the fractions of its light that arrive at each surface, with error
+    /// estimates.
     pub rows: Vec<Vec<ViewFactor>>,
 }
 
 /// A view factor.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ViewFactor {
-    /// The fraction of what one surface sends that arrives at the other.
+    /// The fraction of the light of one surface that arrives at the other.
     pub value: f64,
     /// An estimate of its error.
     pub error: f64,
 }
 
-/// The view factors between the surfaces of a scene, to its tolerance. Where flat pieces stand for round shapes, what twice as many edges
-/// round them change is part of the errors.
+/// Computes the view factors between the surfaces of a scene, to its tolerance. For disks and
+/// spheres, the errors include the change under one refinement of the tessellation to twice as many
+/// edges.
 pub fn view_factors(scene: &Scene) -> ViewFactors {
     let working = scene.in_working_units();
     let mut found = with_fineness(&working.scene, 0);
@@ -54,7 +59,7 @@ pub fn view_factors(scene: &Scene) -> ViewFactors {
     found
 }
 
-/// The same with this fineness of round shapes.
+/// Computes the view factors with this tessellation level of disks and spheres.
 fn with_fineness(scene: &Scene, fineness: usize) -> ViewFactors {
     let all = faces(scene, fineness);
     let screens = Screens::of(&all);
@@ -83,20 +88,20 @@ fn with_fineness(scene: &Scene, fineness: usize) -> ViewFactors {
 }
 
 impl ViewFactors {
-    /// What arrives anywhere of what a surface sends: 1 in a closed scene.
+    /// Returns the fraction of a surface's light that arrives anywhere: 1 in a closed scene.
     pub fn sum(&self, surface: usize) -> f64 {
         self.rows[surface].iter().map(|factor| factor.value).sum()
     }
 
-    /// The error of the sum of a row: those of its view factors, and rounding.
+    /// Returns the error of the sum of a row: the errors of its view factors, plus rounding.
     pub fn sum_error(&self, surface: usize) -> f64 {
         let row = &self.rows[surface];
         let errors: f64 = row.iter().map(|factor| factor.error).sum();
         errors + ROUNDING * row.len() as f64 * self.sum(surface)
     }
 
-    /// An error for each surface of the scene whose row has a sum above 1 by more than its error: surfaces that it sends to
-    /// lie where others are.
+    /// Returns an error for each surface of the scene whose row has a sum above 1 by more than its
+    /// error: surfaces to which it sends light overlap.
     pub fn contradictions(&self, scene: &Scene) -> Vec<SceneError> {
         let is_above_one = |&row: &usize| self.sum(row) > 1.0 + self.sum_error(row);
         let error = |row: usize| {
@@ -113,7 +118,7 @@ impl ViewFactors {
         (0..self.names.len()).filter(is_above_one).map(error).collect()
     }
 
-    /// The terms of the sum of a row, the largest first: "0.6 to `a`, 0.5 to `b`".
+    /// Lists the terms of the sum of a row, the largest first: "0.6 to `a`, 0.5 to `b`".
     fn contributors(&self, row: usize) -> String {
         let factors = self.rows[row].iter().zip(&self.names).map(|(factor, name)| (factor.value, name));
         let mut factors: Vec<(f64, &String)> = factors.filter(|(value, _)| *value > 0.0).collect();
@@ -127,7 +132,7 @@ impl ViewFactors {
         parts.join(", ")
     }
 
-    /// The largest |A₁F₁₂ − A₂F₂₁|, relative to the smaller area.
+    /// Returns the largest |A₁F₁₂ − A₂F₂₁|, relative to the smaller area.
     pub fn reciprocity_residual(&self) -> f64 {
         let mut largest: f64 = 0.0;
         for i in 0..self.rows.len() {
@@ -196,14 +201,14 @@ mod tests {
             let residual = (found.sum(surface) - 1.0).abs();
             assert!(residual <= error && error < 0.05, "{surface}: {residual:e}, said {error:e}");
         }
-        // what a ball sends, it sends to the cube, a sixth to each face
+        // all light of the ball goes to the cube, a sixth to each face
         let ViewFactor { value, error } = found.rows[6][0];
         let off = (value - 1.0 / 6.0).abs();
         assert!(off <= error && found.rows[6][6].value == 0.0, "off by {off:e}, said {error:e}");
         assert!(found.rows[0][1].value < 0.1, "the ball hides half of the opposite face");
     }
 
-    /// A scene of these surfaces, given as name, shape and sides.
+    /// Builds a scene of these surfaces, given as name, shape and sides.
     fn only(surfaces: &[(&str, &str, bool)]) -> Scene {
         let of = |(name, shape, two_sided): &(&str, &str, bool)| {
             surface(name, "grey", &format!("{shape}\ntwo_sided = {two_sided}"))

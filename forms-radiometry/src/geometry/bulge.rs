@@ -1,17 +1,22 @@
-//! Bulges: what a round shape may hide of an outline where its flat pieces hide nothing.
+//! Tessellation gaps: bounds the occlusion of an outline by a sphere or disk where the flat pieces
+//! of its tessellation occlude nothing.
 //!
 //! ```text
-//! point, outline ─▶ planes through the point and each edge ─ how far the shape reaches over each, p ─▶ (p/d) (2 √(2Rp)/d) of solid angle
+//! point, outline ─▶ planes through the point and each edge
+//!                ─ how far the shape reaches over each, p ─▶ (p/d) (2 √(2Rp)/d) of solid angle
 //! ```
-//! What of a sphere is beyond a plane, by p at most, is a cap whose rim has the radius √(2Rp) at most. A point in that plane sees it edge-on.
+//! The part of a sphere that reaches at most p beyond a plane is a cap whose rim has at most the
+//! radius √(2Rp). A point in that plane sees the cap edge-on.
 
 use super::{Round, Vector};
 use std::f64::consts::PI;
 
-/// What is not farther than this from where it counts, relative to the lengths that it is a sum of, counts.
+/// Tolerance of the distances, relative to the lengths that they are sums of: a shape within this
+/// distance of a plane counts as beyond it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A bound on the solid angle, over π, that a round shape hides from a point of a convex outline that looks to it, if its pieces hide nothing. What is
+/// Bounds the solid angle, over π, of the part of a convex outline that a sphere or disk hides from
+/// a point while the pieces of its tessellation hide nothing. The outline faces the point. A shape
 /// behind the outline, or below the horizon of this normal, hides nothing.
 pub(crate) fn bulge(
     shape: &dyn Round,
@@ -20,7 +25,7 @@ pub(crate) fn bulge(
 ) -> f64 {
     let (to_center, radius) = (shape.center() - point, shape.radius());
     let rounding = ROUNDING * (point.largest() + shape.center().largest() + radius);
-    // how far it reaches over the plane through the point with this normal
+    // how far the shape reaches beyond the plane through the point with this normal
     let over = |normal: Vector| normal.dot(to_center) + shape.reach(normal) * radius + rounding;
     if over(normal) < normal.dot(outline[0] - point) || horizon.is_some_and(|normal| over(normal) < 0.0) {
         return 0.0;
@@ -36,10 +41,12 @@ pub(crate) fn bulge(
     caps.fold(4.0, f64::min)
 }
 
-/// The solid angle, over π, of what is over a plane through a point by so much at most, of a shape with this radius whose centre is so far away.
+/// Returns a bound on the solid angle, over π, of the part of a shape that reaches at most `depth`
+/// beyond a plane through a point. The shape has this radius, and its centre is `far` away from the
+/// point.
 fn cap(depth: f64, reach: f64, [far, radius]: [f64; 2]) -> f64 {
     let half = (2.0 * radius * (depth / reach)).sqrt().min(radius);
-    // the rim of what the point sees of a ball is where lines touch it
+    // the visible part of a ball ends where lines from the point are tangent to it
     let nearest = (far - radius).max(((far - radius) * (far + radius)).max(0.0).sqrt() - half);
     if nearest > 0.0 { 2.0 * (depth / nearest) * (half / nearest) / PI } else { f64::INFINITY }
 }
@@ -52,7 +59,7 @@ mod tests {
     const HERE: Vector = Vector::new(0.0, 0.0, 0.0);
     const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 
-    /// The square of sides 2 at the height 2 that looks down.
+    /// The square of side 2 at the height 2 that faces down.
     fn lamp() -> [Vector; 4] {
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(|[x, y]| Vector::new(x, y, 2.0))
     }
@@ -68,12 +75,12 @@ mod tests {
 
     #[test]
     fn a_sphere_bulges_into_the_way_only_from_where_it_reaches_it() {
-        // at the height 1 the way is as wide as 1, and its side leans by atan ½
+        // at the height 1 the shaft is 1 wide, and its side leans by atan ½
         let touches = 0.5 + 0.25 * 5.0_f64.sqrt();
         assert_eq!(of(&ball([touches + 1e-12, 0.0, 1.0])), 0.0);
         let depths = [1e-6, 1e-4, 1e-2].map(|into| of(&ball([touches - into, 0.0, 1.0])));
         assert!(depths.is_sorted() && depths[0] > 0.0 && depths[2] < 0.01, "{depths:?}");
-        // a depth to the power of three halves
+        // the bound grows with the depth to the power of three halves
         assert!(((depths[1] / depths[0]).log10() - 3.0).abs() < 0.05, "{depths:?}");
     }
 
@@ -87,7 +94,7 @@ mod tests {
     #[test]
     fn a_disk_reaches_no_farther_than_it_is_wide() {
         let disk = |normal| Disk { center: Vector::new(0.8, 0.0, 1.0), normal, radius: 0.5 };
-        // upright it stands beside the way
+        // an upright disk stays outside the shaft
         assert_eq!(of(&disk(Vector::new(1.0, 0.0, 0.0))), 0.0);
         assert!(of(&disk(UP)) > 0.0);
     }

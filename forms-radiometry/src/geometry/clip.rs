@@ -1,13 +1,14 @@
-//! Clipping: a plane parts a convex polygon in two.
+//! Clipping: splits a convex polygon by a plane into two parts.
 
 use super::Vector;
 
-/// Distances below this fraction of the polygon's largest distance from the plane count as none, so that an
-/// edge that already lies in the plane is not cut into slivers.
+/// Distances below this fraction of the polygon's largest distance from the plane count as zero, so
+/// that an edge that already lies in the plane is not cut into slivers.
 const ROUNDING: f64 = 1e-14;
 
-/// Parts a convex polygon by the sign of `side`, an affine function: the part where it is positive goes to
-/// `inside`, the part where it is negative to `outside`. A part without area comes out empty.
+/// Splits a convex polygon by the sign of `side`, an affine function: the part where it is positive
+/// goes to `inside`, the part where it is negative to `outside`. A part without area comes out
+/// empty.
 ///
 /// An edge from a to b with distances α, β of opposite signs is cut at a + α/(α − β) (b − a).
 pub(crate) fn split(
@@ -19,7 +20,7 @@ pub(crate) fn split(
     split_beyond(polygon, side, 0.0, inside, outside);
 }
 
-/// The same where distances below `least` count as none too.
+/// Splits a convex polygon like [`split`], but distances below `least` count as zero too.
 pub(super) fn split_beyond(
     polygon: &[Vector],
     side: impl Fn(Vector) -> f64,
@@ -60,7 +61,7 @@ pub(super) fn split_beyond(
     }
 }
 
-/// Convex polygons, one after the other in one list of points.
+/// A sequence of convex polygons, stored in one list of points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pieces {
     points: Vec<Vector>,
@@ -82,7 +83,7 @@ impl Pieces {
         self.ends.is_empty()
     }
 
-    /// The one that was pushed last; none is the empty list.
+    /// Returns the polygon that was pushed last; an empty slice if there is none.
     pub(super) fn last(&self) -> &[Vector] {
         let [.., end] = self.ends[..] else { return &[] };
         let start = if let [.., start, _] = self.ends[..] { start } else { 0 };

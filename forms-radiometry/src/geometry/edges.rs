@@ -1,40 +1,42 @@
-//! Edges in columns: edges of what points see become columns of their ends, a kernel gives what each edge adds, and sums over the edges
-//! what each point gets.
+//! Edges in columns: the end points of visible edges are stored in columns, a kernel returns the
+//! form-factor term of each edge, and the terms are summed for each point.
 //!
 //! ```text
-//! the ends of an edge from every point │ those of the next edge │ … ─▶ kernel, row by row ─▶ sums by point
+//! ends of an edge from every point │ ends of the next │ … ─▶ kernel, row by row ─▶ sums by point
 //! ```
-//! Ends are relative to the points that see them. Edges are those of a border as a point in front of a luminaire sees it: clockwise.
+//! End points are relative to the point that sees the edge. The edges run along a contour as a
+//! point in front of a luminaire sees it: clockwise.
 
 use super::Vector;
 use crate::kernels::edge_form_factor;
 
-/// Fewer rows than this are computed one by one: the fewest rows of a batch take as long as 12 rows one by one (0.5 µs).
+/// Fewer rows than this are computed one at a time: the smallest batch takes as long as 12 single
+/// rows (0.5 µs).
 const FEW: usize = 12;
 
-/// The coordinates of points.
+/// Point coordinates in columns, one for each axis.
 pub(crate) type Columns = [Vec<f64>; 3];
 
-/// Edges, and what is made of them, reused from luminaire to luminaire.
+/// Edges and their form-factor terms, reused from luminaire to luminaire.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Edges {
-    /// Where they begin and where they end.
+    /// Start points and end points.
     ends: [Columns; 2],
-    /// By row the point that sees the edge.
+    /// For each row, the index of the point that sees the edge.
     owners: Vec<u32>,
-    /// The direction that edges are measured along, at least as many times as there are rows.
+    /// The direction from which θ is measured, repeated at least once for each row.
     along: Columns,
     values: Vec<f64>,
 }
 
 impl Edges {
-    /// Forgets all edges.
+    /// Removes all edges.
     pub(crate) fn clear(&mut self) {
         self.ends.iter_mut().flatten().for_each(Vec::clear);
         self.owners.clear();
     }
 
-    /// Takes the edges of a convex piece that a point sees.
+    /// Appends the edges of a convex piece that a point sees.
     pub(crate) fn push(&mut self, owner: usize, piece: &[Vector]) {
         let [from, to] = &mut self.ends;
         let next = piece.iter().skip(1).chain(piece.first());
@@ -46,7 +48,8 @@ impl Edges {
         }
     }
 
-    /// Makes room for so many edges of each of some points: where they begin and where they end, edge by edge and point by point.
+    /// Appends `count` edges for each of these points and returns the columns of their start and
+    /// end points to fill in, ordered edge by edge and, within an edge, point by point.
     pub(crate) fn grow(&mut self, points: &[u32], count: usize) -> [[&mut [f64]; 3]; 2] {
         let start = self.owners.len();
         (0..count).for_each(|_| self.owners.extend_from_slice(points));
@@ -59,7 +62,8 @@ impl Edges {
         })
     }
 
-    /// Adds to the sum of each point what its edges add to ∫ cos θ dω/π, θ from this direction, times a factor.
+    /// Adds to each point's sum the contribution of its edges to ∫ cos θ dω/π, times a factor; θ is
+    /// measured from the direction `along`.
     pub(crate) fn add_form_factors(&mut self, along: Vector, factor: f64, sums: &mut [f64]) {
         let Self { ends: [from, to], owners, along: axes, values } = self;
         measure([from, to].map(|columns| columns.each_ref().map(|column| &column[..])), along, axes, values);
@@ -68,7 +72,7 @@ impl Edges {
         }
     }
 
-    /// The same for an outline of which all points see the whole; all edges are forgotten.
+    /// Adds the same integral over an outline that all points see completely. Removes all edges.
     pub(crate) fn add_form_factors_of_whole(
         &mut self,
         (points, outline): (&[Vector], &[Vector]),
@@ -83,7 +87,7 @@ impl Edges {
                 column.extend(points.iter().map(|point| place - point.coordinates()[axis]));
             }
         }
-        // an edge ends at the corner that stands one block further on
+        // the end point of an edge is the corner one block further in the column
         let (step, rows) = (points.len(), points.len() * outline.len());
         let ends = [0, step].map(|start| corners.each_ref().map(|column| &column[start..][..rows]));
         measure(ends, along, axes, values);
@@ -93,7 +97,8 @@ impl Edges {
     }
 }
 
-/// What each edge adds. A luminaire is clockwise as the point sees it: its edges are taken backwards.
+/// Computes the form-factor term of each edge. The point sees the luminaire clockwise: its edges
+/// are taken backwards.
 fn measure(ends: [[&[f64]; 3]; 2], along: Vector, axes: &mut Columns, values: &mut Vec<f64>) {
     let [[ax, ay, az], [bx, by, bz]] = ends;
     let rows = ax.len();
@@ -110,7 +115,8 @@ fn measure(ends: [[&[f64]; 3]; 2], along: Vector, axes: &mut Columns, values: &m
     edge_form_factor::batch(bx, by, bz, ax, ay, az, nx, ny, nz, values).expect("columns grow together");
 }
 
-/// Makes columns of one value each at least so long. From group to group and from element to element most values are the same.
+/// Fills each column with one value, for at least `rows` rows. Most values are the same from group
+/// to group and from element to element.
 pub(crate) fn fill<const N: usize>(columns: &mut [Vec<f64>; N], values: [f64; N], rows: usize) {
     for (column, value) in columns.iter_mut().zip(values) {
         if column.first() != Some(&value) {

@@ -1,13 +1,13 @@
-//! Exchange: two polygons become the area A₁F₁₂ by which they exchange light, with an estimate of its error.
+//! Exchange area: computes A₁F₁₂ for two polygons, with an estimate of its error.
 //!
 //! ```text
-//! polygons ─ convex pieces, each cut by the plane of the other ─▶ outlines that lie in front of each other
-//!     ├─ far apart ─▶ areas: cos cos'/(π r²) at Gauss points of both
-//!     ├─ edges apart ▶ apart: the contour by rules as fine as the distances of the edges ask for
-//!     └─ else ─────▶ contour: integrals over pairs of edges, in f64, and in double-double where their sum cancels
-//! with something in between ─▶ obstructed: what points of the first see of the second, integrated over the first
+//! polygons ─ convex pieces, each clipped by the plane of the other ─▶ outlines facing each other
+//!     ├─ far apart ────────▶ areas: cos cos'/(π r²) at Gauss points of both
+//!     ├─ edges separated ──▶ apart: contour integrals, with rules by the distances of the edges
+//!     └─ otherwise ────────▶ contour: contour integrals in f64, double-double where they cancel
+//! with occluders ──────────▶ obstructed: form factors of the visible part over the smaller polygon
 //! ```
-//! What is used is decided by the errors that the ways themselves state.
+//! The choice follows from the error estimates that the methods themselves report.
 
 mod apart;
 mod areas;
@@ -30,16 +30,18 @@ use std::ops::AddAssign;
 /// The corners of a planar polygon in order.
 type Outline = [Vector];
 
-/// The least tolerance: what rounding leaves of the best of sums.
+/// The least tolerance: rounding error of the best-conditioned sums.
 const LEAST_TOLERANCE: f64 = 1e-15;
 
-/// What rules may leave of the last digit.
+/// Relative tolerance of the quadrature for a result that is exact to the last digit.
 const TO_LAST_DIGIT: f64 = 0.05 * f64::EPSILON;
 
-/// Polygons that are as many sizes apart are tried by their areas first.
+/// Distance, in units of the polygons' sizes, beyond which quadrature over the areas is tried
+/// first.
 const FAR: f64 = 3.0;
 
-/// The rounding of a distance from a plane, in units of 2⁻⁵² of the distance from a point of it.
+/// Rounding error of a distance from a plane, in units of 2⁻⁵² times the distance from a point of
+/// the plane.
 const CUT: f64 = 16.0;
 
 /// An exchange area A₁F₁₂ = A₂F₂₁, in the square of the unit of lengths.
@@ -51,7 +53,8 @@ pub struct Exchange {
     pub error: f64,
 }
 
-/// The exchange area of the fronts of two polygons with nothing in between, to a relative tolerance of its own.
+/// Computes the exchange area of the fronts of two polygons without occluders, to a relative
+/// tolerance.
 ///
 /// ```text
 /// A₁F₁₂ = ∫∫ cos cos'/(π r²) dA dA'
@@ -76,22 +79,25 @@ impl AddAssign for Exchange {
     }
 }
 
-/// The view factor F₁₂ from the front of a polygon to that of another with nothing in between, and an estimate of its error:
-/// the fraction of what the first sends out that arrives at the second.
+/// Computes the view factor F₁₂ from the front of a polygon to the front of another one without
+/// occluders, and an estimate of its error: the fraction of the light leaving the first that
+/// arrives at the second.
 pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
     let Exchange { area, error } = exchange(from, to, tolerance);
     let whole = from.area();
     Exchange { area: area / whole, error: error / whole }
 }
 
-/// The exchange area of two faces with nothing in between: to a relative tolerance of its own as far as `f64` leads there, in any case to another one
-/// that is not less.
+/// Computes the exchange area of two faces without occluders. `f64` is used as far as it reaches
+/// the first relative tolerance; double-double is used if the error exceeds the second tolerance,
+/// which is not smaller.
 pub(crate) fn exchange_of(here: &Face, there: &Face, tolerances: [f64; 2]) -> Exchange {
     let tolerances = tolerances.map(|tolerance| tolerance.max(LEAST_TOLERANCE));
     between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerances)
 }
 
-/// The exchange area of two faces with nothing in between to the last digit; nothing where the plane of one cuts the other.
+/// Computes the exchange area of two faces without occluders to the last digit; `None` where the
+/// plane of one face intersects the other.
 pub(crate) fn exchange_precisely(here: &Face, there: &Face) -> Option<Rounded> {
     let (a, b) = (&here.vertices, &there.vertices);
     let [of_a, of_b] = [heights(a, b), heights(b, a)];
@@ -102,7 +108,7 @@ pub(crate) fn exchange_precisely(here: &Face, there: &Face) -> Option<Rounded> {
         return Some(Rounded::exactly(0.0));
     }
     let reach = b.iter().chain(a).map(|&corner| (corner - a[0]).length()).fold(0.0, f64::max);
-    // a power of two, so that nothing is rounded
+    // a power of two, so that scaling rounds nothing
     let unit = DoubleDouble::from_f64(power_of_two(reach));
     let edges = |outline: &Outline| {
         let corners: Vec<_> = outline.iter().map(|&corner| way(a[0], corner).map(|x| x / unit)).collect();
@@ -113,16 +119,16 @@ pub(crate) fn exchange_precisely(here: &Face, there: &Face) -> Option<Rounded> {
     Some(scaled.times(0.5).over_pi())
 }
 
-/// The exchange area of two convex outlines with these normals.
+/// Computes the exchange area of two convex outlines with these normals.
 fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerances: [f64; 2]) -> Exchange {
-    // differences first: what is far from the origin is no less exact
+    // differences first: outlines far from the origin lose no accuracy
     let origin = here[0];
     let [here, there] = [here, there].map(|outline| outline.iter().map(|&v| v - origin).collect::<Vec<_>>());
     let Some((here, of_here)) = in_front(here, there[0], m) else { return Exchange::default() };
     let Some((there, of_there)) = in_front(there, here[0], n) else { return Exchange::default() };
     let [(a, size_a), (b, size_b)] = [&here, &there].map(|outline| ball(outline));
     let (distance, size) = ((b - a).length(), size_a + size_b);
-    // a power of two, so that nothing is rounded
+    // a power of two, so that scaling rounds nothing
     let unit = power_of_two(distance.max(size));
     let scaled = |outline: Vec<Vector>| outline.into_iter().map(|v| unit.recip() * v).collect::<Vec<_>>();
     let [here, there] = [here, there].map(scaled);
@@ -132,8 +138,9 @@ fn between(here: &Outline, there: &Outline, [n, m]: [Vector; 2], tolerances: [f6
     Exchange { area: unit * unit * area, error: unit * unit * error }
 }
 
-/// The part of an outline in front of a plane, if there is any, and the relative error that cutting it there makes: the cut is
-/// off by the rounding of its distance from the plane, and what lies low over the plane is off by much of itself.
+/// Returns the part of an outline in front of a plane, if there is any, and the relative error of
+/// clipping it there. The clipped edge is displaced by the rounding of its distance from the plane,
+/// which matters if the outline rises only slightly above the plane.
 fn in_front(outline: Vec<Vector>, point: Vector, normal: Vector) -> Option<(Vec<Vector>, f64)> {
     let height = |x: &Vector| normal.dot(*x - point);
     if outline.iter().all(|x| height(x) >= 0.0) {
@@ -149,7 +156,7 @@ fn in_front(outline: Vec<Vector>, point: Vector, normal: Vector) -> Option<(Vec<
     Some((front, CUT * f64::EPSILON * extent / highest))
 }
 
-/// The exchange area of outlines that lie in front of each other, with lengths not far from 1.
+/// Computes the exchange area of outlines that lie in front of each other, with lengths near 1.
 fn in_near_units(
     here: &Outline,
     there: &Outline,
@@ -181,7 +188,7 @@ fn better(a: Exchange, b: Exchange) -> Exchange {
     if b.error < a.error { b } else { a }
 }
 
-/// A ball around an outline: its middle and its radius.
+/// Returns centre and radius of a bounding ball of an outline.
 fn ball(outline: &Outline) -> (Vector, f64) {
     let middle = Vector::mean(outline);
     (middle, outline.iter().fold(0.0, |radius: f64, &v| radius.max((v - middle).length())))

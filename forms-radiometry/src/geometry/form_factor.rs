@@ -1,10 +1,11 @@
-//! The form factor from a point to a polygon: the polygon is clipped at the horizon, its edges are summed.
+//! The form factor from a point to a polygon: the polygon is clipped at the horizon, then its edges
+//! are summed.
 
 use super::clip::split;
 use super::{Polygon, Vector, scale};
 use crate::kernels::edge_form_factor;
 
-/// The form factor from a receiver to the front of a polygon, were nothing in between; E = π F L for a
+/// Returns the unoccluded form factor from a receiver to the front of a polygon; E = π F L for a
 /// polygon that emits the uniform radiance L.
 ///
 /// ```text
@@ -12,10 +13,10 @@ use crate::kernels::edge_form_factor;
 /// ```
 ///
 /// over the directions ω in which the polygon is seen above the horizon n·ω = 0. The polygon is
-/// counter-clockwise about its own normal, hence clockwise as a receiver in front of it looks up: its edges
-/// are taken backwards, from b to a. This is the one place where the sign is settled: F > 0 for a polygon
-/// that faces the receiver, and F = 0 for a receiver behind it or in its plane. `normal` need not be a unit
-/// vector.
+/// counter-clockwise about its own normal, hence clockwise as a receiver in front of it looks up:
+/// its edges are taken backwards, from b to a. This is the only place where the sign is chosen: F >
+/// 0 for a polygon that faces the receiver, and F = 0 for a receiver behind it or in its plane.
+/// `normal` need not be a unit vector.
 pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
     let Some(normal) = normal.unit() else { return f64::NAN };
     if polygon.normal().dot(position - polygon.vertices()[0]) <= 0.0 {
@@ -33,12 +34,14 @@ pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
     sum
 }
 
-/// The form factor of convex pieces that a receiver with a unit normal sees, relative to it and above its horizon.
+/// Returns the form factor of the convex pieces that a receiver with a unit normal sees. They are
+/// relative to the receiver and above its horizon.
 pub(crate) fn form_factor_of_pieces<'p>(pieces: impl Iterator<Item = &'p [Vector]>, normal: Vector) -> f64 {
     pieces.fold(0.0, |sum, piece| sum + edge_sum(piece, normal))
 }
 
-/// The sum over the edges of a polygon that lies above the horizon and faces the receiver, relative to it.
+/// Sums Lambert's formula over the edges of a polygon that lies above the horizon and faces the
+/// receiver; its vertices are relative to the receiver.
 pub(crate) fn edge_sum(polygon: &[Vector], n: Vector) -> f64 {
     let next = polygon.iter().skip(1).chain(polygon.first());
     let edge = |(a, b): (&Vector, &Vector)| edge_form_factor(b.x, b.y, b.z, a.x, a.y, a.z, n.x, n.y, n.z);
@@ -59,8 +62,8 @@ mod tests {
     const ORIGIN: Vector = Vector::new(0.0, 0.0, 0.0);
     const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 
-    /// A parallel rectangle a × b with a corner above the receiver, in units of its height:
-    /// F = 1/(2π) [A/√(1+A²) atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))].
+    /// Returns the form factor of a parallel rectangle a × b with a corner above the receiver, in
+    /// units of its height: F = 1/(2π) [A/√(1+A²) atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))].
     fn corner(a: f64, b: f64) -> f64 {
         let term = |a: f64, b: f64| a / a.hypot(1.0) * (b / a.hypot(1.0)).atan();
         (term(a, b) + term(b, a)) / (2.0 * PI)

@@ -1,4 +1,4 @@
-//! Meshes: vertices and the faces that index them are checked face by face and become a surface of planar
+//! Meshes: vertices and indexed faces are checked face by face and become a surface of planar
 //! polygons.
 
 use super::scale::{lengths, of_all};
@@ -7,35 +7,35 @@ use std::fmt;
 
 /// A surface of planar polygons that share their vertices.
 ///
-/// A face may have any number of vertices, but it has to be a [`Polygon`]: planar, without area zero, not
-/// crossing itself. A face that is not planar has no one triangulation, and each of them is another surface;
-/// so it is refused instead of being cut.
+/// A face can have any number of vertices, but it must be a [`Polygon`]: planar, with non-zero
+/// area, without self-intersections. A face that is not planar has several triangulations, each of
+/// them a different surface. Such a face is rejected instead of triangulated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     vertices: Vec<Vector>,
     /// The vertices of all faces, one face after the other.
     corners: Vec<u32>,
-    /// Where each face ends among the corners.
+    /// The end of each face in the list of corners.
     ends: Vec<usize>,
-    /// What coordinates are multiplied by: a power of two.
+    /// Scale factor of the coordinates: a power of two.
     factor: f64,
 }
 
-/// A face that is none.
+/// An invalid face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshError {
-    /// The face, counted from zero.
+    /// The index of the face, from zero.
     pub face: usize,
-    /// What is wrong with it.
+    /// The reason.
     pub reason: FaceError,
 }
 
-/// Why indices are no face.
+/// Reason why a list of indices is not a valid face.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FaceError {
-    /// There are fewer vertices than this index, which counts from zero, asks for.
+    /// This vertex index, which counts from zero, is out of range.
     NoVertex(u32),
-    /// The vertices are no polygon.
+    /// The vertices do not form a valid polygon.
     Polygon(PolygonError),
 }
 
@@ -52,8 +52,8 @@ impl fmt::Display for MeshError {
 impl std::error::Error for MeshError {}
 
 impl Mesh {
-    /// The mesh of these faces, each a list of indices of vertices, counter-clockwise seen from its front; or
-    /// everything that is wrong with them.
+    /// Creates the mesh of these faces, each a list of vertex indices, counter-clockwise seen from
+    /// its front. Returns all invalid faces if there are any.
     pub fn new(vertices: Vec<Vector>, faces: &[Vec<u32>]) -> Result<Self, Vec<MeshError>> {
         let error =
             |(face, indices)| polygon(&vertices, indices).err().map(|reason| MeshError { face, reason });
@@ -69,12 +69,12 @@ impl Mesh {
         Ok(Self { vertices, corners: faces.concat(), ends, factor: 1.0 })
     }
 
-    /// The vertices, which faces refer to by index.
+    /// Returns the vertices, to which faces refer by index.
     pub fn vertices(&self) -> &[Vector] {
         &self.vertices
     }
 
-    /// The indices of the vertices of each face, counter-clockwise seen from its front.
+    /// Returns the vertex indices of each face, counter-clockwise seen from its front.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
         (0..self.ends.len()).map(|face| self.face(face))
     }
@@ -84,36 +84,36 @@ impl Mesh {
         &self.corners[start..self.ends[face]]
     }
 
-    /// The vertices of a face.
+    /// Returns the vertices of a face.
     pub(crate) fn corners(&self, face: usize) -> impl Iterator<Item = Vector> {
         self.face(face).iter().map(|&index| self.factor * self.vertices[index as usize])
     }
 
-    /// The faces as polygons.
+    /// Returns the faces as polygons.
     pub fn polygons(&self) -> impl Iterator<Item = Polygon> {
         (0..self.ends.len()).map(|face| self.polygon(face))
     }
 
-    /// A face as a polygon.
+    /// Returns a face as a polygon.
     pub(crate) fn polygon(&self, face: usize) -> Polygon {
         let polygon = polygon(&self.vertices, self.face(face));
         polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
     }
 
-    /// The mesh with all coordinates multiplied by a power of two, which rounds nothing.
+    /// Returns the mesh with all coordinates multiplied by a power of two, which rounds nothing.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self { factor: factor * self.factor, ..self.clone() }
     }
 
-    /// Its largest coordinate, and the least extent of its faces.
+    /// Returns the largest coordinate, and the smallest extent of the faces.
     pub(crate) fn lengths(&self) -> [f64; 2] {
         let vertex = |&index: &u32| self.vertices[index as usize];
         let of_face = |face: &[u32]| lengths(&face.iter().map(vertex).collect::<Vec<_>>());
         of_all(self.faces().map(of_face)).map(|length| self.factor * length)
     }
 
-    /// The mesh with its vertices moved; its faces may cease to be polygons on the way. With `reversed`, front and back
-    /// of every face change places.
+    /// Returns the mesh with its vertices mapped by `image`; faces that are no longer valid
+    /// polygons after that are errors. With `reversed`, front and back of every face are swapped.
     pub fn moved(&self, reversed: bool, image: impl Fn(Vector) -> Vector) -> Result<Self, Vec<MeshError>> {
         let vertices = self.vertices.iter().map(|&v| image(v)).collect();
         let turned = |face: &[u32]| {

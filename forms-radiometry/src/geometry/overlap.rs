@@ -1,10 +1,12 @@
-//! Overlap of flat shapes: polygons and disks that lie in one plane become the area that they have in common.
+//! Overlap of flat shapes: computes the area of the intersection of polygons and disks that lie in
+//! one plane.
 //!
 //! ```text
-//! two shapes ─ in one plane? ─▶ convex pieces clipped by each other, circles along edges ─▶ area ─ above rounding? ─▶ overlap
+//! two shapes ─ in one plane? ─▶ convex pieces clipped by each other, circles along edges ─▶ area
+//! area ─ above rounding? ─▶ overlap
 //! ```
-//! Coordinates are decimals, so shapes that are meant to touch may overlap a little: an overlap that is narrower than
-//! [`resolution`] is none.
+//! Coordinates are decimals, so shapes that are meant to touch can overlap slightly: an overlap
+//! that is narrower than [`resolution`] is ignored.
 
 mod circle;
 
@@ -21,7 +23,7 @@ pub(crate) enum Flat {
 }
 
 impl Flat {
-    /// The unit normal, which points to its front.
+    /// Returns the unit normal, which points to the front.
     pub(crate) fn normal(&self) -> Vector {
         match self {
             Self::Polygon(polygon) => polygon.normal(),
@@ -29,7 +31,7 @@ impl Flat {
         }
     }
 
-    /// Points whose bounding box holds the shape.
+    /// Returns points whose bounding box contains the shape.
     pub(crate) fn corners(&self) -> Vec<Vector> {
         match self {
             Self::Polygon(polygon) => polygon.vertices().to_vec(),
@@ -48,7 +50,7 @@ impl Flat {
         lengths(&self.corners())[1]
     }
 
-    /// A point of its plane.
+    /// Returns a point of the shape's plane.
     fn point(&self) -> Vector {
         match self {
             Self::Polygon(polygon) => polygon.vertices()[0],
@@ -56,7 +58,7 @@ impl Flat {
         }
     }
 
-    /// How far its points are off the plane of another shape, at most.
+    /// Returns the largest distance of the shape's points from the plane of another shape.
     fn height_over(&self, other: &Self) -> f64 {
         let (point, normal) = (other.point(), other.normal());
         match self {
@@ -69,7 +71,7 @@ impl Flat {
         }
     }
 
-    /// How far its vertices are off its own plane.
+    /// Returns the largest distance of the vertices from the shape's own plane.
     fn flatness(&self) -> f64 {
         match self {
             Self::Polygon(polygon) => flatness(polygon.vertices(), polygon.normal()),
@@ -78,8 +80,9 @@ impl Flat {
     }
 }
 
-/// The length below which differences between two shapes count as rounding of their coordinates: a millionth of the
-/// extent of the smaller one, or the distance within which corners count as one.
+/// Returns the length below which differences between two shapes count as rounding of their
+/// coordinates: a millionth of the extent of the smaller one, or the distance within which vertices
+/// count as coincident.
 pub(crate) fn resolution(a: &Flat, b: &Flat) -> f64 {
     closeness_of(a, b).max(PLANARITY * a.extent().min(b.extent()))
 }
@@ -88,13 +91,14 @@ fn closeness_of(a: &Flat, b: &Flat) -> f64 {
     closeness(a.corners().into_iter().chain(b.corners()))
 }
 
-/// How far a shape is off the plane of another one, if that is more than rounding.
+/// Returns the distance of a shape from the plane of another one, if it exceeds rounding.
 pub(crate) fn off_plane(shape: &Flat, other: &Flat) -> Option<f64> {
     let height = shape.height_over(other);
     (height > closeness_of(shape, other) + shape.flatness() + other.flatness()).then_some(height)
 }
 
-/// The area that two shapes have in common, if they lie in one plane and that is more than rounding.
+/// Returns the area of the intersection of two shapes, if they lie in one plane and the area
+/// exceeds rounding.
 pub(crate) fn overlap(a: &Flat, b: &Flat) -> Option<f64> {
     if a.normal().dot(b.normal()).abs() < 0.5 || (off_plane(a, b).is_some() && off_plane(b, a).is_some()) {
         return None;
@@ -107,7 +111,7 @@ pub(crate) fn overlap(a: &Flat, b: &Flat) -> Option<f64> {
     (area > rounding).then_some(area)
 }
 
-/// The area that two shapes in one plane have in common.
+/// Returns the area of the intersection of two shapes in one plane.
 pub(crate) fn common_area(a: &Flat, b: &Flat) -> f64 {
     Intersection::of(a, b).area
 }
@@ -116,13 +120,13 @@ pub(crate) fn common_area(a: &Flat, b: &Flat) -> f64 {
 #[derive(Default)]
 struct Intersection {
     area: f64,
-    /// The extent of its straight pieces.
+    /// The extent of its polygonal pieces.
     extent: f64,
-    /// Whether no circles take part in it.
+    /// Whether no circle contributes to it.
     is_straight: bool,
 }
 
-/// A part of a shape whose area counts, or is taken off.
+/// A part of a shape with a sign: its area is added or subtracted.
 #[derive(Clone, Copy)]
 enum Part<'s> {
     Pieces(&'s [Vec<Vector>], Vector),
@@ -130,8 +134,8 @@ enum Part<'s> {
 }
 
 impl Flat {
-    /// The parts whose indicator functions add up to that of the shape: a polygon is its straight pieces less its
-    /// round holes.
+    /// Returns the parts whose indicator functions add up to the indicator function of the shape: a
+    /// polygon is its polygonal pieces minus its round holes.
     fn parts(&self) -> Vec<Part<'_>> {
         match self {
             Self::Disk(disk) => vec![Part::Disk(disk, 1.0)],
@@ -144,7 +148,8 @@ impl Flat {
 }
 
 impl Intersection {
-    /// The product of two indicator functions is the sum of the products of their parts.
+    /// Computes the intersection of two shapes: the product of two indicator functions is the sum
+    /// of the products of their parts.
     fn of(a: &Flat, b: &Flat) -> Self {
         let mut sum = Self { is_straight: true, ..Self::default() };
         for own in a.parts() {
@@ -192,7 +197,8 @@ impl Intersection {
     }
 }
 
-/// The area 4/3 d √(2rd) that a circle of this diameter 2r has beyond a line that it crosses by a depth d.
+/// Returns the area 4/3 d √(2rd) of the segment that a line at the depth d cuts off a circle of
+/// this diameter 2r.
 fn cap(diameter: f64, depth: f64) -> f64 {
     4.0 / 3.0 * depth * (diameter * depth).sqrt()
 }
@@ -261,7 +267,7 @@ mod tests {
 
     #[test]
     fn small_shapes_far_from_the_origin_are_judged_by_their_own_size() {
-        // neighbours on a ground that is a million times as wide
+        // neighbours on a ground plane that is a million times as wide
         let at = 1e3;
         assert!(overlap(&square(at, 0.0, 0.0, 1.0), &square(at + 1.0, 0.0, 0.0, 1e6)).is_none());
         assert!(overlap(&square(at, 0.0, 0.0, 1.0), &square(0.0, -10.0, 0.0, 1e6)).is_some());

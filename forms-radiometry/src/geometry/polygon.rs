@@ -1,5 +1,6 @@
-//! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex pieces. Other
-//! polygons and disks in its plane can be cut out of it ([`difference`], [`round_holes`]); then the pieces cover the remainder.
+//! Planar polygons: a list of vertices is checked and becomes a polygon with a normal and convex
+//! pieces. Other polygons and disks in its plane can be subtracted from it ([`difference`],
+//! [`round_holes`]); the pieces then cover the remainder.
 
 mod difference;
 mod round_holes;
@@ -11,32 +12,34 @@ use super::triangulation::{triangulate, turn};
 use super::{Disk, Vector};
 use std::fmt;
 
-/// How far a vertex may lie off the polygon's plane, as a fraction of the polygon's extent.
+/// Largest accepted distance of a vertex from the polygon's plane, as a fraction of the polygon's
+/// extent.
 pub(super) const PLANARITY: f64 = 1e-6;
 
-/// A simple planar polygon, counter-clockwise seen from its front, less the holes that were cut into it.
+/// A simple planar polygon, counter-clockwise seen from its front, minus the holes that were cut
+/// into it.
 #[derive(Clone, Debug)]
 pub struct Polygon {
     vertices: Vec<Vector>,
     normal: Vector,
     pieces: Vec<Vec<Vector>>,
-    /// The outlines of the holes, counter-clockwise too.
+    /// The outlines of the holes, also counter-clockwise.
     holes: Vec<Vec<Vector>>,
     round_holes: Vec<Disk>,
-    /// The pieces before round holes are cut, if there are any.
+    /// The pieces before round holes are cut; empty if there are no round holes.
     straight: Vec<Vec<Vector>>,
 }
 
-/// Why a list of vertices is no polygon. Vertices are counted from one.
+/// Reason why a list of vertices is not a valid polygon. Vertices are counted from one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PolygonError {
     /// Fewer than three vertices.
     TooFewVertices(usize),
-    /// Coordinates that are not finite, or too far apart for f64 arithmetic.
+    /// Coordinates that are not finite, too large, or too close together for `f64` arithmetic.
     OutOfRange,
     /// This vertex and the one after it are the same point.
     RepeatedVertex(usize),
-    /// All vertices lie on one line, or what the edges enclose cancels.
+    /// All vertices lie on one line, or the enclosed areas cancel.
     NoArea,
     /// This vertex lies off the plane of the others.
     NotPlanar {
@@ -44,7 +47,7 @@ pub enum PolygonError {
         vertex: usize,
         /// Its distance from the plane.
         distance: f64,
-        /// The distance that would be accepted.
+        /// The largest accepted distance.
         accepted: f64,
     },
     /// The edges that start at these two vertices cross.
@@ -70,7 +73,8 @@ impl fmt::Display for PolygonError {
 impl std::error::Error for PolygonError {}
 
 impl Polygon {
-    /// The polygon with these vertices, which must be planar within 10⁻⁶ of its extent and not cross itself.
+    /// Creates the polygon with these vertices, which must be planar within 10⁻⁶ of its extent and
+    /// without self-intersections.
     pub fn new(vertices: Vec<Vector>) -> Result<Self, PolygonError> {
         if vertices.len() < 3 {
             return Err(PolygonError::TooFewVertices(vertices.len()));
@@ -102,7 +106,7 @@ impl Polygon {
         })
     }
 
-    /// The polygon with all coordinates multiplied by a power of two, which rounds nothing.
+    /// Returns the polygon with all coordinates multiplied by a power of two, which rounds nothing.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         let scaled = |outline: &Vec<Vector>| outline.iter().map(|&v| factor * v).collect();
         Self {
@@ -115,22 +119,23 @@ impl Polygon {
         }
     }
 
-    /// Its largest coordinate, and its extent.
+    /// Returns the largest coordinate, and the extent.
     pub(crate) fn lengths(&self) -> [f64; 2] {
         lengths(&self.vertices)
     }
 
-    /// The vertices of its outline, counter-clockwise seen from the front. Holes do not change them.
+    /// Returns the vertices of the outline, counter-clockwise seen from the front. Holes do not
+    /// change them.
     pub fn vertices(&self) -> &[Vector] {
         &self.vertices
     }
 
-    /// The unit normal, which points to the front.
+    /// Returns the unit normal, which points to the front.
     pub fn normal(&self) -> Vector {
         self.normal
     }
 
-    /// The same polygon that looks to the other side.
+    /// Returns the polygon with front and back swapped.
     #[must_use]
     pub fn reversed(&self) -> Self {
         let turned = |outline: &Vec<Vector>| outline.iter().rev().copied().collect();
@@ -144,7 +149,7 @@ impl Polygon {
         }
     }
 
-    /// The area without the holes.
+    /// Returns the area minus the holes.
     pub fn area(&self) -> f64 {
         if self.holes.is_empty() && self.round_holes.is_empty() {
             return area(&self.vertices, self.normal);
@@ -152,32 +157,33 @@ impl Polygon {
         self.pieces.iter().map(|piece| area(piece, self.normal)).sum()
     }
 
-    /// The outlines of its holes with corners, counter-clockwise seen from the front.
+    /// Returns the outlines of its polygonal holes, counter-clockwise seen from the front.
     pub(crate) fn holes(&self) -> &[Vec<Vector>] {
         &self.holes
     }
 
-    /// Convex polygons that cover this one without its holes, and without overlap: itself, triangles, or pieces around
-    /// the holes. Each runs as this one does.
+    /// Returns convex polygons that cover this one minus its holes without overlap: the polygon
+    /// itself, triangles, or pieces around the holes. Each has the orientation of the polygon.
     pub fn convex_pieces(&self) -> &[Vec<Vector>] {
         &self.pieces
     }
 }
 
-/// The edges of an outline, each from a vertex to the next.
+/// Returns the edges of an outline, each from a vertex to the next.
 pub(crate) fn edges<T: Copy>(outline: &[T]) -> impl Iterator<Item = [T; 2]> {
     let next = outline.iter().skip(1).chain(outline.first());
     outline.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
-/// The area of an outline with this unit normal: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
+/// Returns the area of an outline with this unit normal: ½ n·Σ (vᵢ − v₀) × (vᵢ₊₁ − v₀).
 pub(crate) fn area(outline: &[Vector], normal: Vector) -> f64 {
     let [about, ..] = outline else { return 0.0 };
     let corner = |pair: &[Vector]| (pair[0] - *about).cross(pair[1] - *about);
     0.5 * outline.windows(2).map(corner).map(|twice| normal.dot(twice)).sum::<f64>()
 }
 
-/// Newell's normal N = ½ Σ vᵢ × vᵢ₊₁, taken about the first vertex: its length is the area.
+/// Computes Newell's normal N = ½ Σ vᵢ × vᵢ₊₁ about the first vertex, whose length is the area, and
+/// checks that the vertices are planar.
 fn checked_normal(vertices: &[Vector]) -> Result<Vector, PolygonError> {
     let [largest, extent] = lengths(vertices);
     if !(largest <= LARGEST_LENGTH && extent >= LEAST_LENGTH) {
@@ -212,7 +218,7 @@ fn is_convex(vertices: &[Vector], normal: Vector) -> bool {
     (0..count).all(|i| turn(vertices[i], vertices[(i + 1) % count], vertices[(i + 2) % count], normal) >= 0.0)
 }
 
-/// Two edges that do not follow each other and have a point in common.
+/// Finds two edges that are not adjacent and have a point in common.
 fn crossing_edges(vertices: &[Vector], normal: Vector) -> Option<(usize, usize)> {
     let count = vertices.len();
     let edge = |i: usize| (vertices[i], vertices[(i + 1) % count]);

@@ -1,11 +1,13 @@
-//! Precise measures: what a point sees of a convex polygon, or of a round shape, that nothing hides, in double-double.
+//! Precise measures: form factor and solid angle of an unoccluded convex polygon, sphere or disk as
+//! seen from a point, in double-double.
 //!
 //! ```text
-//! corners − point, exactly ─▶ part above the horizon ─▶ edges or triangles ─ kernels in double-double ─▶ sum, and what rounds of it
+//! corners − point, exactly ─▶ part above the horizon ─▶ edges or triangles
+//! edges or triangles ─ kernels in double-double ─▶ sum and its rounding error
 //! a sphere or a disk as a whole ─▶ round
 //! ```
-//! Where the edges of a polygon cancel, as those of one that is small, far away or seen edge-on do, `f64` keeps few digits of the sum or none;
-//! here it keeps them.
+//! If a polygon is small, far away or seen edge-on, its edge terms cancel, and `f64` keeps few
+//! digits of the sum or none. Double-double keeps them.
 
 mod round;
 
@@ -17,19 +19,20 @@ use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 use std::ops::Add;
 
-/// The relative error of a term: a few of the last of the 106 bits are lost in a function.
+/// Relative error of a term: a function loses a few of the last of the 106 bits.
 const TERM: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
 
-/// Numbers below this that are multiples of 2⁻¹⁰ are decimals of 15 digits at most: a decimal that was rounded to one of them is that one.
+/// Numbers below this that are multiples of 2⁻¹⁰ are decimals of at most 15 digits: a decimal that
+/// was rounded to such a number is equal to it.
 const FEW_DIGITS: f64 = 1e5;
 const FEW_PLACES: f64 = 1024.0;
-/// By how much a unit vector may be turned of which each coordinate was rounded.
+/// Angle by which rounding of the coordinates can turn a unit vector.
 const TURNED: f64 = 0.5 * f64::EPSILON + TERM;
 
-/// A vector of such numbers.
+/// A vector in double-double.
 pub(crate) type Precise = [DoubleDouble; 3];
 
-/// A number, and a bound on what rounding changes of it.
+/// A number, and a bound on its rounding error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Rounded {
     pub(crate) value: DoubleDouble,
@@ -41,13 +44,14 @@ impl Rounded {
         Self { value: DoubleDouble::from_f64(value), error: 0.0 }
     }
 
-    /// The product with a number.
+    /// Returns the product with a number.
     pub(crate) fn times(self, factor: f64) -> Self {
         let value = DoubleDouble::from_f64(factor) * self.value;
         Self { value, error: factor.abs() * self.error }
     }
 
-    /// The product with a number of the scene. That of few binary digits is as it was written; another may have been rounded.
+    /// Returns the product with a number of the scene file. A number of few binary digits is
+    /// exactly the written one; any other can have been rounded.
     pub(crate) fn times_datum(self, datum: f64) -> Self {
         let Self { value, error } = self.times(datum);
         let is_as_written = datum.abs() < FEW_DIGITS && (FEW_PLACES * datum).fract() == 0.0;
@@ -55,17 +59,17 @@ impl Rounded {
         Self { value, error: error + rounding * value.to_f64().abs() }
     }
 
-    /// The product with π.
+    /// Returns the product with π.
     pub(crate) fn times_pi(self) -> Self {
         Self { value: pi() * self.value, error: PI * self.error }
     }
 
-    /// What it is divided by π.
+    /// Returns the quotient by π.
     pub(crate) fn over_pi(self) -> Self {
         Self { value: self.value / pi(), error: self.error / PI }
     }
 
-    /// The nearest `f64`, and a bound on its error.
+    /// Returns the nearest `f64`, and a bound on its error.
     pub(crate) fn nearest(self) -> [f64; 2] {
         let value = self.value.to_f64();
         [value, self.error + (self.value.low().abs() + TERM * value.abs())]
@@ -84,12 +88,12 @@ fn pi() -> DoubleDouble {
     DoubleDouble::constant(&[PI, 1.224_646_799_147_353_2e-16])
 }
 
-/// A vector, exactly.
+/// Converts a vector exactly.
 fn precise(v: Vector) -> Precise {
     v.coordinates().map(DoubleDouble::from_f64)
 }
 
-/// The way from one point to another, exactly.
+/// Returns the exact vector from one point to another.
 pub(crate) fn way(from: Vector, to: Vector) -> Precise {
     let (from, to) = (precise(from), precise(to));
     std::array::from_fn(|axis| to[axis] - from[axis])
@@ -108,33 +112,35 @@ pub(crate) fn length(v: Precise) -> DoubleDouble {
     dot(v, v).sqrt()
 }
 
-/// A vector that is a unit vector up to the rounding of its coordinates, as a unit vector, and by how much its direction may be another: by nothing
-/// where it is along an axis.
+/// Normalizes a vector that is a unit vector up to the rounding of its coordinates. Also returns a
+/// bound on the angle error of its direction: zero for a vector along an axis.
 pub(crate) fn unit(v: Vector) -> (Precise, f64) {
     let is_along_an_axis = v.coordinates().iter().filter(|&&x| x != 0.0).count() == 1;
     let length = length(precise(v));
     (precise(v).map(|x| x / length), if is_along_an_axis { 0.0 } else { TURNED })
 }
 
-/// On which side of an outline a point is.
+/// The side of an outline on which a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Side {
     Front,
     /// In its plane or behind.
     Back,
-    /// Nearer to its plane than its own corners, so that it is not known.
+    /// Not known: the point is nearer to the plane of the outline than the outline's own corners.
     Unknown,
 }
 
-/// The area of a convex outline, as a vector to the side from which it is counter-clockwise, twice.
+/// Returns twice the vector area of a convex outline. It points to the side from which the outline
+/// is counter-clockwise.
 fn twice_area(outline: &[Vector]) -> Precise {
     let from_first: Vec<Precise> = outline.iter().map(|&corner| way(outline[0], corner)).collect();
     let twice = from_first[1..].windows(2).map(|pair| cross(pair[0], pair[1]));
     twice.fold(precise(Vector::default()), |sum, one| std::array::from_fn(|axis| sum[axis] + one[axis]))
 }
 
-/// The area of a convex outline across this direction, which is a unit vector up to rounding; positive where it goes against the side from
-/// which the outline is counter-clockwise.
+/// Returns the projected area of a convex outline along this direction, which is a unit vector up
+/// to rounding. It is positive where the direction points against the side from which the outline
+/// is counter-clockwise.
 pub(crate) fn area_across(outline: &[Vector], direction: Vector) -> Rounded {
     let (direction, turned) = unit(direction);
     let twice = twice_area(outline);
@@ -142,19 +148,23 @@ pub(crate) fn area_across(outline: &[Vector], direction: Vector) -> Rounded {
     Rounded { value, error: turned * 0.5 * length(twice).to_f64() }
 }
 
-/// The area of a convex outline.
+/// Returns the area of a convex outline.
 pub(crate) fn area(outline: &[Vector]) -> DoubleDouble {
     DoubleDouble::from_f64(0.5) * length(twice_area(outline))
 }
 
-/// How far points are before the plane of a convex outline, times twice its area; those that are nearer to it than its own corners lie in it.
+/// Returns the signed distances of points in front of the plane of a convex outline, times twice
+/// its area. Points that are nearer to the plane than the outline's own corners count as lying in
+/// it.
 pub(crate) fn heights(points: &[Vector], outline: &[Vector]) -> Vec<f64> {
     let (height, flatness) = height_over(outline);
     let of = |&point: &Vector| Some(height(point)).filter(|height| height.abs() > flatness).unwrap_or(0.0);
     points.iter().map(of).collect()
 }
 
-/// How far a point is before the plane of a convex outline, and how far its own corners are, times twice its area. Three corners lie in a plane.
+/// Returns the function that maps a point to its signed distance from the plane of a convex
+/// outline, times twice its area, and the largest such distance of the outline's own corners. Three
+/// corners always lie in a plane.
 fn height_over(outline: &[Vector]) -> (impl Fn(Vector) -> f64, f64) {
     let normal = twice_area(outline);
     let height = move |point: Vector| dot(normal, way(outline[0], point)).to_f64();
@@ -162,7 +172,8 @@ fn height_over(outline: &[Vector]) -> (impl Fn(Vector) -> f64, f64) {
     (height, off)
 }
 
-/// On which side of a convex outline a point is; from the front it is counter-clockwise.
+/// Returns the side of a convex outline on which a point lies; seen from the front, the outline is
+/// counter-clockwise.
 fn side(point: Vector, outline: &[Vector]) -> Side {
     let (height, flatness) = height_over(outline);
     match height(point) {
@@ -172,13 +183,15 @@ fn side(point: Vector, outline: &[Vector]) -> Side {
     }
 }
 
-/// What is seen from one side of an outline: where it is not known from which, it may be nothing.
+/// Widens the error of a measure by its value if the side of the outline is unknown: the measure
+/// can then be zero.
 fn from_side(side: Side, Rounded { value, error }: Rounded) -> Rounded {
     let unsure = if side == Side::Unknown { value.to_f64().abs() } else { 0.0 };
     Rounded { value, error: error + unsure }
 }
 
-/// The corners of a convex outline as a point sees them, of what is above the horizon of a normal if there is one.
+/// Returns the corners of a convex outline relative to a point, clipped at the horizon of a normal
+/// if there is one.
 fn seen(point: Vector, outline: &[Vector], horizon: Option<Precise>) -> Vec<Precise> {
     let corners: Vec<Precise> = outline.iter().map(|&corner| way(point, corner)).collect();
     let Some(normal) = horizon else { return corners };
@@ -197,22 +210,24 @@ fn seen(point: Vector, outline: &[Vector], horizon: Option<Precise>) -> Vec<Prec
     above
 }
 
-/// The angle between two ways.
+/// Returns the angle between two vectors.
 fn angle([a, b]: [Precise; 2]) -> f64 {
     let [across, along] = [length(cross(a, b)), dot(a, b)].map(DoubleDouble::to_f64);
     across.atan2(along)
 }
 
-/// What an edge γ n·(a × b)/|a × b| that subtends an angle γ changes by, over 2π, per change of the directions of its ends, each on its own: where
-/// these are all but the same or opposite, the plane through both is hardly known.
+/// Returns the change of the term γ n·(a × b)/|a × b| of an edge that subtends the angle γ, over
+/// 2π, per change of the directions of its ends, each varied independently. Where the directions
+/// are nearly equal or opposite, the plane through both is ill-conditioned.
 fn of_edge(edge: [Precise; 2]) -> f64 {
     let angle = angle(edge);
     (0.5 * angle + if angle > 0.0 { angle / angle.sin().max(0.0) } else { 1.0 }) / PI
 }
 
-/// A bound on what the form factor of a polygon changes by per relative change of its corners and of what its edges add. An edge that subtends an
-/// angle γ adds γ/2π at most, and when an end of it moves it sweeps the area tan(γ/2)/π: where its ends are all but opposite, it is hardly known. For
-/// an edge of length l between distances r and r′, sin(γ/2) ≤ l/(r + r′).
+/// Bounds the change of a polygon's form factor per relative change of its corners and of its edge
+/// terms. An edge that subtends an angle γ adds at most γ/2π. When one of its ends moves, the edge
+/// sweeps the area tan(γ/2)/π: where its ends are nearly opposite, it is ill-conditioned. For an
+/// edge of length l between distances r and r′, sin(γ/2) ≤ l/(r + r′).
 pub(crate) fn rounding(point: Vector, polygon: &[Vector]) -> f64 {
     let next = polygon.iter().skip(1).chain(polygon.first());
     let of_edge = |(&a, &b): (&Vector, &Vector)| {
@@ -221,25 +236,28 @@ pub(crate) fn rounding(point: Vector, polygon: &[Vector]) -> f64 {
     polygon.iter().zip(next).map(of_edge).sum()
 }
 
-/// What an edge changes by that subtends an angle γ with sin(γ/2) no more than this: γ/2 ≤ π/2 sin(γ/2).
+/// Bounds the change of the term of an edge that subtends an angle γ with sin(γ/2) no more than
+/// this: γ/2 ≤ π/2 sin(γ/2).
 fn of_sine(sine: f64) -> f64 {
     0.5 * sine + sine / (PI * ((1.0 - sine) * (1.0 + sine)).sqrt())
 }
 
-/// Each corner with the next one.
+/// Returns each corner with the next one.
 fn edges(corners: &[Precise]) -> impl Iterator<Item = [Precise; 2]> {
     let next = corners.iter().skip(1).chain(corners.first());
     corners.iter().zip(next).map(|(&a, &b)| [a, b])
 }
 
-/// The same for all points that are no nearer to the corners of a polygon than this; without end where they may be as near to an edge as that is long.
+/// Returns the bound of [`rounding`] for all points that are at least this far from the corners of
+/// a polygon. It is infinite where this distance is no more than half the length of an edge.
 pub(crate) fn rounding_beyond(distance: f64, polygon: &[Vector]) -> f64 {
     let next = polygon.iter().skip(1).chain(polygon.first());
     let of_edge = |(&a, &b): (&Vector, &Vector)| of_sine(((b - a).length() / (2.0 * distance)).min(1.0));
     polygon.iter().zip(next).map(of_edge).sum()
 }
 
-/// ∫ cos θ dω/π over what a point sees of a convex outline, θ from a direction; with a horizon, above that of the direction.
+/// Returns ∫ cos θ dω/π over the part of a convex outline that a point sees; θ is measured from
+/// `direction`. With a horizon, only the part above the plane with the normal `direction` counts.
 pub(crate) fn form_factor(
     point: Vector,
     outline: &[Vector],
@@ -260,12 +278,13 @@ pub(crate) fn form_factor(
         around += angle([a, b]);
         sum = sum + Rounded { value, error: TERM * of_edge([a, b]) };
     }
-    // a turn by δ changes an edge by δ γ/2π at most, and all that is seen by δ Ω/π
+    // a turn by δ changes an edge term by at most δ γ/2π, and the whole sum by at most δ Ω/π
     let most = (around / (2.0 * PI)).min(solid_angle_at_most(point, outline) / PI);
     from_side(side, sum + Rounded { error: turned * most, ..Rounded::exactly(0.0) })
 }
 
-/// A bound on the solid angle of a convex outline: its area by the square of the least distance that a part of a ball about it has.
+/// Bounds the solid angle of a convex outline: the cross-section of a bounding ball over the square
+/// of the ball's least distance.
 fn solid_angle_at_most(point: Vector, outline: &[Vector]) -> f64 {
     let center = Vector::mean(outline);
     let radius = outline.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max);
@@ -273,7 +292,7 @@ fn solid_angle_at_most(point: Vector, outline: &[Vector]) -> f64 {
     if nearest > 0.0 { PI * (radius / nearest).powi(2) } else { f64::INFINITY }
 }
 
-/// The solid angle of what a point sees of a convex outline.
+/// Returns the solid angle of a convex outline as seen from a point.
 pub(crate) fn solid_angle(point: Vector, outline: &[Vector]) -> Rounded {
     let side = side(point, outline);
     let mut sum = Rounded::exactly(0.0);
@@ -284,7 +303,7 @@ pub(crate) fn solid_angle(point: Vector, outline: &[Vector]) -> Rounded {
     let zero = DoubleDouble::from_f64(0.0);
     for pair in corners[1..].windows(2) {
         let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (corners[0], pair[0], pair[1]);
-        // seen from the front, the triangle's normal points to the point
+        // seen from the front, the triangle's normal points towards the point
         let value = -solid_angle_triangle::dd(zero, zero, zero, ax, ay, az, bx, by, bz, cx, cy, cz);
         let around: f64 = edges(&[corners[0], pair[0], pair[1]]).map(angle).sum();
         sum = sum + Rounded { value, error: TERM * around };
@@ -296,7 +315,7 @@ pub(crate) fn solid_angle(point: Vector, outline: &[Vector]) -> Rounded {
 mod tests {
     use super::*;
 
-    /// The square of this half side at this height, which looks down.
+    /// The square with this half side at this height that faces down.
     fn square(half: f64, height: f64) -> Vec<Vector> {
         [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]]
             .map(|[x, y]| Vector::new(half * x, half * y, height))

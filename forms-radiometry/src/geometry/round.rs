@@ -1,56 +1,60 @@
-//! Round shapes: centre, radius and side of a sphere or a disk, and the flat pieces of the same area that stand for them.
+//! Curved shapes: centre, radius and side of a sphere or a disk, and its tessellation into flat
+//! pieces of the same total area.
 //!
 //! ```text
-//! disk ─▶ regular polygon of 24·2ᵏ edges          sphere ─▶ icosahedron, its triangles quartered k + 1 times
+//! disk ─▶ regular polygon of 24·2ᵏ edges
+//! sphere ─▶ icosahedron, its triangles quartered k + 1 times
 //! ```
-//! A regular polygon of the disk's area is as far outside of the circle as inside: what is linear in the deviation averages out, also for a
-//! receiver at the side, up to the harmonic of N turns, which is (R/d)ᴺ. A closed convex polyhedron of the sphere's area has the sphere's
-//! projected area in the mean over all directions, a quarter of it (Cauchy 1832).
+//! A regular polygon with the disk's area extends as far outside the circle as inside: the terms
+//! that are linear in the deviation average out, also for a receiver off the axis, up to the N-th
+//! harmonic, which is (R/d)ᴺ. A closed convex polyhedron with the sphere's area has the sphere's
+//! mean projected area over all directions, a quarter of the area (Cauchy 1832).
 
 use super::Vector;
 use std::f64::consts::PI;
 
-/// What a coordinate of a corner is rounded by, relative to the lengths that it is the sum of.
+/// Rounding error of a coordinate of a vertex, relative to the lengths that it is the sum of.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
-/// What is within this part of a radius is within it, whatever rounding does.
+/// Fraction of the radius within which a point is inside the shape for certain, whatever the
+/// rounding errors.
 const WITHIN: f64 = 1.0 - 1e-12;
-/// The edges of the coarsest polygon that stands for a disk.
+/// Number of edges of the coarsest polygon that approximates a disk.
 const EDGES: usize = 24;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Its centre.
+    /// The centre.
     pub center: Vector,
-    /// Its radius, above zero.
+    /// The radius, above zero.
     pub radius: f64,
-    /// Whether its front is the inside.
+    /// Whether the front is the inside.
     pub inward: bool,
 }
 
 /// A flat disk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disk {
-    /// Its centre.
+    /// The centre.
     pub center: Vector,
     /// The unit normal, which points to the front.
     pub normal: Vector,
-    /// Its radius, above zero.
+    /// The radius, above zero.
     pub radius: f64,
 }
 
 impl Disk {
-    /// The disk with all lengths multiplied by this.
+    /// Returns the disk with all lengths multiplied by this factor.
     pub(crate) fn scaled(self, factor: f64) -> Self {
         Self { center: factor * self.center, radius: factor * self.radius, ..self }
     }
 
-    /// The same disk that looks to the other side.
+    /// Returns the disk with front and back swapped.
     pub(super) fn reversed(self) -> Self {
         Self { normal: -self.normal, ..self }
     }
 
-    /// Opposite corners of the least box around it.
+    /// Returns opposite corners of its axis-aligned bounding box.
     pub(crate) fn corners(&self) -> [Vector; 2] {
         let reach =
             self.normal.coordinates().map(|across| self.radius * (1.0 - across * across).max(0.0).sqrt());
@@ -59,9 +63,10 @@ impl Disk {
         [self.center - reach, self.center + reach]
     }
 
-    /// A regular polygon of the disk's area, counter-clockwise seen from its front. Each step of fineness doubles its edges.
+    /// Returns a regular polygon with the disk's area, counter-clockwise seen from its front. Each
+    /// step of `fineness` doubles the number of edges.
     ///
-    /// A polygon of N edges with its corners at the distance ρ has the area N/2 ρ² sin(2π/N).
+    /// A polygon of N edges with its vertices at the distance ρ has the area N/2 ρ² sin(2π/N).
     pub(crate) fn polygon(&self, fineness: usize) -> Vec<Vector> {
         let count = EDGES << fineness;
         let step = 2.0 * PI / count as f64;
@@ -75,19 +80,21 @@ impl Disk {
     }
 }
 
-/// A shape whose flat pieces are not where it is.
+/// A curved shape, from which the flat pieces of its tessellation deviate.
 pub(crate) trait Round {
     fn center(&self) -> Vector;
-    /// How far it reaches from its centre along a unit vector, relative to its radius.
+    /// Returns how far the shape reaches from its centre along a unit vector, relative to its
+    /// radius.
     fn reach(&self, along: Vector) -> f64;
-    /// Whether a segment that is not inside meets it, and by more than rounding: one that begins or ends on it does not by that.
+    /// Whether a segment that is not inside intersects the shape by more than rounding. A segment
+    /// that only begins or ends on the shape does not intersect it.
     fn meets(&self, segment: [Vector; 2]) -> bool;
-    /// How far a point is from where the pieces are off the shape.
+    /// Returns the distance of a point from the places where the pieces deviate from the shape.
     fn distance(&self, point: Vector) -> f64;
     fn radius(&self) -> f64;
-    /// How far rounding moves the corners of the pieces along the shape.
+    /// Bounds the displacement of the pieces' vertices along the shape by rounding.
     fn rounding(&self) -> f64;
-    /// How far the pieces are off it at most.
+    /// Bounds the distance of the pieces from the shape.
     fn deviation(&self, fineness: usize) -> f64;
 }
 
@@ -106,7 +113,7 @@ impl Round for Disk {
         alpha * beta < 0.0 && (place - self.center).length() <= WITHIN * self.radius
     }
 
-    /// The distance from the rim.
+    /// Returns the distance from the rim.
     fn distance(&self, point: Vector) -> f64 {
         let way = point - self.center;
         let height = self.normal.dot(way);
@@ -124,7 +131,7 @@ impl Round for Disk {
         ROUNDING * moved
     }
 
-    /// Above both (1 − cos(π/N)) r and what the corners are outside.
+    /// Exceeds both (1 − cos(π/N)) r and the distance of the vertices outside the circle.
     fn deviation(&self, fineness: usize) -> f64 {
         self.radius * (PI / (EDGES << fineness) as f64).powi(2)
     }
@@ -158,14 +165,16 @@ impl Round for Sphere {
         ROUNDING * (self.center.largest() + self.radius)
     }
 
-    /// Above what the middle of a triangle is inside: its edges subtend no more than those of the icosahedron, halved each time.
+    /// Exceeds the depth of a triangle's centre inside the sphere: its edges subtend no more than
+    /// the edges of the icosahedron, halved at each step.
     fn deviation(&self, fineness: usize) -> f64 {
         let edge = 2.0_f64.atan() / f64::from(2_u32 << fineness);
         self.radius * 0.25 * edge * edge
     }
 }
 
-/// Unit vectors u and v for which u, v and this unit vector are right-handed.
+/// Returns unit vectors u and v that form a right-handed basis u, v, `normal` with this unit
+/// vector.
 pub(super) fn across(normal: Vector) -> [Vector; 2] {
     let Vector { x, y, z } = normal;
     let least = x.abs().min(y.abs()).min(z.abs());
@@ -176,13 +185,13 @@ pub(super) fn across(normal: Vector) -> [Vector; 2] {
 }
 
 impl Sphere {
-    /// The sphere with all lengths multiplied by this.
+    /// Returns the sphere with all lengths multiplied by this factor.
     pub(crate) fn scaled(self, factor: f64) -> Self {
         Self { center: factor * self.center, radius: factor * self.radius, ..self }
     }
 
-    /// The triangles of a closed polyhedron of the sphere's area, each counter-clockwise seen from the sphere's front. Each step of fineness
-    /// quarters them.
+    /// Returns the triangles of a closed polyhedron with the sphere's area, each counter-clockwise
+    /// seen from the sphere's front. Each step of `fineness` splits every triangle into four.
     pub(crate) fn triangles(&self, fineness: usize) -> Vec<[Vector; 3]> {
         let mut triangles = icosahedron();
         for _ in 0..=fineness {
@@ -199,8 +208,9 @@ impl Sphere {
     }
 }
 
-/// The triangles of the regular icosahedron with corners at the distance 1, counter-clockwise seen from outside: corners at the poles and on two
-/// circles of latitude ±atan ½.
+/// Returns the triangles of the regular icosahedron with vertices at the distance 1,
+/// counter-clockwise seen from outside: vertices at the poles and on two circles of latitude ±atan
+/// ½.
 fn icosahedron() -> Vec<[Vector; 3]> {
     let pole = |up: f64| Vector::new(0.0, 0.0, up);
     let height = 0.2_f64.sqrt();
@@ -216,7 +226,8 @@ fn icosahedron() -> Vec<[Vector; 3]> {
     (0..5).flat_map(of_sector).collect()
 }
 
-/// The triangles that halving each edge of a triangle on the unit sphere gives, with all corners on the sphere.
+/// Splits a triangle on the unit sphere into four at the midpoints of its edges, with all vertices
+/// on the sphere.
 fn quarters([a, b, c]: [Vector; 3]) -> [[Vector; 3]; 4] {
     let middle =
         |a: Vector, b: Vector| (a + b).unit().expect("corners of an edge are not opposite each other");

@@ -1,25 +1,30 @@
-//! Scale: numbers of any size become numbers near 1, by a power of two, which rounds nothing.
+//! Scale: multiplies numbers of any size by a power of two, which rounds nothing, so that they are
+//! near 1.
 //!
-//! Form factors are made of fourth powers of lengths, which leave the range of `f64` long before the lengths do.
+//! Form factors contain fourth powers of lengths, which leave the range of `f64` long before the
+//! lengths do.
 
 use super::Vector;
 
-/// The largest coordinate, and the least length: the squares of both are numbers, as areas have to be.
+/// The largest coordinate and the smallest length: the squares of both are representable, as areas
+/// require.
 pub(crate) const LARGEST_LENGTH: f64 = 1e152;
 pub(crate) const LEAST_LENGTH: f64 = 1e-152;
 
-/// Numbers between 1/NEAR and NEAR are near enough to 1: no power of them that is needed overflows or underflows.
+/// Numbers between 1/NEAR and NEAR need no scaling: none of the required powers of such numbers
+/// overflows or underflows.
 const NEAR: f64 = 1e30;
-/// The largest power of two that is used, up or down: it and its inverse are normal numbers.
+/// The largest exponent of a scale factor, up or down: the factor and its inverse are normal
+/// numbers.
 const LARGEST_POWER: f64 = 1000.0;
 
-/// The power of two next to a number above zero.
+/// Returns the power of two nearest to a number above zero.
 pub(super) fn power_of_two(number: f64) -> f64 {
     number.log2().round().exp2()
 }
 
-/// The power of two that brings the largest and the least of some numbers about as far above 1 as below it; 1 where both are near, or
-/// there is no number above zero.
+/// Returns the power of two that brings the largest number about as far above 1 as the smallest
+/// below 1. It is 1 where both are already near 1, or there is no number above zero.
 pub(crate) fn factor([largest, least]: [f64; 2]) -> f64 {
     let power = -0.5 * (largest.log2() + least.log2());
     let is_near = largest <= NEAR && least >= 1.0 / NEAR;
@@ -30,7 +35,8 @@ pub(crate) fn factor([largest, least]: [f64; 2]) -> f64 {
     }
 }
 
-/// The largest coordinate of vertices, not a number if one is none; and how far they reach from the first along an axis.
+/// Returns the largest coordinate of vertices and the largest distance from the first vertex along
+/// an axis. A NaN coordinate is skipped unless it comes last.
 pub(crate) fn lengths(vertices: &[Vector]) -> [f64; 2] {
     let largest = |of: &dyn Fn(&Vector) -> f64| {
         vertices.iter().map(of).fold(0.0, |m: f64, length| if length <= m { m } else { length })
@@ -38,7 +44,7 @@ pub(crate) fn lengths(vertices: &[Vector]) -> [f64; 2] {
     [largest(&|v| v.largest()), largest(&|&v| (v - vertices[0]).largest())]
 }
 
-/// The lengths of several things together.
+/// Combines the lengths of several shapes.
 pub(crate) fn of_all(lengths: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     lengths.fold([0.0, f64::INFINITY], |[largest, least], [l, e]| [l.max(largest), e.min(least)])
 }

@@ -1,8 +1,9 @@
-//! Sides: an apex and a polygon make the planes of a cone, one through each edge.
+//! Cone sides: the planes through an apex and each edge of a polygon.
 
 use super::Vector;
 
-/// The normals to the inside of the planes through the apex and each edge of a polygon whose vertices are relative to the apex.
+/// Returns the inward normals of the planes through the apex and each edge of a polygon whose
+/// vertices are relative to the apex.
 pub(super) fn sides(
     polygon: impl DoubleEndedIterator<Item = Vector> + Clone,
     seen_from_front: bool,

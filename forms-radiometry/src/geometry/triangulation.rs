@@ -1,20 +1,21 @@
-//! Ear clipping: a simple polygon goes in, triangles that cover it come out.
+//! Ear clipping: triangulates a simple polygon.
 
 use super::Vector;
 
-/// Twice the area of the triangle abc as seen against the normal n: n·((b − a) × (c − a)), positive for a
-/// left turn.
+/// Returns twice the area of the triangle abc as seen against the normal n: n·((b − a) × (c − a)),
+/// positive for a left turn.
 pub(super) fn turn(a: Vector, b: Vector, c: Vector, normal: Vector) -> f64 {
     normal.dot((b - a).cross(c - a))
 }
 
-/// A triangle whose height is a smaller part of its longest side than this is no more than the rounding of three points in a line.
+/// A triangle whose height is a smaller fraction of its longest side than this counts as three
+/// collinear points with rounding.
 const LINE: f64 = 1e-14;
 
-/// Triangles that cover a simple polygon, counter-clockwise as it is.
+/// Triangulates a simple polygon; the triangles are counter-clockwise like the polygon.
 ///
-/// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one (Meisters
-/// 1975). Should rounding hide it, the widest corner is cut, so that the loop always ends.
+/// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one
+/// (Meisters 1975). If rounding hides it, the widest corner is cut, so that the loop always ends.
 pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<Vec<Vector>> {
     let mut rest = vertices.to_vec();
     let mut triangles = Vec::with_capacity(rest.len());

@@ -13,11 +13,12 @@ pub struct Vector {
     pub z: f64,
 }
 
-/// The bits of the exponent of a number: of the greatest power of two that is no larger.
+/// Mask of the exponent bits of a number. Applied to a number, it leaves the greatest power of two
+/// that is not larger.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 
 impl Vector {
-    /// The vector (x, y, z).
+    /// Creates the vector (x, y, z).
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
@@ -36,28 +37,29 @@ impl Vector {
         )
     }
 
-    /// The mirror image of a direction at a plane with this unit normal: d − 2 (d·n) n.
+    /// Reflects a direction at a plane with this unit normal: d − 2 (d·n) n.
     pub(crate) fn mirrored(self, normal: Self) -> Self {
         self - (2.0 * normal.dot(self)) * normal
     }
 
-    /// The mean of points.
+    /// Returns the mean of points.
     pub(crate) fn mean(points: &[Self]) -> Self {
         let sum = points.iter().fold(Self::default(), |sum, &point| sum + point);
         (1.0 / points.len() as f64) * sum
     }
 
-    /// Its coordinates in order.
+    /// Returns the coordinates in order.
     pub(crate) fn coordinates(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
 
-    /// The largest absolute value of a coordinate; not a number if a coordinate is none.
+    /// Returns the largest absolute value of a coordinate. It is NaN if z is NaN; a NaN in x or y
+    /// is skipped.
     pub(crate) fn largest(self) -> f64 {
         [self.x, self.y, self.z].into_iter().fold(0.0, |m: f64, c| if c.abs() <= m { m } else { c.abs() })
     }
 
-    /// |v|, without overflow or underflow on the way.
+    /// |v|, without intermediate overflow or underflow.
     pub fn length(self) -> f64 {
         let scale = self.largest();
         if scale == 0.0 || !scale.is_finite() {
@@ -67,13 +69,13 @@ impl Vector {
         scale * v.dot(v).sqrt()
     }
 
-    /// v/|v|, or nothing where v is zero or not finite.
+    /// v/|v|, or `None` where v is zero, has an infinite coordinate, or z is NaN.
     pub fn unit(self) -> Option<Self> {
         let scale = self.largest();
         if scale == 0.0 || !scale.is_finite() {
             return None;
         }
-        // a power of two rounds nothing: each coordinate is rounded once
+        // scaling by a power of two rounds nothing: each coordinate is rounded once
         let scale = f64::from_bits(scale.to_bits() & EXPONENT).max(f64::MIN_POSITIVE);
         let v = Self::new(self.x / scale, self.y / scale, self.z / scale);
         let length = v.dot(v).sqrt();

@@ -1,17 +1,21 @@
-//! Visibility: faces become screens in a tree of boxes, and these answer what a point sees of a luminaire, which screens can come
-//! between two outlines, and what a ray meets first.
+//! Visibility: faces become screens, the occluding polygons of the scene, in a BVH. Queries return
+//! the part of a luminaire that a point sees, the screens that can occlude one outline from
+//! another, and the first intersection of a ray.
 //!
 //! ```text
-//! faces ─▶ screens in a tree ─┬─ between: outlines of receivers and of a luminaire ─▶ the screens that may hide some of it
-//!                             ├─ above_horizon: a point and a luminaire ─▶ what it would see if nothing were in between
-//!                             ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
-//!                             ├─ border: points, a luminaire and these screens ─▶ form factors of what the points see
-//!                             └─ first, hides: a ray ─▶ what it meets
+//! faces ─▶ screens in a BVH
+//!     ├─ between: outlines of receivers and of a luminaire ─▶ potential occluders
+//!     ├─ above_horizon: a point and a luminaire ─▶ the part above the horizon, without occlusion
+//!     ├─ visible: a point, a luminaire and these screens ─▶ convex pieces that the point sees
+//!     ├─ border: points, a luminaire and these screens ─▶ form factors of the visible parts
+//!     └─ first, hides: a ray ─▶ its first intersection
 //! ```
-//! What is seen is exact up to rounding: every screen is a cone of directions that is cut out of the luminaire's. A point that lies
-//! in the plane of a screen sees it edge-on: so a surface hides nothing from its own points.
+//! The visible part is exact up to rounding: the cone of directions of every screen is clipped out
+//! of the luminaire's cone. A point that lies in the plane of a screen sees it edge-on, so a
+//! surface does not occlude its own points.
 //!
-//! Rays that go on from surface to surface meet shapes as they are, disks and spheres too: [`walls`].
+//! Rays that continue from surface to surface intersect the exact shapes, including disks and
+//! spheres: [`walls`].
 
 mod arrangement;
 mod aspect;
@@ -43,17 +47,17 @@ use bounds::Bounds;
 use branches::Branches;
 use tree::Tree;
 
-/// What rounding leaves of a distance, in units of the largest coordinate.
+/// Rounding error of a distance, relative to the largest coordinate.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// One convex planar piece of one side of a surface that sends, reflects or only stops light.
+/// A convex planar piece of one side of a surface; it emits or reflects light, or only blocks it.
 #[derive(Clone, Debug)]
 pub(crate) struct Face {
     /// The index of the surface.
     pub(crate) surface: usize,
     /// Whether it is the surface's back.
     pub(crate) is_back: bool,
-    /// The vertices, counter-clockwise seen from the side that it looks to.
+    /// The vertices, counter-clockwise seen from the side that the face shows.
     pub(crate) vertices: Vec<Vector>,
     /// The unit normal to that side.
     pub(crate) normal: Vector,
@@ -62,24 +66,24 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// Whether it is part of the front of a surface.
+    /// Whether the face is part of the front of a surface.
     pub(crate) fn is_front_of(&self, surface: usize) -> bool {
         self.surface == surface && !self.is_back
     }
 
-    /// The faces of a polygon: each convex piece's front, followed by its back.
+    /// Returns the faces of a polygon: the front of each convex piece, followed by its back.
     pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
         let normal = polygon.normal();
         polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece.clone(), normal))
     }
 
-    /// Front and back of a triangle that is not too narrow to have a normal.
+    /// Returns front and back of a triangle; nothing if it is too narrow to have a normal.
     pub(crate) fn of_triangle(surface: usize, [a, b, c]: [Vector; 3]) -> impl Iterator<Item = Self> {
         let normal = (b - a).cross(c - a).unit();
         normal.into_iter().flat_map(move |normal| Self::sides(surface, vec![a, b, c], normal))
     }
 
-    /// Front and back of a convex outline with this unit normal.
+    /// Returns front and back of a convex outline with this unit normal.
     pub(crate) fn sides(surface: usize, vertices: Vec<Vector>, normal: Vector) -> [Self; 2] {
         let about = vertices[0];
         let twice = |pair: &[Vector]| normal.dot((pair[0] - about).cross(pair[1] - about));
@@ -100,73 +104,74 @@ pub(crate) struct Plane {
 }
 
 impl Plane {
-    /// The distance of a point, above zero on the side to which the normal points.
+    /// Returns the signed distance of a point, positive on the side to which the normal points.
     pub(crate) fn distance(self, point: Vector) -> f64 {
         self.normal.dot(point - self.point)
     }
 
-    /// The mirror image of a point, for a unit normal: x − 2 ((x − a)·n) n.
+    /// Reflects a point at the plane, for a unit normal: x − 2 ((x − a)·n) n.
     pub(crate) fn mirrored(self, point: Vector) -> Vector {
         point - (2.0 * self.distance(point)) * self.normal
     }
 
-    /// The same plane with its normal to this side.
+    /// Returns the plane with its normal on this side.
     pub(crate) fn facing(self, is_front: bool) -> Self {
         if is_front { self } else { Self { normal: -self.normal, ..self } }
     }
 }
 
-/// One convex piece of a surface that light cannot pass.
+/// An occluding polygon: a convex piece of an opaque surface.
 #[derive(Clone, Debug)]
 struct Screen {
     vertices: Vec<Vector>,
     plane: Plane,
-    /// The indices of its front and of its back among the faces.
+    /// The indices of its front and its back among the faces.
     sides: [usize; 2],
 }
 
 impl Screen {
-    /// Its edges from each vertex to the next.
+    /// Returns the edges, from each vertex to the next.
     fn edges(&self) -> impl Iterator<Item = [Vector; 2]> {
         edges(&self.vertices)
     }
 }
 
-/// The screens of a scene.
+/// The occluders of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Screens {
     screens: Vec<Screen>,
-    /// The convex bodies that some of the screens bound. What is between a point and a luminaire is given by indices of screens and, from
-    /// the number of screens on, of bodies.
+    /// The convex bodies that some of the screens bound. Lists of occluders between a point and a
+    /// luminaire contain indices of screens and, from the number of screens on, of bodies.
     bodies: Vec<Body>,
-    /// The body that each screen belongs to.
+    /// The body of each screen, if any.
     body_of: Vec<Option<u32>>,
     tree: Tree,
-    /// The same tree for rays; nothing where there are no screens.
+    /// The same tree laid out for rays; `None` where there are no screens.
     branches: Option<Branches>,
-    /// A point that is nearer to a plane than this counts as lying in it: no face is flatter.
+    /// A point that is nearer to a plane than this counts as lying in it: no face deviates more
+    /// from its own plane.
     resolution: f64,
-    /// What rounding leaves of a distance in the scene.
+    /// Rounding error of a distance in the scene.
     rounding: f64,
 }
 
 impl Screens {
-    /// The distance below which a point counts as lying in a plane.
+    /// Returns the distance below which a point counts as lying in a plane.
     pub(crate) fn resolution(&self) -> f64 {
         self.resolution
     }
 
-    /// What rounding leaves of a distance in the scene.
+    /// Returns the rounding error of a distance in the scene.
     pub(crate) fn rounding(&self) -> f64 {
         self.rounding
     }
 
-    /// How many there are.
+    /// Returns the number of screens.
     pub(crate) fn count(&self) -> usize {
         self.screens.len()
     }
 
-    /// The faces that screens of these indices, or those of bodies, are the fronts of.
+    /// Returns the indices of the front faces of the screens or bodies with these indices.
     pub(crate) fn fronts<'f>(&'f self, found: &'f [u32]) -> impl Iterator<Item = usize> + 'f {
         found
             .iter()
@@ -174,20 +179,22 @@ impl Screens {
             .map(|&index| self.screens[index as usize].sides[0])
     }
 
-    /// The indices of the screens that an index stands for: itself, or those of a body.
+    /// Returns the indices of the screens that an index denotes: itself, or the screens of a body.
     fn screens_of<'i>(&'i self, index: &'i u32) -> &'i [u32] {
         let body = (*index as usize).checked_sub(self.screens.len());
         body.map_or(std::slice::from_ref(index), |body| &self.bodies[body].screens)
     }
 
-    /// The screens that faces make. Each front is followed by its back, if that is among the faces at all.
+    /// Builds the screens of faces, with their convex bodies. Each front is followed by its back,
+    /// if the back is among the faces at all.
     pub(crate) fn of(faces: &[Face]) -> Self {
         let mut screens = Self::met_by_rays(faces);
         (screens.bodies, screens.body_of) = bodies(&screens.screens, screens.resolution, screens.rounding);
         screens
     }
 
-    /// The screens that faces make for rays alone: what hides parts of a luminaire is not to be asked of them.
+    /// Builds the screens of faces for ray queries only. They do not support the queries for the
+    /// visible part of a luminaire.
     pub(crate) fn met_by_rays(faces: &[Face]) -> Self {
         let screen = |(index, face): (usize, &Face)| {
             let back = faces.get(index + 1).filter(|next| next.is_back);
@@ -206,7 +213,7 @@ impl Screens {
         Self { screens, tree, branches, ..none }
     }
 
-    /// No screens at all, for a scene of these faces in which nothing is taken to hide anything.
+    /// Returns an empty set of screens for a scene of these faces in which occlusion is neglected.
     pub(crate) fn none(faces: &[Face]) -> Self {
         let corners = || faces.iter().flat_map(|face| &face.vertices).copied();
         let all = Bounds::of(corners());
@@ -224,14 +231,15 @@ impl Screens {
     }
 }
 
-/// How far vertices are off the plane through the first of them.
+/// Returns the largest distance of vertices from the plane through the first of them.
 pub(super) fn flatness(vertices: &[Vector], normal: Vector) -> f64 {
     let plane = Plane { point: vertices[0], normal };
     vertices.iter().map(|&vertex| plane.distance(vertex).abs()).fold(0.0, f64::max)
 }
 
-/// The distance below which corners that are given in decimals are meant to meet: 10⁻⁹ of the extent of all points, or the rounding of
-/// their coordinates where they are far from the origin. What is seen does not depend on it.
+/// Returns the distance below which vertices that are given in decimals count as coincident: 10⁻⁹
+/// of the extent of all points, or the rounding of their coordinates where they are far from the
+/// origin. Visibility does not depend on it.
 pub(crate) fn closeness(points: impl Iterator<Item = Vector>) -> f64 {
     let bounds = Bounds::of(points);
     if bounds.low.x > bounds.high.x {

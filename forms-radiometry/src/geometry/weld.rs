@@ -1,23 +1,24 @@
-//! Welding: vertices that coincide within a distance get one number.
+//! Welding: vertices that coincide within a tolerance get the same number.
 
 use super::Vector;
 use rustc_hash::FxHashMap;
 
-/// Vertices by number, where those within the resolution of the scene are one.
+/// Numbered vertices; vertices within the resolution of the scene have the same number.
 pub(crate) struct Welded {
-    /// The vertices, each as it was first met.
+    /// The vertices, each at the position of its first occurrence.
     pub(crate) vertices: Vec<Vector>,
     resolution: f64,
     cells: FxHashMap<[i64; 3], Vec<usize>>,
 }
 
 impl Welded {
-    /// No vertices yet.
+    /// Creates an empty list of vertices.
     pub(crate) fn new(resolution: f64) -> Self {
         Self { vertices: Vec::new(), resolution, cells: FxHashMap::default() }
     }
 
-    /// The number of a vertex. One within the resolution lies in a cell that the box of this half width around the point meets.
+    /// Returns the number of a vertex. A known vertex within the resolution lies in one of the grid
+    /// cells that the box with this half width around the point intersects.
     pub(crate) fn number(&mut self, point: Vector) -> usize {
         let cell = |x: f64| (x / (4.0 * self.resolution)).floor() as i64;
         let around = |x: f64| cell(x - self.resolution)..=cell(x + self.resolution);

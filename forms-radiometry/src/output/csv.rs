@@ -1,4 +1,4 @@
-//! Every number of a simulation, one a line, as CSV.
+//! CSV output: every number of a simulation, one for each line.
 
 use crate::simulation::{ErrorKind, Map, Simulation};
 use std::fmt::Display;
@@ -6,10 +6,11 @@ use std::io::{self, Write};
 
 const HEADER: [&str; 9] = ["receiver", "quantity", "band", "bin", "i", "j", "value", "error", "kind"];
 
-/// Writes the answers, then the cells of the maps, band by band and row by row: cell (i, j) is in column i and row j.
+/// Writes the answers, then the cells of the maps, band by band and row by row: cell (i, j) is in
+/// column i and row j.
 ///
-/// What a line does not have is empty: an answer has no cell, and where there is a single band it has no number. Numbers
-/// are the shortest that read back as the same `f64`; a cell without a value is `NaN`.
+/// Fields that do not apply are empty: an answer has no cell, and a single band has no number.
+/// Numbers are the shortest that parse to the same `f64`; a cell without a value is `NaN`.
 pub fn csv(simulation: &Simulation, output: impl Write) -> io::Result<()> {
     let mut lines = Lines { writer: ::csv::Writer::from_writer(output), number: String::new() };
     lines.writer.write_record(HEADER)?;
@@ -23,7 +24,7 @@ pub fn csv(simulation: &Simulation, output: impl Write) -> io::Result<()> {
 
 struct Lines<W: Write> {
     writer: ::csv::Writer<W>,
-    /// Memory for the number that is written.
+    /// Buffer for formatting a number.
     number: String,
 }
 
@@ -40,7 +41,7 @@ impl<W: Write> Lines<W> {
         Ok(())
     }
 
-    /// The receiver, the quantity, the band and the bin.
+    /// Writes the receiver, the quantity, the band and the bin.
     fn begin(&mut self, receiver: &str, quantity: &str, [band, bin]: [Option<usize>; 2]) -> io::Result<()> {
         self.writer.write_field(receiver)?;
         self.writer.write_field(quantity)?;
@@ -48,7 +49,7 @@ impl<W: Write> Lines<W> {
         self.optional(bin)
     }
 
-    /// The cell, the value and the error, and what that means.
+    /// Writes the cell, the value, the error and the kind of error.
     fn end(&mut self, cell: Option<[usize; 2]>, [value, error]: [f64; 2], kind: ErrorKind) -> io::Result<()> {
         self.optional(cell.map(|[i, _]| i))?;
         self.optional(cell.map(|[_, j]| j))?;

@@ -1,16 +1,18 @@
-//! A value and its error in as many digits as say something: two of the error, and the value up to the same place.
+//! Significant digits: formats a value and its error with two digits of the error, and the value up
+//! to the same decimal place.
 
-/// The most digits that an `f64` has and are all its own.
+/// The largest number of significant digits of an `f64`.
 const MOST: i32 = 17;
-/// Sizes that are written without a power of ten: from 10⁻⁴, up to this many digits before the point.
+/// Powers of ten of the first digit for which a number is written without an exponent: from −4 to
+/// 6.
 const LEAST_POWER: i32 = -4;
 const MOST_POWER: i32 = 6;
-/// Digits of a value whose error is not known.
+/// Digits of a value with an unknown error.
 const UNCERTAIN: usize = 6;
 
-/// The value, and its error.
+/// Formats a value and its error.
 pub fn measured(value: f64, error: f64) -> [String; 2] {
-    // a zero has no sign
+    // removes the sign of a zero
     let value = value + 0.0;
     if !(value.is_finite() && error.is_finite()) {
         return [format!("{value:.UNCERTAIN$e}"), error.to_string()];
@@ -19,7 +21,7 @@ pub fn measured(value: f64, error: f64) -> [String; 2] {
         return [plain_or_scientific(value), "0".to_owned()];
     }
     let size = power(value).max(power(error));
-    // the place of the last digit, as a power of ten
+    // the decimal place of the last digit, as a power of ten
     let last = (power(error) - 1).max(size - MOST + 1);
     let value = match size {
         LEAST_POWER..=MOST_POWER if last <= 0 => fixed(value, last.unsigned_abs() as usize),
@@ -33,7 +35,7 @@ pub fn measured(value: f64, error: f64) -> [String; 2] {
     [value, error]
 }
 
-/// A number whose size alone matters.
+/// Formats a number of which only the order of magnitude matters.
 pub fn rough(number: f64) -> String {
     match number {
         0.0 => "0".to_owned(),
@@ -42,19 +44,20 @@ pub fn rough(number: f64) -> String {
     }
 }
 
-/// The power of ten of the first digit; of zero none that matters.
+/// Returns the power of ten of the first digit; for zero, a large negative number.
 fn power(number: f64) -> i32 {
     if number == 0.0 { i32::MIN / 2 } else { number.abs().log10().floor() as i32 }
 }
 
-/// So many digits behind the point; without a sign where all of them are zero.
+/// Formats a value with this many digits after the point, without a sign if all digits are zero.
 fn fixed(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     let is_zero = !text.contains(|letter: char| matches!(letter, '1'..='9'));
     text.strip_prefix('-').filter(|_| is_zero).map_or_else(|| text.clone(), str::to_owned)
 }
 
-/// Digits up to a place; none of a value far below it.
+/// Formats a value in scientific notation with digits up to a decimal place; "0" for a value far
+/// below it.
 fn scientific(value: f64, last: i32) -> String {
     let digits = power(value) - last;
     if digits < 0 { "0".to_owned() } else { format!("{value:.*e}", digits as usize) }

@@ -1,4 +1,4 @@
-//! A map as OpenEXR: linear values in 32 bits, a pixel for each cell.
+//! OpenEXR output of a map: linear values in 32 bits, one pixel for each cell.
 
 use super::{from_above, total};
 use crate::scene::Scene;
@@ -7,11 +7,13 @@ use crate::spectrum::{Colour, add_scaled, band_colours};
 use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Text, WritableImage};
 use std::io::{self, Cursor};
 
-/// The file of a map of this scene.
+/// Encodes a map of this scene.
 ///
-/// A single band is the channel `Y`. Of several the channels are `band0`, `band1`, … and what viewers show: `R`, `G` and
-/// `B`, the colour in linear sRGB under which the lamps are white, or, where no band is visible, `Y`, the sum of all.
-/// An image has its errors in channels `error`, or `error0`, `error1`, …, too. Cells without a value are NaN. Values beyond the range of `f32` are infinite or zero.
+/// A single band is the channel `Y`. Several bands are the channels `band0`, `band1`, … plus
+/// channels for viewers: `R`, `G` and `B`, the colour in linear sRGB under which the lamps are
+/// white, or, if no band is visible, `Y`, the sum of all bands. An image also has its errors in
+/// channels `error`, or `error0`, `error1`, …. Cells without a value are NaN. Values beyond the
+/// range of `f32` are infinite or zero.
 pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let mut channels = match &map.values[..] {
         [values] => vec![channel(map, "Y", values)],
@@ -29,7 +31,7 @@ pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let channels = AnyChannels::sort(channels.into());
     let size = (map.size[0], map.size[1]);
     let mut image = Image::from_encoded_channels(size, Encoding::SMALL_LOSSLESS, channels);
-    // texts of OpenEXR are UTF-8, which those of the crate are only if they are given as bytes
+    // OpenEXR texts are UTF-8, which the crate writes only if they are given as bytes
     let comment = format!("{} in {}", map.quantity.name(), map.quantity.unit());
     image.layer_data.attributes.comments = Some(Text::from_slice_unchecked(comment.as_bytes()));
     image.layer_data.attributes.software_name = Some("forms".into());
@@ -45,7 +47,7 @@ fn channel(map: &Map, name: &str, values: &[f64]) -> Channel {
     AnyChannel::new(name, FlatSamples::F32(samples))
 }
 
-/// What a viewer shows of several bands.
+/// Returns the channels in which viewers show several bands.
 fn shown(map: &Map, scene: &Scene) -> Vec<Channel> {
     let colours = band_colours(scene);
     if colours.iter().flatten().all(|&component| component == 0.0) {

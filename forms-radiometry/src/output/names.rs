@@ -1,18 +1,19 @@
-//! Names of receivers become names of files.
+//! File names: converts names of receivers to valid names of files.
 
 use std::collections::HashSet;
 
-/// How many bytes of a name are kept.
+/// Number of bytes of a name that are kept.
 const LONGEST: usize = 100;
-/// Names that mean devices and no files on Windows; the digits of COM1, LPT1 and their like follow.
+/// Names that denote devices instead of files on Windows. In COM1, LPT1 and similar names a digit
+/// follows.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 const NUMBERED_DEVICES: [&str; 2] = ["com", "lpt"];
 
-/// For each name one that every file system takes, unlike all others even where small and capital letters count as one.
-/// An ending is not part of it.
+/// Returns a name for each name that every file system accepts. All names are distinct, even where
+/// upper and lower case are not distinguished. They have no extension.
 ///
-/// Letters, digits, `-` and `_` are kept, anything else becomes `_`, and a name that another one has taken before gets
-/// `_2`, `_3` and so on.
+/// Letters, digits, `-` and `_` are kept, any other character becomes `_`, and a name that is
+/// already taken gets `_2`, `_3` and so on.
 pub fn file_names<'n>(names: impl IntoIterator<Item = &'n str>) -> Vec<String> {
     let mut taken = HashSet::new();
     names.into_iter().map(|name| unlike(&safe(name), &mut taken)).collect()
@@ -37,7 +38,7 @@ fn is_device(name: &str) -> bool {
     DEVICES.contains(&name.as_str()) || NUMBERED_DEVICES.iter().any(is_numbered)
 }
 
-/// The name, or the first of its continuations that is not taken.
+/// Returns the name, or the first numbered variant that is not taken.
 fn unlike(name: &str, taken: &mut HashSet<String>) -> String {
     let others = (2_u64..).map(|number| format!("{name}_{number}"));
     let mut candidates = std::iter::once(name.to_owned()).chain(others);

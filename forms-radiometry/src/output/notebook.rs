@@ -1,4 +1,4 @@
-//! What a cell of a notebook shows: a plan and its answers as tables, a map as a picture.
+//! Notebook display: a plan and its answers as tables, a map as a picture.
 
 use super::{measured, png, rough, total};
 use crate::simulation::{Answer, Map, Plan, PlannedEffect, Simulation};
@@ -7,7 +7,8 @@ use base64::engine::general_purpose::STANDARD;
 use forms::core::notebook::{Table, print_content};
 
 impl Plan {
-    /// A row for each effect: whether it is simulated, what leaving it out can change, and why.
+    /// Returns a table with a row for each effect: whether it is simulated, the change that
+    /// omitting it can cause, and the reason.
     pub fn table(&self) -> Table {
         let extent = |planned: &PlannedEffect| match (planned.on, planned.orders) {
             (false, _) => "off".to_owned(),
@@ -21,14 +22,15 @@ impl Plan {
         Table::new(["effect", "simulated", "can change", "why"], self.effects.iter().map(row))
     }
 
-    /// Shows the plan in a cell of a notebook.
+    /// Displays the plan in a notebook cell.
     pub fn evcxr_display(&self) {
         self.table().evcxr_display();
     }
 }
 
 impl Simulation {
-    /// A row for each number with its error; times are left out, since they differ from run to run.
+    /// Returns a table with a row for each number and its error. Times are omitted, since they
+    /// differ from run to run.
     pub fn table(&self) -> Table {
         let number = |number: Option<usize>| number.map_or_else(String::new, |number| number.to_string());
         let row = |answer: &Answer| {
@@ -50,14 +52,14 @@ impl Simulation {
         Table::new(head, self.answers.iter().map(row))
     }
 
-    /// Shows the answers in a cell of a notebook.
+    /// Displays the answers in a notebook cell.
     pub fn evcxr_display(&self) {
         self.table().evcxr_display();
     }
 }
 
 impl Map {
-    /// Shows the map in a cell of a notebook, as [`png`] draws it; a text says what is drawn.
+    /// Displays the map in a notebook cell, as drawn by [`png`], with a caption.
     pub fn evcxr_display(&self) {
         match png(self) {
             Ok(file) => {
@@ -68,7 +70,7 @@ impl Map {
         }
     }
 
-    /// What the picture shows, and the values of its darkest and brightest colours.
+    /// Returns the caption of the picture, with the values of its darkest and brightest colours.
     fn caption(&self) -> String {
         let cells = total(self);
         let values = || cells.iter().copied().filter(|value| value.is_finite());

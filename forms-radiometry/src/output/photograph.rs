@@ -1,4 +1,4 @@
-//! An image as a photograph: radiance becomes the colours of a screen.
+//! Photographs: converts the radiance of an image to tone-mapped colours for a screen.
 
 use super::from_above;
 use super::png::encoded;
@@ -8,11 +8,11 @@ use crate::spectrum::{Colour, add_scaled, band_colours, luminance};
 use crate::tone::{Exposure, encode};
 use std::io;
 
-/// The file of what a camera of this scene sees.
+/// Encodes the view of a camera of this scene as PNG.
 ///
-/// Bands have the colour that the eye gives them, adapted to the lamps; where none is visible, or there is a single one, the picture is grey. The
-/// 99th percentile of the luminance is shown at 0.8 of the screen's white, and what is brighter approaches white. Pixels without a value
-/// are transparent.
+/// Bands have their colours for an eye adapted to the lamps; if no band is visible, or there is
+/// only one, the picture is grey. The 99th percentile of the luminance is shown at 0.8 of the
+/// screen's white, and brighter pixels approach white. Pixels without a value are transparent.
 pub fn photograph(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let mut weights = band_colours(scene);
     if weights.iter().flatten().all(|&weight| weight == 0.0) || weights.len() != map.values.len() {

@@ -1,21 +1,22 @@
-//! A map as a picture: values become colours of a scale along which equal steps look equal.
+//! False-colour pictures of maps: values become colours of a perceptually uniform scale.
 
 use super::{from_above, measured, total};
 use crate::simulation::Map;
 use colorous::VIRIDIS;
 use std::io;
 
-/// The longer side of the picture has this many pixels or more.
+/// Least number of pixels of the longer side of the picture.
 const SIDE: usize = 256;
 
-/// The greatest value is told up to this part of it, so that files are the same on processors that round otherwise.
+/// Relative precision of the largest value in the description, so that files are identical on
+/// processors with different rounding.
 const SHOWN: f64 = 1e-6;
 
-/// The file of a map's picture.
+/// Encodes a map as a picture.
 ///
-/// The value of a cell is the sum of its bands, and a cell is a square of pixels. The colours are those of viridis, from
-/// dark at 0 to bright at the greatest value; the text `Description` of the file says which value that is. Cells without
-/// a value are transparent.
+/// The value of a cell is the sum of its bands, and a cell is a square of pixels. The colours are
+/// those of viridis, from dark at 0 to bright at the largest value; the text chunk `Description` of
+/// the file contains that value. Cells without a value are transparent.
 pub fn png(map: &Map) -> io::Result<Vec<u8>> {
     let values = total(map);
     let greatest = values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
@@ -29,7 +30,7 @@ pub fn png(map: &Map) -> io::Result<Vec<u8>> {
     encoded(map.size.map(|cells| cells * scale), &pixels, description(map, greatest))
 }
 
-/// The file of pixels with a text that describes them.
+/// Encodes pixels as a file with a text that describes them.
 pub(super) fn encoded(
     [width, height]: [usize; 2],
     pixels: &[u8],
@@ -47,7 +48,7 @@ pub(super) fn encoded(
     Ok(file)
 }
 
-/// How many pixels wide and high a cell is.
+/// Returns the number of pixels along each side of a cell.
 fn enlargement([columns, rows]: [usize; 2]) -> usize {
     SIDE.div_ceil(columns.max(rows))
 }
@@ -61,7 +62,8 @@ fn colour(value: f64, greatest: f64) -> [u8; 4] {
     [red, green, blue, 255]
 }
 
-/// The colour of a share of the greatest value, from 0 to 1: red, green and blue of the scale viridis.
+/// Returns the colour of a fraction of the largest value, from 0 to 1: red, green and blue of the
+/// viridis scale.
 pub fn viridis(share: f64) -> [u8; 3] {
     let colour = VIRIDIS.eval_continuous(share);
     [colour.r, colour.g, colour.b]

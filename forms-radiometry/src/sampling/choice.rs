@@ -1,6 +1,8 @@
-//! Choices: a number becomes one of several things, each as likely as its part of a running sum.
+//! Discrete choices: a number selects one of several items with probabilities given by a running
+//! sum.
 
-/// The place of the first running sum above a number; the last one where rounding leaves none, and nothing where there are none.
+/// Returns the index of the first running sum above a number; the last index if rounding leaves no
+/// such sum, and `None` if there are no sums.
 pub(crate) fn chosen(sums: &[f64], number: f64) -> Option<usize> {
     Some(sums.partition_point(|&sum| sum <= number).min(sums.len().checked_sub(1)?))
 }

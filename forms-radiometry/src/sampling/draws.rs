@@ -1,29 +1,32 @@
-//! Draws: the numbers that decide what one path does.
+//! Draws: the sample numbers of one path.
 //!
 //! ```text
-//! key, index ─┬─▶ path     directions and distances: dimensions that lie evenly together, since all of them make the path
-//!             ├─▶ light    luminaires, and points of them and of the way to them: each pair of dimensions lies evenly for itself
-//!             └─▶ chance   whether the path ends: random
+//! key, index ─┬─▶ path     directions and distances: jointly stratified dimensions,
+//!             │            since together they determine the path
+//!             ├─▶ light    luminaires, points on them and on the way to them:
+//!             │            dimensions stratified in pairs
+//!             └─▶ chance   Russian roulette: random
 //! ```
-//! What is asked for now and then does not shift the others: paths that were scattered as often have their numbers from the same dimensions.
+//! Occasional draws do not shift the others: paths with the same number of scatterings take their
+//! numbers from the same dimensions.
 
 use super::sequence::{Random, Samples, key};
 
-/// How many bands share a path at most.
+/// The largest number of bands that share a path.
 pub(crate) const SHARED: usize = 4;
 
-/// The numbers of one path, and what they missed.
+/// The sample numbers of one path, and the contributions that it lost to occlusion.
 #[derive(Clone, Debug)]
 pub(crate) struct Draws {
     pub(crate) path: Samples,
     pub(crate) light: Samples,
     pub(crate) chance: Random,
-    /// For each band the largest value that a luminaire would have brought had nothing hidden it.
+    /// For each band, the largest contribution that a luminaire would have made without occlusion.
     pub(crate) hidden: [f64; SHARED],
 }
 
 impl Draws {
-    /// Those of the point with this index of the sequence that a key names.
+    /// Creates the draws for the point with this index of the sequence that a key identifies.
     pub(crate) fn new(of: u64, index: u32) -> Self {
         Self {
             path: Samples::joint(key(of, 0), index),

@@ -1,8 +1,8 @@
-//! Frames: an axis becomes coordinates whose third one is along it.
+//! Frames: extends an axis to an orthonormal frame whose third vector is the axis.
 
 use crate::geometry::Vector;
 
-/// A right-handed frame of unit vectors.
+/// A right-handed orthonormal frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Frame {
     along: Vector,
@@ -11,7 +11,8 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The frame about a unit vector. Source: T. Duff et al., Building an orthonormal basis, revisited (2017).
+    /// Returns the frame about a unit vector. Source: T. Duff et al., Building an orthonormal
+    /// basis, revisited (2017).
     pub(crate) fn about(axis: Vector) -> Self {
         let sign = 1_f64.copysign(axis.z);
         let a = -1.0 / (sign + axis.z);
@@ -21,7 +22,7 @@ impl Frame {
         Self { along, across, axis }
     }
 
-    /// What has these coordinates in the frame.
+    /// Returns the vector with these coordinates in the frame.
     pub(crate) fn place(self, [x, y, z]: [f64; 3]) -> Vector {
         x * self.along + y * self.across + z * self.axis
     }

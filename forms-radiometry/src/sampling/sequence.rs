@@ -1,47 +1,53 @@
-//! Point sets of low discrepancy and random numbers: a key becomes points of the unit square, or numbers one after another.
+//! Low-discrepancy point sets and random numbers: a key determines points of the unit square, or a
+//! sequence of numbers.
 //!
 //! ```text
 //! key ─▶ random bits ─▶ scrambling of the sequence (Net), or the numbers themselves (Random)
-//! key, index ─▶ point of as many dimensions as are asked for (Samples)
+//! key, index ─▶ point with any number of dimensions (Samples)
 //! ```
-//! The sequence is the (0, 2)-sequence of van der Corput and Sobol: of the first 4ⁿ points one lies in each cell of any of the grids
-//! of 4ⁿ equal cells whose sides are powers of two. It is scrambled at random in Owen's way, digit by digit as the digits before say: that
-//! keeps the grids, makes every point uniform, so that means over the points have no bias, and places each point in its cell independently of
-//! the others. So n points miss a part p of the square no more often than (1 − p)ⁿ, also where it is a pattern that fits the grid; points
-//! that are shifted together may all miss it.
-//! Points of many dimensions are those of [Sobol's sequence](super::sobol), in which all dimensions lie evenly
-//! together, or have one point of that (0, 2)-sequence for each pair of dimensions: each pair has it in an order of its own, so that pairs know
-//! nothing of each other. Keys alone decide everything: answers do not depend on threads.
+//! The sequence is the (0, 2)-sequence of van der Corput and Sobol: of its first 4ⁿ points, one
+//! lies in each cell of any grid of 4ⁿ equal cells whose sides are powers of two. It is randomized
+//! by Owen scrambling: each digit is permuted depending on the digits before it. Scrambling
+//! preserves this stratification. It makes every point uniform, so that means over the points are
+//! unbiased, and places each point in its cell independently of the others. So n points miss a
+//! fraction p of the square with probability at most (1 − p)ⁿ, even if that part is a pattern that
+//! fits the grid; points with a common random shift could all miss it. Points of many dimensions
+//! either are points of [Sobol's sequence](super::sobol), whose dimensions are jointly stratified,
+//! or take a point of the (0, 2)-sequence for each pair of dimensions. Each pair then uses its own
+//! order of the sequence, so that pairs are independent. Everything follows from the keys: answers
+//! do not depend on threads.
 //!
-//! Sources: T. Kollig, A. Keller, Efficient multidimensional sampling (2002); B. Burley, Practical hash-based Owen scrambling (2020);
-//! G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators (2014).
+//! Sources: T. Kollig, A. Keller, Efficient multidimensional sampling (2002); B. Burley, Practical
+//! hash-based Owen scrambling (2020); G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom
+//! number generators (2014).
 
 use super::sobol::{DIMENSIONS, reversed};
 
-/// Digits of a coordinate: so many that the middle of each of the least intervals is a number in (0, 1).
+/// Binary digits of a coordinate: few enough that the middle of each of the smallest intervals is a
+/// number in (0, 1).
 const DIGITS: u32 = 52;
 
-/// The odd number nearest to 2⁶⁴ over the golden ratio.
+/// The odd number nearest to 2⁶⁴ divided by the golden ratio.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// A key made of another one and a number.
+/// Derives a key from another key and a number.
 pub(crate) fn key(parent: u64, number: u64) -> u64 {
     mixed(parent ^ mixed(number.wrapping_add(GOLDEN)))
 }
 
-/// A bijection of 64 bits that leaves no trace of order: that of SplitMix64.
+/// Mixes 64 bits bijectively: the finalizer of SplitMix64.
 fn mixed(bits: u64) -> u64 {
     let bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^ (bits >> 31)
 }
 
-/// The middle of one of the least intervals.
+/// Returns the middle of one of the smallest intervals.
 fn number(digits: u64) -> f64 {
     (digits as f64 + 0.5) / (1_u64 << DIGITS) as f64
 }
 
-/// Random numbers from 0 to 1, without the ends.
+/// Generator of random numbers in (0, 1).
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 
@@ -60,7 +66,7 @@ impl Random {
     }
 }
 
-/// A sequence of points of the unit square with a scrambling of its own.
+/// A sequence of points of the unit square with its own scrambling.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Net {
     seeds: u64,
@@ -71,13 +77,14 @@ impl Net {
         Self { seeds: key(of, 0) }
     }
 
-    /// One of the points; no coordinate is 0 or 1.
+    /// Returns one of the points; no coordinate is 0 or 1.
     pub(crate) fn point(&self, index: u32) -> [f64; 2] {
         pair([index, pascal(index).reverse_bits()], self.seeds, key(!self.seeds, u64::from(index)))
     }
 }
 
-/// The second coordinate of Sobol: the binary digits of an index times Pascal's triangle modulo two.
+/// Returns the second Sobol coordinate: the binary digits of an index times Pascal's triangle
+/// modulo two.
 fn pascal(mut index: u32) -> u32 {
     let (mut column, mut sum) = (1 << 31, 0);
     while index != 0 {
@@ -90,40 +97,42 @@ fn pascal(mut index: u32) -> u32 {
     sum
 }
 
-/// The pairs of dimensions that have points of low discrepancy: of what depends on more, so much happened at random before
-/// that plain random numbers do as well.
+/// The number of pairs of dimensions with low-discrepancy points. A path that needs more has had
+/// enough random events for plain random numbers to do as well.
 pub(super) const EVEN_PAIRS: usize = DIMENSIONS / 2;
 
-/// One point of a sequence in as many dimensions as are asked for.
+/// One point of a sequence with any number of dimensions.
 #[derive(Clone, Debug)]
 pub(crate) struct Samples {
     key: u64,
     index: u32,
     pair: usize,
-    /// Whether all dimensions lie evenly together, or each pair for itself.
+    /// Whether all dimensions are jointly stratified, instead of each pair alone.
     are_joint: bool,
-    /// What digits beyond those of the sequence are, and coordinates that do not lie evenly.
+    /// Source of the digits beyond those of the sequence, and of coordinates that are not
+    /// stratified.
     random: Random,
 }
 
 impl Samples {
-    /// The point with this index of the sequence that a key names. In each pair of dimensions the first 2ⁿ points lie evenly, for every n.
+    /// Creates the point with this index of the sequence that a key identifies. In each pair of
+    /// dimensions the first 2ⁿ points are stratified, for every n.
     pub(crate) fn new(key: u64, index: u32) -> Self {
         let random = Random::new(self::key(!key, u64::from(index)));
         Self { key, index, pair: 0, are_joint: false, random }
     }
 
-    /// The same of a sequence whose dimensions lie evenly together.
+    /// Creates the same point of a sequence whose dimensions are jointly stratified.
     pub(crate) fn joint(key: u64, index: u32) -> Self {
         Self { are_joint: true, ..Self::new(key, index) }
     }
 
-    /// Whether the next coordinates lie evenly.
+    /// Whether the next coordinates are stratified.
     pub(crate) fn are_even(&self) -> bool {
         self.pair < EVEN_PAIRS
     }
 
-    /// The next two coordinates, from 0 to 1 without the ends.
+    /// Returns the next two coordinates, in (0, 1).
     pub(crate) fn pair(&mut self) -> [f64; 2] {
         match self.next() {
             Some((reversed, seeds)) => pair(reversed, seeds, self.random.bits()),
@@ -131,7 +140,7 @@ impl Samples {
         }
     }
 
-    /// The next coordinate.
+    /// Returns the next coordinate.
     pub(crate) fn one(&mut self) -> f64 {
         match self.next() {
             Some(([first, _], seeds)) => scrambled(first, seeds, self.random.bits()),
@@ -139,7 +148,8 @@ impl Samples {
         }
     }
 
-    /// The digits of the next two coordinates in reverse, and random bits of the pair; none where they are random.
+    /// Returns the reversed digits of the next two coordinates, and random bits of the pair; `None`
+    /// if the coordinates are plain random numbers.
     fn next(&mut self) -> Option<([u32; 2], u64)> {
         if !self.are_even() {
             return None;
@@ -156,18 +166,20 @@ impl Samples {
     }
 }
 
-/// Two coordinates whose digits in reverse are scrambled by the halves of a seed.
+/// Scrambles two coordinates, given by their reversed digits, with the halves of a seed.
 fn pair([first, second]: [u32; 2], seeds: u64, rest: u64) -> [f64; 2] {
     [scrambled(first, seeds, rest), scrambled(second, seeds >> 32, rest << 32)]
 }
 
-/// A coordinate whose digits in reverse are scrambled by the lower half of a seed. Those beyond the sequence's own are random.
+/// Scrambles a coordinate, given by its reversed digits, with the lower half of a seed. Digits
+/// beyond those of the sequence are random.
 fn scrambled(reversed: u32, seed: u64, rest: u64) -> f64 {
     let digits = hashed(reversed, seed as u32).reverse_bits();
     number(u64::from(digits) << (DIGITS - 32) | rest >> (64 - (DIGITS - 32)))
 }
 
-/// A permutation in which each binary digit is changed or not as the digits below it and a seed say: the hash of Laine and Karras.
+/// Permutes numbers so that each binary digit is flipped or not depending on the digits below it
+/// and a seed: the hash of Laine and Karras.
 fn hashed(digits: u32, seed: u32) -> u32 {
     let mut x = digits.wrapping_add(seed);
     for factor in [0x6c50_b47c_u32, 0xb82f_1e52, 0xc7af_e638, 0x8d22_f6e6] {
@@ -200,7 +212,8 @@ mod tests {
 
     #[test]
     fn a_pattern_that_fits_the_grid_is_met_as_often_as_by_random_points() {
-        // of each of 16 periods a part of 1/50, which 64 points miss with (1 − 1/50)⁶⁴ = 0.27 at most
+        // a part of 1/50 in each of 16 periods, which 64 points miss with a probability of at most
+        // (1 − 1/50)⁶⁴ = 0.27
         let is_met = |seed: u64, axis: usize| {
             let net = Net::new(key(seed, 1));
             (0..64).any(|index| (16.0 * net.point(index)[axis]).fract() < 0.02)
@@ -241,7 +254,7 @@ mod tests {
         for a in 0..dimensions {
             for b in a + 1..dimensions {
                 let correlation = points.iter().map(|x| 12.0 * x[a] * x[b]).sum::<f64>() / f64::from(POINTS);
-                // of independent points it is beyond 5/√n once in 10⁶
+                // for independent points it exceeds 5/√n once in 10⁶
                 assert!(correlation.abs() < 5.0 / f64::from(POINTS).sqrt(), "{a}, {b}: {correlation}");
             }
         }
@@ -286,7 +299,7 @@ mod tests {
         let mut counts = [0_i32; 16];
         (0..1 << 14).for_each(|_| counts[(16.0 * random.next()) as usize] += 1);
         let squares: i32 = counts.iter().map(|count| (count - (1 << 10)).pow(2)).sum();
-        // chi square with 15 degrees of freedom: beyond 45 once in 10⁴
+        // chi-squared with 15 degrees of freedom: exceeds 45 once in 10⁴
         assert!(f64::from(squares) / 1024.0 < 45.0, "{counts:?}");
     }
 }

@@ -1,14 +1,16 @@
-//! Sobol's sequence in many dimensions: an index becomes the digits of coordinates that lie evenly together.
+//! Sobol's sequence in many dimensions: computes the digits of jointly stratified coordinates from
+//! an index.
 //!
-//! Source: S. Joe, F. Y. Kuo, Constructing Sobol sequences with better two-dimensional projections (2008), whose direction numbers these are.
+//! Source: S. Joe, F. Y. Kuo, Constructing Sobol sequences with better two-dimensional projections
+//! (2008), whose direction numbers these are.
 
-/// Digits of an index and of a coordinate.
+/// Number of binary digits of an index and of a coordinate.
 const DIGITS: usize = 32;
-/// How many dimensions there are.
+/// Number of dimensions.
 pub(super) const DIMENSIONS: usize = 32;
 
-/// For each dimension but the first the inner coefficients of a primitive polynomial and the first direction numbers, of which there are as many
-/// as its degree.
+/// For each dimension except the first, the inner coefficients of a primitive polynomial and the
+/// initial direction numbers, as many as its degree.
 const POLYNOMIALS: [(u32, &[u32]); DIMENSIONS - 1] = [
     (0, &[1]),
     (1, &[1, 3]),
@@ -43,10 +45,12 @@ const POLYNOMIALS: [(u32, &[u32]); DIMENSIONS - 1] = [
     (42, &[1, 3, 7, 3, 13, 59, 17]),
 ];
 
-/// For each pair of dimensions and each digit of an index what it changes: the digits of both coordinates, in reverse.
+/// For each pair of dimensions and each digit of an index, the digits of both coordinates that it
+/// flips, reversed.
 static COLUMNS: [[[u32; 2]; DIGITS]; DIMENSIONS / 2] = columns();
 
-/// The digits of both coordinates of an index in a pair of dimensions, in reverse: the first one is the lowest.
+/// Returns the digits of both coordinates of an index in a pair of dimensions, reversed: the first
+/// digit is the lowest bit.
 pub(super) fn reversed(pair: usize, mut index: u32) -> [u32; 2] {
     let mut sums = [0; 2];
     for column in &COLUMNS[pair] {
@@ -75,7 +79,8 @@ const fn columns() -> [[[u32; 2]; DIGITS]; DIMENSIONS / 2] {
     all
 }
 
-/// The direction numbers of a dimension: with the polynomial xˢ + a₁ xˢ⁻¹ + … + 1, vᵢ = a₁ vᵢ₋₁ ⊕ … ⊕ vᵢ₋ₛ ⊕ vᵢ₋ₛ/2ˢ.
+/// Returns the direction numbers of a dimension: with the polynomial xˢ + a₁ xˢ⁻¹ + … + 1, vᵢ = a₁
+/// vᵢ₋₁ ⊕ … ⊕ vᵢ₋ₛ ⊕ vᵢ₋ₛ/2ˢ.
 const fn directions(dimension: usize) -> [u32; DIGITS] {
     let mut directions = [0; DIGITS];
     let mut digit = 0;
@@ -105,7 +110,8 @@ const fn directions(dimension: usize) -> [u32; DIGITS] {
 mod tests {
     use super::*;
 
-    /// Of n points each elementary cell of area 1/n has one in the first pair, and 2ᵗ at most in the others.
+    /// Of n points, each elementary cell of area 1/n contains one in the first pair, and at most 2ᵗ
+    /// in the others.
     #[test]
     fn each_pair_of_dimensions_lies_evenly() {
         const BITS: usize = 10;

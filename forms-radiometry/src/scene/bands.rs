@@ -1,9 +1,11 @@
-//! Bands: a scene of several becomes one of a single band, with the middle of every optical number.
+//! Bands: reduces a scene with several bands to a single band, with the midrange of every optical
+//! number.
 
 use super::model::{LightKind, MaterialKind, Scene};
 
 impl Scene {
-    /// The same scene in a single band, where every optical number is halfway between the least and the largest of its bands.
+    /// Returns the same scene in a single band, where every optical number is halfway between the
+    /// smallest and the largest of its bands.
     pub(crate) fn with_one_band(&self) -> Self {
         let mut scene = self.clone();
         scene.bands = Vec::new();
@@ -44,7 +46,7 @@ fn merge(values: &mut Vec<f64>) {
     }
 }
 
-/// Halfway between the least and the largest.
+/// Returns the midrange: halfway between the smallest and the largest value.
 pub(crate) fn middle(values: &[f64]) -> f64 {
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -1,4 +1,5 @@
-//! Elements: a table of the file becomes an element whose keys are all known.
+//! Elements: typed access to the keys of a table of the file, with errors for unknown and missing
+//! keys.
 
 use super::error::Report;
 use super::value::{Domain, Value, direction, number, one_of, spectrum, text, vector};
@@ -9,15 +10,15 @@ use toml::de::DeTable;
 
 /// A table of the file, such as one `[[surface]]`.
 pub(super) struct Element<'a, 't> {
-    /// What it is, in words: "surface".
+    /// The kind of element, in words: "surface".
     pub(super) kind: &'static str,
     pub(super) table: &'a DeTable<'t>,
-    /// The place of its head in the text.
+    /// The place of its header in the text.
     pub(super) place: Range<usize>,
 }
 
 impl<'a, 't> Element<'a, 't> {
-    /// The elements of a `[[key]]` list.
+    /// Returns the elements of a `[[key]]` list.
     pub(super) fn list(report: &mut Report, root: &'a DeTable<'t>, key: &'static str) -> Vec<Self> {
         let Some(value) = root.get(key) else { return Vec::new() };
         let Some(array) = value.get_ref().as_array() else {
@@ -34,7 +35,7 @@ impl<'a, 't> Element<'a, 't> {
         elements
     }
 
-    /// The element of a key whose value is a table.
+    /// Returns the element of a key whose value is a table.
     pub(super) fn single(
         report: &mut Report,
         value: &'a Value<'t>,
@@ -49,7 +50,7 @@ impl<'a, 't> Element<'a, 't> {
         Some(Self { kind, table, place: value.span() })
     }
 
-    /// Reports every key that is not known.
+    /// Reports every unknown key.
     pub(super) fn check_keys(&self, report: &mut Report, known: &[&str]) {
         for key in self.table.keys() {
             let name: &str = key.get_ref();
@@ -72,7 +73,7 @@ impl<'a, 't> Element<'a, 't> {
         value
     }
 
-    /// The text of a required key, with its place.
+    /// Returns the text of a required key, with its place.
     pub(super) fn text(
         &self,
         report: &mut Report,
@@ -83,25 +84,25 @@ impl<'a, 't> Element<'a, 't> {
         Some((text(report, value, &format!("`{key}`"))?, value.span()))
     }
 
-    /// The point of a required key.
+    /// Returns the point of a required key.
     pub(super) fn point(&self, report: &mut Report, key: &str) -> Option<Vector> {
         let value = self.required(report, key, &format!("{key} = [x, y, z]"))?;
         vector(report, value, &format!("`{key}`"))
     }
 
-    /// The direction of a required key, as a unit vector.
+    /// Returns the direction of a required key, as a unit vector.
     pub(super) fn direction(&self, report: &mut Report, key: &str) -> Option<Vector> {
         let value = self.required(report, key, &format!("{key} = [x, y, z]"))?;
         direction(report, value, &format!("`{key}`"))
     }
 
-    /// The number of a required key.
+    /// Returns the number of a required key.
     pub(super) fn number(&self, report: &mut Report, key: &str, domain: &Domain) -> Option<f64> {
         let value = self.required(report, key, domain.expected)?;
         number(report, value, &format!("`{key}`"), domain)
     }
 
-    /// The optical numbers of a required key, one a band.
+    /// Returns the optical numbers of a required key, one for each band.
     pub(super) fn spectrum(
         &self,
         report: &mut Report,
@@ -113,7 +114,7 @@ impl<'a, 't> Element<'a, 't> {
         spectrum(report, value, &format!("`{key}`"), domain, bands)
     }
 
-    /// The same of a key that may be left out, with the value it has then.
+    /// Returns the optical numbers of an optional key, or its default value.
     pub(super) fn spectrum_or(
         &self,
         report: &mut Report,
@@ -128,7 +129,7 @@ impl<'a, 't> Element<'a, 't> {
         }
     }
 
-    /// The index that a required key names.
+    /// Returns the index of the element that a required key names.
     pub(super) fn reference(
         &self,
         report: &mut Report,
@@ -142,7 +143,7 @@ impl<'a, 't> Element<'a, 't> {
     }
 }
 
-/// The indices of the elements of one kind by name. An element with an error in it keeps its name, so that the
+/// The indices of the elements of one kind by name. An invalid element keeps its name, so that the
 /// error is not repeated wherever the element is used.
 #[derive(Default)]
 pub(super) struct Indices {
@@ -150,7 +151,7 @@ pub(super) struct Indices {
 }
 
 impl Indices {
-    /// The name of an element, which refers to this index from now on.
+    /// Returns the name of an element, and registers it with this index.
     pub(super) fn name(
         &mut self,
         report: &mut Report,
@@ -163,7 +164,7 @@ impl Indices {
         Some(name)
     }
 
-    /// The index of a name, reported if there is none.
+    /// Returns the index of a name. An unknown name is reported.
     pub(super) fn find(
         &self,
         report: &mut Report,
@@ -185,20 +186,20 @@ impl Indices {
     }
 }
 
-/// The names given so far to one kind of element, each with the byte where it was given.
+/// The names used so far for one kind of element, each with the byte of its definition.
 #[derive(Default)]
 pub(super) struct Names {
     given: HashMap<String, usize>,
 }
 
 impl Names {
-    /// The name of an element, reported if it is missing or was given before.
+    /// Returns the name of an element. A missing or duplicate name is reported.
     pub(super) fn name(&mut self, report: &mut Report, element: &Element) -> Option<String> {
         let (name, place) = element.text(report, "name", "name = \"…\"")?;
         self.give(report, element.kind, name, place)
     }
 
-    /// A name that is given at this place, reported if it was given before.
+    /// Registers a name defined at this place. A duplicate name is reported.
     pub(super) fn give(
         &mut self,
         report: &mut Report,

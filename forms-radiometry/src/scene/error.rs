@@ -7,30 +7,30 @@ use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
-/// One thing that is wrong with a scene file, or with a file that it names.
+/// An error in a scene file, or in a file that it names.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SceneError {
-    /// The file, as it was named by the caller; empty for what did not come from a file.
+    /// The file, as it was named by the caller; empty if the scene did not come from a file.
     pub file: String,
-    /// The line, counted from one; zero where the whole file is meant.
+    /// The line, counted from one; zero for an error of the whole file.
     pub line: usize,
-    /// The column in characters, counted from one; zero where the whole file is meant.
+    /// The column in characters, counted from one; zero for an error of the whole file.
     pub column: usize,
-    /// What is wrong.
+    /// The error message.
     pub message: String,
-    /// What was expected there; may be empty.
+    /// The expected input; can be empty.
     pub expected: String,
     quoted: Box<Excerpt>,
 }
 
-/// The most errors of one scene that are shown, its meshes included.
+/// The largest number of errors that are shown for a scene and its meshes.
 const MOST_ERRORS: usize = MOST_DIAGNOSTICS;
 
-/// The longest message, in characters: what it quotes may be as long as the file.
+/// The longest message, in characters: a quotation in it can be as long as the file.
 const LONGEST_MESSAGE: usize = 300;
 
 impl SceneError {
-    /// An error at a place.
+    /// Creates an error at a place.
     pub fn new(place: &Place, message: impl Into<String>, expected: impl Into<String>) -> Self {
         let located = place.located();
         Self {
@@ -43,7 +43,7 @@ impl SceneError {
         }
     }
 
-    /// An error of a file as a whole.
+    /// Creates an error of a file as a whole.
     pub(super) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self { file: file.to_owned(), ..Self::new(&Place::default(), message, "") }
     }
@@ -73,7 +73,7 @@ impl fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
-/// A text that is not too long to be read.
+/// Shortens a text to a readable length.
 fn cut(text: String) -> String {
     match text.char_indices().nth(LONGEST_MESSAGE) {
         Some((end, _)) => format!("{}…", &text[..end]),
@@ -84,9 +84,9 @@ fn cut(text: String) -> String {
 /// The errors found so far in one text, and in the files that it names.
 pub(super) struct Report {
     source: Arc<Source>,
-    /// Each with the byte of the text that brought it up.
+    /// Each error with the byte of the text that caused it.
     errors: Vec<(usize, SceneError)>,
-    /// How many more there are, of which nothing is kept.
+    /// The number of further errors, which are only counted.
     more: usize,
 }
 
@@ -95,7 +95,7 @@ impl Report {
         Self { source: Arc::clone(source), errors: Vec::new(), more: 0 }
     }
 
-    /// A range of bytes of the text.
+    /// Returns the place of a range of bytes of the text.
     pub(super) fn place(&self, range: Range<usize>) -> Place {
         Place::new(&self.source, range)
     }
@@ -132,7 +132,7 @@ impl Report {
         self.errors.extend(errors.into_iter().take(room).map(|error| (byte, error)));
     }
 
-    /// The line of a byte of the text, counted from one.
+    /// Returns the line of a byte of the text, counted from one.
     pub(super) fn line(&self, byte: usize) -> usize {
         self.place(byte..byte).located().line
     }
@@ -141,7 +141,7 @@ impl Report {
         self.errors.is_empty()
     }
 
-    /// All errors, in the order of the text.
+    /// Returns all errors, in the order of the text.
     pub(super) fn into_errors(mut self) -> Vec<SceneError> {
         self.errors.sort_by_key(|(start, _)| *start);
         let mut errors: Vec<SceneError> = self.errors.into_iter().map(|(_, error)| error).collect();

@@ -1,22 +1,22 @@
-//! Files that are read: regular ones, up to a size, and nothing that never ends.
+//! File input: reads regular files up to a size limit, so that reading always ends.
 
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The largest scene, in bytes.
+/// The largest scene file, in bytes.
 pub(super) const LARGEST_SCENE: u64 = 64 << 20;
 
-/// The largest mesh, in bytes.
+/// The largest mesh file, in bytes.
 pub(super) const LARGEST_MESH: u64 = 1 << 30;
 
-/// Reads a file of at most so many bytes. A folder, a device, a pipe and a socket are refused, by way of links too: reading
-/// one may wait or go on forever.
+/// Reads a file of at most `largest` bytes. Folders, devices, pipes and sockets are rejected, also
+/// behind links: reading them can block or never end.
 ///
 /// # Errors
-/// If the file cannot be read, is larger, or is none.
+/// If the file cannot be read, is larger, or is not a regular file.
 pub fn read_file(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
-    // before it is opened, as opening a pipe waits for its other end
+    // checked before opening, because opening a pipe waits for its other end
     check(&std::fs::metadata(path)?)?;
     let file = File::open(path)?;
     let metadata = file.metadata()?;
@@ -26,7 +26,7 @@ pub fn read_file(path: &Path, largest: u64) -> io::Result<Vec<u8>> {
     }
     let mut bytes = Vec::new();
     file.take(largest + 1).read_to_end(&mut bytes)?;
-    // a file may grow, and some of the system's have no length
+    // a file can grow while it is read, and some system files report no length
     if bytes.len() as u64 > largest { Err(too_large(largest)) } else { Ok(bytes) }
 }
 

@@ -1,4 +1,5 @@
-//! Lights without extent: each `[[light]]` of the file becomes a point or parallel light.
+//! Lights without extent: parses each `[[light]]` of the file into a point light or a distant
+//! light.
 
 use super::element::{Element, Names};
 use super::error::Report;

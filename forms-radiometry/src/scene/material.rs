@@ -1,4 +1,4 @@
-//! Materials: each `[[material]]` of the file becomes a law of reflection and transmission.
+//! Materials: parses each `[[material]]` of the file into a law of reflection and transmission.
 
 use super::element::{Element, Names};
 use super::error::Report;

@@ -1,4 +1,5 @@
-//! Media: each `[[medium]]` of the file becomes its coefficients, its phase function and its index.
+//! Media: parses each `[[medium]]` of the file into its coefficients, its phase function and its
+//! refractive index.
 
 use super::element::{Element, Names};
 use super::error::Report;

@@ -1,5 +1,5 @@
-//! Mesh files: the bytes of an OBJ or PLY file become a [`Mesh`], or what is wrong with them, with its place in
-//! that file.
+//! Mesh files: parses the bytes of an OBJ or PLY file into a [`Mesh`], or a list of errors with
+//! their places in that file.
 
 mod obj;
 mod ply;
@@ -18,18 +18,18 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// How many errors of one file are told.
+/// The largest number of errors that are reported for one file.
 const TOLD: usize = 20;
 
-/// What was read of a mesh file.
+/// A parsed mesh file.
 #[derive(Clone)]
 pub(super) struct MeshFile {
     pub(super) mesh: Arc<Mesh>,
-    /// Whether the file gives its vertices normals, which are not kept.
+    /// Whether the file has vertex normals, which are discarded.
     pub(super) has_normals: bool,
 }
 
-/// The mesh files of a scene. Each is read once, however many surfaces name it.
+/// The mesh files of a scene. Each is read once, regardless of how many surfaces name it.
 pub(super) struct MeshFiles<'f> {
     /// The folder of the scene, for messages.
     folder: PathBuf,
@@ -43,12 +43,12 @@ impl<'f> MeshFiles<'f> {
         Self { folder, open, read: HashMap::new() }
     }
 
-    /// The mesh in a file that the scene names at this place.
+    /// Returns the mesh in a file that the scene names at this place.
     pub(super) fn mesh(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<Arc<Mesh>> {
         self.file(report, place, name).map(|file| file.mesh)
     }
 
-    /// The mesh, and what else the file says of it.
+    /// Returns the mesh, and whether the file has vertex normals.
     pub(super) fn file(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
         if let Some(known) = self.read.get(name) {
             return known.clone();
@@ -89,7 +89,7 @@ impl<'f> MeshFiles<'f> {
     }
 }
 
-/// What is wrong at a range of bytes of a mesh file.
+/// An error at a range of bytes of a mesh file.
 struct Fault {
     range: Range<usize>,
     message: String,
@@ -102,21 +102,21 @@ impl Fault {
     }
 }
 
-/// What was read of a mesh file.
+/// The contents of a mesh file.
 #[derive(Default)]
 struct Parts {
     vertices: Vec<Vector>,
     faces: Vec<Vec<u32>>,
-    /// Where each face is told.
+    /// The place of each face in the file.
     face_places: Vec<Range<usize>>,
     has_normals: bool,
     faults: Vec<Fault>,
-    /// Faults that are counted and not kept.
+    /// The number of further faults, which are only counted.
     more: usize,
 }
 
 impl Parts {
-    /// The mesh, if nothing was wrong so far and its faces are polygons.
+    /// Returns the mesh, if there were no faults so far and its faces are valid polygons.
     fn mesh(mut self, source: &Arc<Source>) -> Result<MeshFile, Vec<SceneError>> {
         if self.faults.is_empty() && self.faces.is_empty() {
             let expected = "faces, each of three vertices or more";
@@ -138,7 +138,7 @@ impl Parts {
         Err(told(source, self.faults, self.more))
     }
 
-    /// Notes what is wrong: the first of it, and of the rest how much there is.
+    /// Records a fault. Faults beyond the limit are only counted.
     fn fault(&mut self, fault: Fault) {
         if self.faults.len() < TOLD {
             self.faults.push(fault);
@@ -148,7 +148,7 @@ impl Parts {
     }
 }
 
-/// What a face should have been.
+/// Describes the face that was expected.
 fn expected(reason: &FaceError, vertices: usize) -> String {
     match reason {
         FaceError::NoVertex(_) => format!("one of the {vertices} vertices"),
@@ -159,7 +159,7 @@ fn expected(reason: &FaceError, vertices: usize) -> String {
     }
 }
 
-/// Faults as errors, and how many more there are.
+/// Converts faults to errors, with the number of further ones.
 fn told(source: &Arc<Source>, faults: Vec<Fault>, more: usize) -> Vec<SceneError> {
     let error =
         |fault: Fault| SceneError::new(&Place::new(source, fault.range), fault.message, fault.expected);

@@ -1,4 +1,5 @@
-//! Scenes of Mitsuba 3: the elements of the XML become the model, as far as it can say what they say.
+//! Scenes of Mitsuba 3: translates the elements of the XML into the model, as far as the model can
+//! express them.
 //!
 //! ```text
 //! text ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
@@ -6,8 +7,8 @@
 //!                             ├─ emitter ───────┤  lights, ambient
 //!                             └─ sensor, integrator: receivers, effects
 //! ```
-//! Whatever is left of an object when what is known has been taken from it is an error that names it. After
-//! an error reading goes on with a default in the place of what was wrong, since the scene is refused anyway.
+//! Every property of an object that the translation does not use is reported as an error. After an
+//! error, parsing continues with a default value, since the scene is rejected anyway.
 
 mod bsdf;
 mod emitter;
@@ -33,26 +34,26 @@ pub(super) use surroundings::Surroundings;
 
 type Node<'a> = roxmltree::Node<'a, 'a>;
 
-/// The bands of red, green and blue, in this order: thirds of the visible range that are easy to name.
+/// The bands of red, green and blue, in this order: thirds of the visible range with round limits.
 const RGB: [Band; 3] =
     [Band { low: 600.0, high: 700.0 }, Band { low: 500.0, high: 600.0 }, Band { low: 400.0, high: 500.0 }];
 
-/// What has been read so far.
+/// State of the parser: the parts of the scene so far.
 struct Reader<'a, 'r, 'f> {
     report: &'r mut Report,
     files: &'r mut MeshFiles<'f>,
-    /// Values of `<default>`, which `$name` stands for.
+    /// Values of `<default>`, substituted for `$name`.
     parameters: HashMap<String, String>,
     ids: HashMap<&'a str, Node<'a>>,
-    /// One, or three where a colour is given as red, green and blue.
+    /// The number of bands: three if a colour is given as red, green and blue, otherwise one.
     bands: usize,
     names: Names,
     media: Media,
     surroundings: Surroundings,
-    /// Elements that were read before, by their numbers in the document.
+    /// The parsed `<bsdf>` elements by their numbers in the document.
     bsdfs: HashMap<usize, bsdf::Bsdf>,
     materials: Vec<Material>,
-    /// The materials of elements that were read before.
+    /// The materials of the elements that were parsed before.
     known_materials: HashMap<bsdf::Key, usize>,
     surfaces: Vec<Surface>,
     lights: Vec<Light>,
@@ -62,7 +63,8 @@ struct Reader<'a, 'r, 'f> {
     integrator: Option<Integrator>,
 }
 
-/// The scene, and what it says of its surroundings, which is to be compared with the regions of the scene.
+/// Parses the scene. Also returns its declarations of surrounding media, which are later compared
+/// with the regions of the scene.
 pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
     let document = match roxmltree::Document::parse(text) {
         Ok(document) => document,
@@ -100,7 +102,7 @@ pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Op
     Some(reader.scene(has_colours))
 }
 
-/// The byte of a row and a column, both counted from one.
+/// Returns the byte of a row and a column, both counted from one.
 fn byte_at(text: &str, position: roxmltree::TextPos) -> usize {
     let line = text.split_inclusive('\n').take((position.row as usize).saturating_sub(1));
     let start: usize = line.map(str::len).sum();
@@ -131,7 +133,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// An element of the scene.
+    /// Parses a top-level element of the scene.
     fn top(&mut self, node: Node<'a>) {
         match node.tag_name().name() {
             "default" => {}
@@ -173,7 +175,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The id of an object, or a name made of what it is and how many of it there are.
+    /// Returns the id of an object, or a name made of its kind and a number.
     fn name(&mut self, object: &Object<'a>, what: &str, count: usize) -> String {
         let own = object.node.attribute("id").map(str::to_owned);
         own.unwrap_or_else(|| {

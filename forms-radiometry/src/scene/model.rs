@@ -1,4 +1,4 @@
-//! The model of a scene: what is there, what is asked for, and how exactly.
+//! Model of a scene: its geometry and materials, its receivers, and the required accuracy.
 
 use super::place::Place;
 use crate::camera::Camera;
@@ -6,39 +6,40 @@ use crate::geometry::{Disk, Mesh, Polygon, Round, Sphere, Vector};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// A scene whose parts refer to each other rightly: every index exists, every optical list has one number a
-/// band, every direction is a unit vector, and every medium that is entered is left.
+/// A scene whose parts are consistent: every index exists, every optical list has one number for
+/// each band, every direction is a unit vector, and every medium that is entered is left.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The scene's name.
     pub name: String,
     /// The unit of every length in the scene.
     pub unit: LengthUnit,
-    /// Wavelength bands; none where the scene has a single, unnamed one.
+    /// Wavelength bands; empty if the scene has a single, unnamed band.
     pub bands: Vec<Band>,
-    /// Media, which materials and the ambient refer to by index.
+    /// Media, to which materials and the ambient refer by index.
     pub media: Vec<Medium>,
-    /// Materials, which surfaces refer to by index.
+    /// Materials, to which surfaces refer by index.
     pub materials: Vec<Material>,
     /// Surfaces, in the order of the file.
     pub surfaces: Vec<Surface>,
     /// Point and distant lights, in the order of the file.
     pub lights: Vec<Light>,
-    /// What is asked for, in the order of the file.
+    /// Receivers, in the order of the file.
     pub receivers: Vec<Receiver>,
-    /// What surrounds the surfaces.
+    /// Surroundings of the surfaces.
     pub ambient: Ambient,
-    /// How exactly, and with which effects.
+    /// Settings of the solver: accuracy and forced effects.
     pub solve: Solve,
 }
 
 impl Scene {
-    /// How many values an optical quantity has: one a band, or a single one.
+    /// Returns the number of values of an optical quantity: one for each band, or a single one.
     pub fn band_count(&self) -> usize {
         self.bands.len().max(1)
     }
 
-    /// Whether light from far away arrives in this band: an ambient medium that absorbs or scatters leaves nothing of it.
+    /// Whether light from far away arrives in this band: an ambient medium that absorbs or scatters
+    /// extinguishes it completely.
     pub(crate) fn is_lit_from_afar(&self, band: usize) -> bool {
         let is_clear = |medium: &Medium| medium.absorption[band] == 0.0 && medium.scattering[band] == 0.0;
         self.ambient.medium.is_none_or(|medium| is_clear(&self.media[medium]))
@@ -78,52 +79,52 @@ pub struct Medium {
     pub asymmetry: Vec<f64>,
     /// Refractive index n, per band.
     pub index: Vec<f64>,
-    /// Where the file names it.
+    /// The place of its name in the file.
     pub place: Place,
 }
 
 impl Medium {
-    /// Whether it neither absorbs nor scatters: σₐ = σₛ = 0.
+    /// Whether the medium neither absorbs nor scatters: σₐ = σₛ = 0.
     pub fn is_clear(&self) -> bool {
         self.absorption.iter().chain(&self.scattering).all(|&coefficient| coefficient == 0.0)
     }
 
-    /// Whether it is, for light, nothing: σₐ = σₛ = 0 and n = 1.
+    /// Whether the medium has no effect on light: σₐ = σₛ = 0 and n = 1.
     pub fn is_vacuum(&self) -> bool {
         self.is_clear() && self.index.iter().all(|&index| index == 1.0)
     }
 }
 
-/// What a surface does with light.
+/// Optical behaviour of a surface.
 #[derive(Clone, Debug)]
 pub struct Material {
     /// Its name.
     pub name: String,
     /// The law of reflection, and of transmission.
     pub kind: MaterialKind,
-    /// Where the file says its kind.
+    /// The place of its kind in the file.
     pub place: Place,
 }
 
-/// Laws of reflection and transmission. Optical lists have one number a band.
+/// Laws of reflection and transmission. Optical lists have one number for each band.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MaterialKind {
-    /// Lambert’s: the same radiance in every direction.
+    /// Lambertian reflection: the same radiance in every direction.
     Diffuse {
         /// The fraction of the incident light that is reflected.
         reflectance: Vec<f64>,
     },
-    /// The same fraction at every angle, in the direction of the mirror image.
+    /// Specular reflection by the same fraction at every angle.
     Mirror {
         /// The fraction of the incident light that is reflected.
         reflectance: Vec<f64>,
     },
-    /// Fresnel’s, at a smooth boundary of a medium.
+    /// Fresnel reflection and refraction at the smooth boundary of a medium.
     Dielectric {
         /// The index of the medium behind the front.
         inside: usize,
     },
-    /// Fresnel’s, at a smooth metal of complex index η + ik.
+    /// Fresnel reflection at a smooth metal with the complex index η + ik.
     Conductor {
         /// Real part of the index.
         eta: Vec<f64>,
@@ -132,7 +133,7 @@ pub enum MaterialKind {
     },
 }
 
-/// A surface: a shape of some material, which may emit light.
+/// A surface: a shape with a material; it can emit light.
 #[derive(Clone, Debug)]
 pub struct Surface {
     /// Its name.
@@ -143,13 +144,13 @@ pub struct Surface {
     pub shape: Shape,
     /// Emitted radiance in W/(m² sr), per band; the same in all directions.
     pub radiance: Vec<f64>,
-    /// The exitance in W/m², per band, that the radiance was rounded from, if the file gives that. Where the radiance is another one by now, it
-    /// does not count.
+    /// The exitance in W/m², per band, from which the radiance was computed with rounding, if the
+    /// file gives it. It is ignored in bands whose radiance was changed since then.
     pub exitance: Option<Vec<f64>>,
-    /// Whether the back reflects and emits as the front does. A one-sided surface is black from behind; it
-    /// hides what is behind it from either side.
+    /// Whether the back reflects and emits like the front. The back of a one-sided surface is
+    /// black; such a surface occludes from both sides.
     pub two_sided: bool,
-    /// Where the file says its shape.
+    /// The place of its shape in the file.
     pub place: Place,
 }
 
@@ -159,19 +160,20 @@ impl Surface {
         self.radiance.iter().any(|&radiance| radiance > 0.0)
     }
 
-    /// The exitance in a band that the radiance was rounded from, if it was.
+    /// Returns the exitance in a band from which the radiance was computed, if the radiance is
+    /// unchanged.
     pub(crate) fn exitance_of(&self, band: usize) -> Option<f64> {
         let exitance = *self.exitance.as_ref()?.get(band)?;
         (self.radiance.get(band) == Some(&(exitance / PI))).then_some(exitance)
     }
 }
 
-/// What a surface looks like.
+/// Geometry of a surface.
 #[derive(Clone, Debug)]
 pub enum Shape {
     /// A planar polygon.
     Polygon(Polygon),
-    /// Planar polygons. Surfaces that name one file share it.
+    /// A mesh of planar polygons. Surfaces that name the same file share it.
     Mesh(Arc<Mesh>),
     /// A sphere.
     Sphere(Sphere),
@@ -180,12 +182,12 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// Whether it is curved, or has a curved border.
+    /// Whether the shape is curved, or has a curved border.
     pub(crate) fn is_round(&self) -> bool {
         self.as_round().is_some()
     }
 
-    /// The shape that is curved, or has a curved border, if it does.
+    /// Returns the shape if it is curved, or has a curved border.
     pub(crate) fn as_round(&self) -> Option<&dyn Round> {
         match self {
             Self::Sphere(sphere) => Some(sphere),
@@ -194,7 +196,7 @@ impl Shape {
         }
     }
 
-    /// The polygon, if it is one.
+    /// Returns the polygon, if the shape is one.
     pub fn as_polygon(&self) -> Option<&Polygon> {
         match self {
             Self::Polygon(polygon) => Some(polygon),
@@ -206,16 +208,16 @@ impl Shape {
 /// A light without extent.
 #[derive(Clone, Debug)]
 pub struct Light {
-    /// Its name; may be empty.
+    /// Its name; can be empty.
     pub name: String,
-    /// Where it is and what it emits.
+    /// Position or direction, and emission.
     pub kind: LightKind,
-    /// Where the file says its kind.
+    /// The place of its kind in the file.
     pub place: Place,
 }
 
 impl Light {
-    /// Whether it emits in some band.
+    /// Whether the light emits in some band.
     pub fn emits(&self) -> bool {
         let (LightKind::Point { intensity: emitted, .. } | LightKind::Distant { irradiance: emitted, .. }) =
             &self.kind;
@@ -226,9 +228,9 @@ impl Light {
 /// Kinds of lights without extent.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LightKind {
-    /// A point that sends the same intensity in every direction.
+    /// A point that emits the same intensity in every direction.
     Point {
-        /// Where it is.
+        /// Its position.
         position: Vector,
         /// Intensity in W/sr, per band.
         intensity: Vec<f64>,
@@ -237,53 +239,53 @@ pub enum LightKind {
     Distant {
         /// The unit vector along which the light travels.
         direction: Vector,
-        /// Irradiance of a plane that faces it, in W/m², per band.
+        /// Irradiance of a plane perpendicular to the light, in W/m², per band.
         irradiance: Vec<f64>,
     },
 }
 
-/// Something asked for.
+/// A quantity to compute.
 #[derive(Clone, Debug)]
 pub struct Receiver {
     /// Its name.
     pub name: String,
-    /// What is asked for, and where.
+    /// The quantity, and the place where it is computed.
     pub kind: ReceiverKind,
-    /// How the answer is resolved in time, if it is.
+    /// Time resolution of the answer, if requested.
     pub time: Option<TimeBins>,
-    /// Where the file says its kind.
+    /// The place of its kind in the file.
     pub place: Place,
 }
 
-/// Kinds of questions.
+/// Kinds of receivers.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ReceiverKind {
     /// The irradiance at a point.
     Point {
-        /// Where the receiving element is.
+        /// Position of the receiving surface element.
         position: Vector,
-        /// Its unit normal, which points to the side that receives.
+        /// Its unit normal, which points to the receiving side.
         normal: Vector,
     },
     /// Mean irradiance and flux of a surface.
     Surface {
         /// The index of the surface.
         surface: usize,
-        /// How many columns and rows a map of its irradiance has, if one is asked for.
+        /// Numbers of columns and rows of a map of its irradiance, if one is requested.
         grid: Option<[usize; 2]>,
     },
-    /// The radiance that arrives at a point from where it looks.
+    /// The radiance that arrives at a point from one direction.
     Ray {
-        /// Where it starts.
+        /// The point, the origin of the viewing ray.
         origin: Vector,
-        /// The unit vector along which it looks.
+        /// The unit vector along the viewing ray.
         direction: Vector,
     },
     /// A radiance image.
     Camera(Camera),
     /// Scalar irradiance (fluence rate) and vector irradiance at a point.
     Sphere {
-        /// Where the point is.
+        /// The point.
         position: Vector,
     },
 }
@@ -291,36 +293,39 @@ pub enum ReceiverKind {
 /// Bins of time after the lights’ pulse.
 #[derive(Clone, Debug)]
 pub struct TimeBins {
-    /// When the first bin begins, in seconds after the pulse.
+    /// Start of the first bin, in seconds after the pulse.
     pub start: f64,
-    /// The width of one bin, in seconds.
+    /// Width of a bin, in seconds.
     pub width: f64,
-    /// How many bins there are.
+    /// Number of bins.
     pub bins: usize,
-    /// Where the file asks for them.
+    /// The place of the request in the file.
     pub place: Place,
 }
 
-/// What surrounds the surfaces.
+/// Surroundings of the surfaces.
 #[derive(Clone, Debug, Default)]
 pub struct Ambient {
-    /// The index of the medium that fills the scene wherever no other is entered; vacuum if there is none.
+    /// The index of the medium that fills the scene outside all other media; vacuum if there is
+    /// none.
     pub medium: Option<usize>,
     /// Radiance from outside in W/(m² sr), per band, the same from all directions.
     pub radiance: Vec<f64>,
-    /// Where the file speaks of it.
+    /// The place of the table in the file.
     pub place: Place,
 }
 
-/// What is asked of a solver.
+/// Settings of the solver.
 #[derive(Clone, Debug)]
 pub struct Solve {
-    /// The error to stay within, relative to the receiver’s answer; of a cell or a pixel, to the mean of its
-    /// map or image without what shows an emitter directly, or to its own value if that is larger.
+    /// The error tolerance, relative to the receiver’s answer. For a cell or a pixel, it is
+    /// relative to the mean of its map or image, without the pixels that show an emitter directly,
+    /// or to its own value if that is larger.
     pub tolerance: f64,
-    /// The seed of random numbers, where a solver needs any.
+    /// The seed of the random numbers, if a solver needs any.
     pub seed: u64,
-    /// The effects that are forced, in the order of [`Effect::ALL`]; about others the solver decides.
+    /// The effects that are forced, in the order of [`Effect::ALL`]; the solver decides about the
+    /// others.
     pub forced: Vec<ForcedEffect>,
 }
 
@@ -333,33 +338,33 @@ impl Default for Solve {
 /// An effect that the scene file turns on or off.
 #[derive(Clone, Debug)]
 pub struct ForcedEffect {
-    /// Which one.
+    /// The effect.
     pub effect: Effect,
-    /// How.
+    /// Whether it is on, off or limited.
     pub force: Force,
-    /// Where the file says so.
+    /// The place in the file.
     pub place: Place,
 }
 
-/// How an effect is forced.
+/// Setting of a forced effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Force {
     /// Simulated in full.
     On,
-    /// Left out.
+    /// Omitted.
     Off,
     /// Simulated up to this order, at least 1.
     Orders(u32),
 }
 
-/// What light may do in a scene, and can be forced to.
+/// A light-transport effect that can be forced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effect {
-    /// Light from emitters as it comes.
+    /// Direct light from emitters.
     Direct,
-    /// What hides a light.
+    /// Occlusion of lights.
     Occlusion,
-    /// Diffuse reflection from surface to surface.
+    /// Diffuse interreflection between surfaces.
     Interreflection,
     /// Specular reflection.
     Mirror,
@@ -373,7 +378,7 @@ pub enum Effect {
     Bands,
     /// Refractive indices that differ from band to band.
     Dispersion,
-    /// The time that light takes.
+    /// Travel time of light.
     Time,
 }
 
@@ -392,13 +397,13 @@ impl Effect {
         ("time", Self::Time),
     ];
 
-    /// Its name in scene files.
+    /// Returns the name in scene files.
     pub fn name(self) -> &'static str {
         let named = Self::ALL.iter().find(|(_, effect)| *effect == self);
         named.map_or("", |(name, _)| name)
     }
 
-    /// Whether there are orders of it: light takes part in it several times.
+    /// Whether the effect has orders: a path can contain it several times.
     pub fn has_orders(self) -> bool {
         matches!(self, Self::Interreflection | Self::Scattering)
     }

@@ -1,15 +1,18 @@
-//! Overlaps: surfaces that lie in one plane, have an area in common and get light from the same side are reported.
+//! Overlaps: reports coplanar surfaces that overlap and receive light from the same side.
 //!
 //! ```text
-//! surfaces ─ flat pieces whose boxes meet ─ in one plane, of different surfaces ─ common area ─▶ an error that names both
+//! surfaces ─ flat pieces whose boxes meet ─ in one plane, of different surfaces ─ common area
+//! common area ─▶ an error that names both surfaces
 //! ```
-//! Light would arrive at both. Fronts that face the same way get it from the same side. So do surfaces that face
-//! opposite ways if one of them is two-sided or a dielectric, which acts on both of its sides. One-sided surfaces back
-//! to back, as the two faces of a thin wall, share no side. Faces of one mesh are not compared: they have one material
-//! and one radiance, and no other surface than theirs to lie on.
+//! Light would arrive at both surfaces. Fronts that face the same way receive it from the same
+//! side. So do surfaces that face opposite ways if either is two-sided or a dielectric, which acts
+//! on both of its sides. One-sided surfaces back to back, like the two faces of a thin wall, share
+//! no side. Faces of one mesh are not compared: they have the same material and radiance, and there
+//! is no second surface on which they could lie.
 //!
-//! In scenes of Mitsuba nearly every material is two-sided, and boxes on a floor would be errors although no light reaches the
-//! sides in contact: there two-sided surfaces can touch back to back.
+//! In Mitsuba scenes nearly every material is two-sided, and a box on a floor would be an error
+//! although no light reaches the sides in contact. In these scenes two-sided surfaces can touch
+//! back to back.
 
 use super::error::Report;
 use super::model::{MaterialKind, Scene, Shape, Surface};
@@ -37,7 +40,7 @@ pub(super) fn check(report: &mut Report, scene: &Scene, format: Format) {
     }
 }
 
-/// Two surfaces that overlap, the smaller of the pieces that do so first.
+/// Two surfaces that overlap; the surface with the smaller overlapping piece comes first.
 struct Pair {
     surfaces: [usize; 2],
     faces_same_way: bool,
@@ -45,7 +48,7 @@ struct Pair {
     is_inside: bool,
 }
 
-/// A flat piece of a surface: its only one, or a face of its mesh.
+/// A flat piece of a surface: the surface itself, or a face of its mesh.
 struct Piece<'s> {
     surface: usize,
     shape: &'s Shape,
@@ -54,7 +57,7 @@ struct Piece<'s> {
 }
 
 impl<'s> Piece<'s> {
-    /// The pieces of all surfaces.
+    /// Returns the pieces of all surfaces.
     fn all(scene: &'s Scene) -> impl Iterator<Item = Self> {
         scene.surfaces.iter().enumerate().flat_map(|(surface, Surface { shape, .. })| {
             let count = match shape {
@@ -66,7 +69,8 @@ impl<'s> Piece<'s> {
         })
     }
 
-    /// Points whose bounding box holds it, and a margin within which others are near.
+    /// Returns points whose bounding box contains the piece, and a margin within which other pieces
+    /// count as near.
     fn reach(&self) -> (Vec<Vector>, f64) {
         let points = match self.shape {
             Shape::Polygon(polygon) => polygon.vertices().to_vec(),
@@ -88,7 +92,7 @@ impl<'s> Piece<'s> {
     }
 }
 
-/// The pairs of surfaces that overlap, each once.
+/// Finds the pairs of surfaces that overlap, each once.
 fn pairs(scene: &Scene, format: Format) -> Vec<Pair> {
     let pieces = near_others(scene);
     let boxes = Boxes::around(pieces.iter().map(Piece::reach));
@@ -109,7 +113,7 @@ fn pairs(scene: &Scene, format: Format) -> Vec<Pair> {
     found
 }
 
-/// The pieces whose boxes meet that of another surface.
+/// Returns the pieces whose boxes intersect the box of another surface.
 fn near_others(scene: &Scene) -> Vec<Piece<'_>> {
     let mut reaches: BTreeMap<usize, (Vec<Vector>, f64)> = BTreeMap::new();
     for piece in Piece::all(scene) {
@@ -130,7 +134,7 @@ fn near_others(scene: &Scene) -> Vec<Piece<'_>> {
     Piece::all(scene).filter(meets_other).collect()
 }
 
-/// The pair of two pieces that overlap and get light from the same side.
+/// Returns the pair of two pieces if they overlap and receive light from the same side.
 fn pair(scene: &Scene, format: Format, a: &Piece, b: &Piece) -> Option<Pair> {
     let faces_same_way = a.flat().normal().dot(b.flat().normal()) > 0.0;
     let acts_behind = |piece: &Piece| {
@@ -154,7 +158,7 @@ fn is_dielectric(scene: &Scene, surface: usize) -> bool {
 }
 
 impl Pair {
-    /// The surface at which it is reported, the message, and the expectation.
+    /// Returns the surface at which the pair is reported, the message, and the expected input.
     fn described(&self, scene: &Scene, format: Format) -> (usize, String, String) {
         let [own, other] = self.surfaces.map(|index| &scene.surfaces[index]);
         if self.surfaces.iter().any(|&surface| is_dielectric(scene, surface)) {

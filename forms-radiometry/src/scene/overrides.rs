@@ -1,6 +1,6 @@
-//! Settings of the solver that replace those of a scene: the texts of command-line options become a
-//! tolerance, a seed and forced effects. What no option names stays as the scene says. Options and
-//! `[solve]` of a scene file accept the same values.
+//! Overrides of solver settings: parses the texts of command-line options into a tolerance, a seed
+//! and forced effects that replace those of a scene. Settings without an option keep the value of
+//! the scene. Options and `[solve]` of a scene file accept the same values.
 
 use super::element::Element;
 use super::error::Report;
@@ -15,9 +15,9 @@ use std::str::FromStr;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The option that forces effects, as errors name it.
+/// The option that forces effects, as it appears in errors.
 const OPTION: &str = "--effects";
-/// An example of its value.
+/// An example value of that option.
 const EXAMPLE: &str = "effects with values, for example interreflection=2,occlusion=off";
 
 /// Settings that replace those of a scene.
@@ -27,7 +27,7 @@ pub struct Overrides {
     pub tolerance: Option<f64>,
     /// The seed, if it is replaced.
     pub seed: Option<u64>,
-    /// The effects that are forced in the place of what the scene says of them.
+    /// The effects that are forced instead of their settings in the scene.
     pub effects: Option<EffectList>,
 }
 
@@ -37,12 +37,12 @@ pub struct Overrides {
 pub struct EffectList(String);
 
 impl Overrides {
-    /// Reads a tolerance. The message says what was expected.
+    /// Parses a tolerance. An error message states the expected value.
     pub fn tolerance(text: &str) -> Result<f64, String> {
         of_domain(text, &TOLERANCE)
     }
 
-    /// Reads a seed. The message says what was expected.
+    /// Parses a seed. An error message states the expected value.
     pub fn seed(text: &str) -> Result<u64, String> {
         of_domain(text, &SEED).map(|seed| seed as u64)
     }
@@ -60,7 +60,7 @@ impl Overrides {
             .sort_by_key(|forced| Effect::ALL.iter().position(|(_, effect)| *effect == forced.effect));
     }
 
-    /// The options that say the same, as a command line has them; each has a space before it.
+    /// Formats the equivalent command-line options; each is preceded by a space.
     pub fn options(&self) -> String {
         let tolerance = self.tolerance.map(|tolerance| format!(" --tolerance {tolerance:?}"));
         let seed = self.seed.map(|seed| format!(" --seed {seed}"));
@@ -89,14 +89,15 @@ impl fmt::Display for EffectList {
     }
 }
 
-/// A number of a domain.
+/// Parses a number of a domain.
 fn of_domain(text: &str, domain: &Domain) -> Result<f64, String> {
     let value = DeValue::parse(text).ok();
     let number = value.and_then(|value| plain_number(value.get_ref()));
     number.filter(|&number| (domain.contains)(number)).ok_or_else(|| format!("expected {}", domain.expected))
 }
 
-/// The effects that a text forces, with their places in it. The message says all that is wrong.
+/// Parses the effects that a text forces, with their places in it. An error message contains all
+/// errors of the text.
 fn read(text: &str) -> Result<Vec<ForcedEffect>, String> {
     let source = Source::of_option(OPTION, text);
     let mut report = Report::new(&source);
@@ -111,7 +112,7 @@ fn read(text: &str) -> Result<Vec<ForcedEffect>, String> {
     Err(messages.collect::<Vec<_>>().join("; "))
 }
 
-/// The table that a scene file would have in the place of this list.
+/// Builds the equivalent table of a scene file.
 fn table<'t>(report: &mut Report, text: &'t str) -> DeTable<'t> {
     let mut table = DeTable::new();
     let mut start = 0;
@@ -134,7 +135,7 @@ fn table<'t>(report: &mut Report, text: &'t str) -> DeTable<'t> {
     table
 }
 
-/// A number, or else a text.
+/// Parses a number, or else a text.
 fn of_word(word: &str) -> DeValue<'_> {
     let number = DeValue::parse(word).ok().map(Spanned::into_inner);
     let number = number.filter(|value| plain_number(value).is_some());

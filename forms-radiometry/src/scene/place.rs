@@ -1,4 +1,4 @@
-//! Places: a range of a text and the file it comes from, from which an error is told later.
+//! Places: byte ranges of a text and its file, for errors that are reported later.
 
 use forms::core::syntax::Excerpt;
 use std::fmt;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub(super) struct Source {
     pub(super) file: String,
     pub(super) text: String,
-    /// Whether it is the value of an option of the command line, whose name stands for that of a file.
+    /// Whether it is the value of a command-line option, whose name replaces the file name.
     is_option: bool,
 }
 
@@ -19,14 +19,14 @@ impl Source {
         Arc::new(Self { file: file.to_owned(), text: text.to_owned(), is_option: false })
     }
 
-    /// The value of an option of the command line.
+    /// Creates the source of the value of a command-line option.
     pub(super) fn of_option(name: &str, value: &str) -> Arc<Self> {
         Arc::new(Self { file: name.to_owned(), text: value.to_owned(), is_option: true })
     }
 }
 
-/// Where a file says something. What did not come from a file has a place as well, the default one, which is
-/// nowhere.
+/// Place of an item in a file. The default place is nowhere; items that did not come from a file
+/// have it.
 #[derive(Clone, Default)]
 pub struct Place {
     source: Option<Arc<Source>>,
@@ -37,31 +37,33 @@ pub struct Place {
 /// A place as lines and columns.
 pub(super) struct Located<'p> {
     pub(super) file: &'p str,
-    /// Counted from one, in characters; zero where a whole file is meant.
+    /// Line, counted from one, and column, counted from one in characters; zero for an error of a
+    /// whole file.
     pub(super) line: usize,
     pub(super) column: usize,
-    /// What is shown of the line, with the mark under what is meant.
+    /// The displayed part of the line, with a mark under the place.
     pub(super) quoted: Excerpt,
 }
 
 impl Place {
-    /// A range of bytes of a text; what is beyond its end or within a character is moved to the character before.
+    /// Creates the place of a range of bytes of a text. A bound beyond the end of the text is moved
+    /// to the end, a bound within a character to the start of the character.
     pub(super) fn new(source: &Arc<Source>, range: Range<usize>) -> Self {
         Self { source: Some(Arc::clone(source)), start: range.start, end: range.end }
     }
 
-    /// The first byte.
+    /// Returns the first byte.
     pub(super) fn start(&self) -> usize {
         self.start
     }
 
-    /// The file, the line and the column, counted from one, if it came from a file.
+    /// Returns the file, the line and the column, counted from one, if the place is in a file.
     pub fn position(&self) -> Option<(&str, usize, usize)> {
         let located = self.located();
         self.source.as_ref().map(|_| (located.file, located.line, located.column))
     }
 
-    /// Whether it is in the value of an option of the command line.
+    /// Whether the place is in the value of a command-line option.
     pub fn is_option(&self) -> bool {
         self.source.as_ref().is_some_and(|source| source.is_option)
     }
@@ -96,7 +98,7 @@ impl fmt::Debug for Place {
     }
 }
 
-/// The last start of a character at or before this byte.
+/// Returns the last character boundary at or before this byte.
 fn boundary(text: &str, byte: usize) -> usize {
     let byte = byte.min(text.len());
     (0..=byte).rev().find(|&i| text.is_char_boundary(i)).unwrap_or(0)

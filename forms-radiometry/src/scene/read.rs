@@ -1,4 +1,4 @@
-//! Reading: the text of a scene file becomes a [`Scene`]; every error of the text is collected on the way.
+//! Parsing: the text of a scene file becomes a [`Scene`], or the list of all its errors.
 
 use super::element::{Element, Indices, Names};
 use super::error::Report;
@@ -21,16 +21,17 @@ const KEYS: &[&str] =
     &["name", "unit", "bands", "medium", "material", "surface", "light", "receiver", "ambient", "solve"];
 const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", contains: |x| x > 0.0 };
 
-/// Reads the scene in a file, and the meshes that it names, whose paths are relative to the folder of the file.
+/// Reads the scene in a file, and the meshes that it names by paths relative to the folder of the
+/// file.
 ///
-/// A name that ends in `.xml` is a scene of Mitsuba 3, any other a scene in TOML.
+/// A file with the extension `.xml` is a scene of Mitsuba 3, any other a scene in TOML.
 pub fn open(path: &Path) -> Result<Scene, Vec<SceneError>> {
     let text = text_of(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     read_with_files(&text, &path.to_string_lossy(), &|file| read_file(&folder.join(file), LARGEST_MESH))
 }
 
-/// The text in a file.
+/// Returns the text of a file.
 pub(super) fn text_of(path: &Path) -> Result<String, Vec<SceneError>> {
     let name = path.to_string_lossy();
     let whole = |message: String| vec![SceneError::of_file(&name, message)];
@@ -43,14 +44,14 @@ pub(super) fn text_of(path: &Path) -> Result<String, Vec<SceneError>> {
     })
 }
 
-/// Reads a scene that names no files. `file_name` appears in the errors; nothing is opened.
+/// Parses a scene that names no files. `file_name` appears in the errors; nothing is opened.
 pub fn read(text: &str, file_name: &str) -> Result<Scene, Vec<SceneError>> {
     read_with_files(text, file_name, &|_| {
         Err(io::Error::other("a scene that is read from a text has no folder"))
     })
 }
 
-/// Reads a scene, and the files that it names by asking for their bytes.
+/// Parses a scene; `files` returns the bytes of each file that it names.
 pub fn read_with_files(
     text: &str,
     file_name: &str,
@@ -87,7 +88,8 @@ pub fn read_with_files(
     })
 }
 
-/// The scene that was read, after a last check if nothing was wrong so far.
+/// Returns the scene after a last check, or all errors. The check runs only if there were no errors
+/// before.
 fn finished<T>(
     mut report: Report,
     read: Option<T>,
@@ -100,7 +102,7 @@ fn finished<T>(
     scene.filter(|_| report.is_empty()).ok_or_else(|| report.into_errors())
 }
 
-/// The scene of a text, and the surfaces of it that lie on others.
+/// A parsed scene, and its surfaces that lie on others.
 type Read = (Scene, Vec<Subsurface>);
 
 fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<Read> {
@@ -111,10 +113,10 @@ fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<R
     report.is_empty().then(|| read_root(report, root.get_ref(), files))
 }
 
-/// What the elements of a scene refer to.
+/// Names and numbers to which the elements of a scene refer.
 #[derive(Default)]
 pub(super) struct Known {
-    /// How many bands there are; unknown where the bands themselves are in error.
+    /// The number of bands; unknown if the bands themselves are invalid.
     pub(super) bands: Option<usize>,
     pub(super) media: Indices,
     pub(super) materials: Indices,
@@ -156,7 +158,7 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
     (scene, subsurfaces)
 }
 
-/// The elements of a `[[key]]` list, each read with the names before it and the index that it gets.
+/// Reads the elements of a `[[key]]` list, each with the names before it and its index.
 fn each<T>(
     report: &mut Report,
     root: &DeTable,

@@ -1,4 +1,4 @@
-//! Receivers: each `[[receiver]]` of the file becomes something asked for.
+//! Receivers: parses each `[[receiver]]` of the file into a quantity to compute.
 
 use super::element::{Element, Names};
 use super::error::Report;

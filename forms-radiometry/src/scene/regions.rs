@@ -1,14 +1,15 @@
-//! Regions: the surfaces of a scene divide space; a region that a dielectric opens has to be closed, and one
-//! medium has to fill it.
+//! Regions: the surfaces of a scene divide space into regions. A region behind a dielectric must be
+//! closed, and exactly one medium must fill it.
 //!
 //! ```text
-//! polygons, meshes, spheres, disks ─ sheets ─┬─ sides that meet at an edge ──────┐
-//!                                            └─ sides that see each other ───────┴─ regions ─ media
+//! polygons, meshes, spheres, disks ─ sheets ─┬─ sides that meet at an edge ─────┐
+//!                                            └─ sides that see each other ──────┴─ regions ─ media
 //! ```
-//! Every face has two sides. Around an edge the sides that face each other bound one region; at an edge that
-//! no other face shares these are the two sides of one face. Bodies that share no edge are joined along a ray.
-//! What lies behind a dielectric is known, and what is outside of everything is the ambient medium. A medium is
-//! entered and never left if the two sides of a dielectric bound one region.
+//! Every face has two sides. Around an edge, the sides that face each other bound the same region;
+//! at an edge that belongs to a single face, these are the two sides of that face. Bodies that
+//! share no edge are connected along a ray. The medium behind a dielectric is given, and the region
+//! outside of everything is filled by the ambient medium. If the two sides of a dielectric bound
+//! the same region, its medium is entered and never left.
 
 mod boundary;
 mod edges;
@@ -23,17 +24,17 @@ pub(crate) use sheets::{Piece, Sheet};
 use sheets::{Side, sheets};
 use std::collections::HashMap;
 
-/// A medium by its index, or vacuum.
+/// The index of a medium, or vacuum.
 pub(crate) type Filling = Option<usize>;
 
-/// A sheet, and what is on its two sides.
+/// A sheet, and the media on its two sides.
 pub(crate) struct FilledSheet {
     pub(crate) sheet: Sheet,
     pub(crate) front: Filling,
     pub(crate) back: Filling,
 }
 
-/// The sheets of a scene that was checked, in which every region is filled by one medium.
+/// Returns the sheets of a valid scene, in which every region is filled by one medium.
 pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
     let (sheets, vertices) = sheets(scene);
     let mut regions = Regions::new(sheets.len());
@@ -42,7 +43,7 @@ pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
     if has_media {
         let edges = edges(&sheets, &vertices);
         regions.join_at(&sheets, &edges);
-        // what is no boundary of a medium stands in one
+        // a body that is not the boundary of a medium lies inside one
         rays::seen(&sheets, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
     }
     let mut fillings = HashMap::from([(regions.of(Side::Outside), scene.ambient.medium)]);
@@ -63,7 +64,7 @@ pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
     sheets.into_iter().enumerate().map(filled).collect()
 }
 
-/// What is before the front of a boundary.
+/// The medium in front of a boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Front {
     /// The index of the surface.
@@ -71,8 +72,8 @@ pub(super) struct Front {
     pub(super) filling: Filling,
 }
 
-/// Reports media that are entered and never left, and regions that two media are said to fill. Where there are none,
-/// what is before each boundary.
+/// Reports media that are entered and never left, and regions with two conflicting media. If there
+/// are none, returns the medium in front of each boundary.
 pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
     if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
         return Vec::new();
@@ -95,7 +96,7 @@ pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
     fill(report, scene, &sheets, &mut regions)
 }
 
-/// The medium behind a surface, if it is the boundary of one.
+/// Returns the medium behind a surface, if the surface is the boundary of one.
 fn inside(scene: &Scene, surface: &Surface) -> Option<usize> {
     match scene.materials[surface.material] {
         Material { kind: MaterialKind::Dielectric { inside }, .. } => Some(inside),
@@ -103,8 +104,8 @@ fn inside(scene: &Scene, surface: &Surface) -> Option<usize> {
     }
 }
 
-/// Reports boundaries of media that lie upon another surface, between which there is no telling the order; whether
-/// there was one.
+/// Reports boundaries of media that coincide with another surface, so that their order is
+/// undetermined. Returns whether there was one.
 fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]) -> bool {
     let mut told = vec![false; scene.surfaces.len()];
     for (a, b) in edges.iter().filter_map(Edge::overlapping) {
@@ -119,7 +120,7 @@ fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]
     told.contains(&true)
 }
 
-/// Reports each surface with the same region on both sides; whether there was one.
+/// Reports each surface with the same region on both sides. Returns whether there was one.
 fn open_boundaries(
     report: &mut Report,
     working: &WorkingScene,
@@ -160,8 +161,8 @@ fn open_boundaries(
     told.contains(&true)
 }
 
-/// Fills every region, and reports those that are filled twice and boundaries of a medium with itself. A region
-/// that no boundary fills is filled by the ambient medium.
+/// Fills every region, and reports regions with two media and boundaries between a medium and
+/// itself. A region without boundaries of media is filled by the ambient medium.
 fn fill(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) -> Vec<Front> {
     const EXPECTED: &str = "faces that run counter-clockwise seen from outside of the medium behind them";
     let mut fillings: HashMap<usize, (Filling, String)> = HashMap::new();
@@ -203,13 +204,13 @@ fn named(scene: &Scene, filling: Filling) -> String {
     filling.map_or("vacuum".to_owned(), |medium| format!("`{}`", scene.media[medium].name))
 }
 
-/// Sets of sides that bound one region: a forest, where every tree is a set.
+/// Union-find structure of the sides that bound one region: a forest in which every tree is a set.
 struct Regions {
     parents: Vec<usize>,
 }
 
 impl Regions {
-    /// Every side of so many sheets, and the outside, for itself.
+    /// Creates a separate set for each side of this many sheets, and for the outside.
     fn new(sheets: usize) -> Self {
         Self { parents: (0..=2 * sheets).collect() }
     }
@@ -222,7 +223,7 @@ impl Regions {
         }
     }
 
-    /// The region that a side bounds.
+    /// Returns the region that a side bounds.
     fn of(&mut self, side: Side) -> usize {
         let mut node = self.index(side);
         while self.parents[node] != node {
@@ -232,8 +233,8 @@ impl Regions {
         node
     }
 
-    /// Joins the sides that face each other at edges, and both sides of a disk, or the sides of a disk to
-    /// those of the surface that it lies on.
+    /// Joins the sides that face each other at edges. Also joins both sides of a disk, or the sides
+    /// of a disk with those of the surface on which it lies.
     fn join_at(&mut self, sheets: &[Sheet], edges: &[Edge]) {
         for (a, b) in edges.iter().flat_map(Edge::facing) {
             self.join(a, b);

@@ -1,15 +1,16 @@
-//! What is simulated of a scene: nearly all that a file can say. A
-//! scene that asks for more is refused here, with the place of each thing that is asked for, so that an answer is never silently
-//! that of another scene. Pictures are made of less: of direct light between polygons.
+//! Supported features: nearly everything that a scene file can describe is simulated. A scene that
+//! requests more is rejected here, with the place of each unsupported request, so that an answer
+//! never silently belongs to a different scene. Pictures support less: direct light between
+//! polygons.
 //!
-//! Reading knows nothing of this list. What a solver learns leaves it.
+//! The parser does not depend on this list. An entry is removed when a solver supports the feature.
 
 use super::error::SceneError;
 use super::model::{Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 use crate::geometry::Polygon;
 
-/// A scene of diffuse polygons: what the solver of direct light takes.
+/// A scene of diffuse polygons, the input of the solver for direct light.
 #[derive(Clone, Debug)]
 pub(crate) struct DiffuseScene<'s> {
     pub(crate) scene: &'s Scene,
@@ -20,7 +21,7 @@ pub(crate) struct DiffuseScene<'s> {
 }
 
 impl<'s> DiffuseScene<'s> {
-    /// The scene as diffuse polygons, or all that it asks for beyond them.
+    /// Returns the scene as diffuse polygons, or an error for each feature beyond them.
     pub(crate) fn of(scene: &'s Scene) -> Result<Self, Vec<SceneError>> {
         let refused = not_pictured(scene);
         let polygons: Option<Vec<&Polygon>> =
@@ -44,8 +45,8 @@ fn reflectance<'s>(scene: &'s Scene, surface: &Surface) -> Option<&'s [f64]> {
     }
 }
 
-/// Everything that a scene asks for and that is not simulated, in the order of its file. A scene for which this
-/// list is empty is simulated as it stands.
+/// Returns an error for each requested feature that is not simulated, in the order of the file. A
+/// scene for which this list is empty is simulated unchanged.
 pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
     let mut refused = Refusals::default();
     scene.receivers.iter().for_each(|receiver| refused.receiver(scene, receiver));
@@ -53,7 +54,7 @@ pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
     refused.in_order()
 }
 
-/// Everything that a scene asks for and that is not in its pictures.
+/// Returns an error for each requested feature that pictures do not support.
 fn not_pictured(scene: &Scene) -> Vec<SceneError> {
     let mut refused = Refusals::default();
     refused.materials(scene);
@@ -153,8 +154,9 @@ impl Refusals {
         }
     }
 
-    /// Light that comes from a point, or from one direction, and is turned by a curved surface, is found by no path from a receiver; nor is
-    /// that of a point beyond a boundary that bends it. Flat surfaces have images of it.
+    /// Rejects light from a point or from a single direction that a curved surface reflects or
+    /// refracts: no path from a receiver finds it. The same holds for light of a point behind a
+    /// refracting boundary. Flat surfaces are handled by image sources.
     fn beams(&mut self, scene: &Scene) {
         let is_off = |effect| scene.solve.forced.iter().any(|f| f.effect == effect && f.force == Force::Off);
         let has_point = scene.lights.iter().any(|light| matches!(light.kind, LightKind::Point { .. }));
@@ -193,7 +195,7 @@ impl Refusals {
         }
     }
 
-    /// What is not simulated may be forced off.
+    /// Rejects effects that are not simulated, unless they are forced off.
     fn effects(&mut self, scene: &Scene, simulated: &[Effect]) {
         for forced in &scene.solve.forced {
             if !simulated.contains(&forced.effect) && forced.force != Force::Off {

@@ -1,4 +1,4 @@
-//! What a scene asks of the solver: `[solve]` of the file becomes a tolerance, a seed and forced effects.
+//! Solver settings: parses `[solve]` of the file into a tolerance, a seed and forced effects.
 
 use super::element::Element;
 use super::error::Report;
@@ -47,7 +47,7 @@ fn effects(report: &mut Report, value: &Value) -> Vec<ForcedEffect> {
     forced(report, &element)
 }
 
-/// The effects that the keys of an element force, in the order of [`Effect::ALL`].
+/// Returns the effects that the keys of an element force, in the order of [`Effect::ALL`].
 pub(super) fn forced(report: &mut Report, element: &Element) -> Vec<ForcedEffect> {
     element.check_keys(report, &Effect::ALL.map(|(name, _)| name));
     let forced = |(name, effect): (&str, Effect)| {

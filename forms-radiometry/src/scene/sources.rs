@@ -1,4 +1,4 @@
-//! Sources: what a scene was read from, so that it can be told from others, and be read again elsewhere.
+//! Sources: the input files of a scene, by which it can be identified and read again elsewhere.
 
 use super::SceneError;
 use super::file::{LARGEST_MESH, read_file};
@@ -18,7 +18,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Opens a scene as [`open`](super::open) does, and keeps what it is read from.
+    /// Opens a scene like [`open`](super::open), and keeps its input files.
     pub fn open(path: &Path) -> Result<(Scene, Self), Vec<SceneError>> {
         let text = text_of(path)?;
         let name = path.to_string_lossy().into_owned();
@@ -32,7 +32,7 @@ impl Sources {
         Ok((scene, Self { name, text, files: files.into_inner() }))
     }
 
-    /// Reads the scene again; nothing is opened.
+    /// Parses the scene again; nothing is opened.
     pub fn read(&self) -> Result<Scene, Vec<SceneError>> {
         read_with_files(&self.text, &self.name, &|file| {
             let found = self.files.iter().find(|(name, _)| name == file);
@@ -40,12 +40,13 @@ impl Sources {
         })
     }
 
-    /// The path of the scene, as it was opened.
+    /// Returns the path with which the scene was opened.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// A number that other texts or files do not have; where they lie is no matter.
+    /// Returns a digest that differs for different texts or files, and does not depend on the
+    /// location of the scene.
     pub fn digest(&self) -> [u8; 32] {
         let mut hash = blake3::Hasher::new();
         let mut add = |bytes: &[u8]| {

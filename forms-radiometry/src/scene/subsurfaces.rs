@@ -1,11 +1,11 @@
-//! Subsurfaces: a surface that lies `on` another one, its base, replaces that part of it.
+//! Subsurfaces: a surface that lies `on` another one, its base, replaces that part of the base.
 //!
 //! ```text
-//! `on` keys ─ names ─▶ a base for each subsurface, no circles
-//!           ─ shapes ─▶ in the plane of the base, facing the same way, inside ─▶ cut out of the base
+//! `on` keys ─ names ─▶ a base for each subsurface, no cycles
+//!           ─ shapes ─▶ in the plane of the base, facing the same way, inside ─▶ cut out of base
 //! ```
-//! The model holds the remainder of a base, wherever its shape is used. A base can itself be a subsurface: it loses its own
-//! subsurfaces, and is cut with its whole outline out of its base.
+//! The model contains the remainder of a base, wherever its shape is used. A base can itself be a
+//! subsurface: its own subsurfaces are cut out of it, and its whole outline is cut out of its base.
 
 use super::element::Indices;
 use super::error::Report;
@@ -23,20 +23,20 @@ pub(super) struct OnKey {
     /// The index of the surface, and its name if it has one.
     pub(super) surface: usize,
     pub(super) name: Option<String>,
-    /// The name that the key gives.
+    /// The name in the key.
     pub(super) base: String,
     pub(super) place: Range<usize>,
 }
 
-/// A surface that lies on another one, by their indices.
+/// A surface that lies on another one, given by their indices.
 pub(super) struct Subsurface {
     surface: usize,
     base: usize,
-    /// The place of its key `on`.
+    /// The place of the key `on`.
     place: Range<usize>,
 }
 
-/// The subsurfaces of a scene whose surfaces have these names. Unknown names and circles are reported.
+/// Resolves the names of bases to surfaces. Unknown names and cycles are reported.
 pub(super) fn resolve(report: &mut Report, keys: &[OnKey], surfaces: &Indices) -> Vec<Subsurface> {
     let resolved = |key: &OnKey| {
         let base = surfaces.find(report, key.place.clone(), "surface", &key.base)?;
@@ -48,7 +48,7 @@ pub(super) fn resolve(report: &mut Report, keys: &[OnKey], surfaces: &Indices) -
         keys.iter().filter_map(|key| Some((key.surface, key.name.as_deref()?))).collect();
     for subsurface in &subsurfaces {
         let circle = circle(subsurface.surface, &bases);
-        // of a circle the first surface is reported
+        // a cycle is reported at its first surface
         if circle.iter().min() == Some(&subsurface.surface) {
             let names: Vec<&str> = circle.iter().filter_map(|index| names.get(index).copied()).collect();
             report.error(
@@ -61,7 +61,8 @@ pub(super) fn resolve(report: &mut Report, keys: &[OnKey], surfaces: &Indices) -
     subsurfaces
 }
 
-/// The surfaces from one on, each lying on the next, if the last lies on the first; else none.
+/// Returns the cycle through a surface, each surface lying on the next and the last on the first;
+/// empty if there is none.
 fn circle(first: usize, bases: &HashMap<usize, usize>) -> Vec<usize> {
     let next = |surface: &usize| bases.get(surface).copied().filter(|&base| base != first);
     let surfaces: Vec<usize> = std::iter::successors(Some(first), next).take(bases.len()).collect();
@@ -69,7 +70,7 @@ fn circle(first: usize, bases: &HashMap<usize, usize>) -> Vec<usize> {
     if last == Some(&first) { surfaces } else { Vec::new() }
 }
 
-/// "`a` lies on itself", "`a` lies on `b`, `b` on `a`".
+/// Describes a cycle: "`a` lies on itself", "`a` lies on `b`, `b` on `a`".
 fn circle_message(names: &[&str]) -> String {
     let [first, rest @ ..] = names else { return "the surface lies on itself".to_owned() };
     let [second, ..] = rest else { return format!("`{first}` lies on itself") };
@@ -78,7 +79,7 @@ fn circle_message(names: &[&str]) -> String {
     format!("`{first}` lies on `{second}`{others}")
 }
 
-/// Cuts subsurfaces out of their bases. Those that do not lie inside of their bases are reported.
+/// Cuts subsurfaces out of their bases. Subsurfaces that are not inside their bases are reported.
 pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurface]) {
     if subsurfaces.is_empty() {
         return;
@@ -109,16 +110,17 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
 /// The part of a base that a subsurface replaces.
 struct Opening {
     shapes: Vec<Flat>,
-    /// The length that counts as rounding.
+    /// Lengths below this count as rounding.
     resolution: f64,
     place: Range<usize>,
 }
 
-/// A message and an expectation.
+/// An error message and the expected input.
 type Problem = (String, String);
 
 impl Opening {
-    /// The opening for a subsurface, if it lies in the plane of its base, faces the same way and is inside.
+    /// Returns the opening for a subsurface, if it lies in the plane of its base, faces the same
+    /// way and is inside.
     fn of(scene: &Scene, subsurface: &Subsurface, factor: f64) -> Result<Self, Problem> {
         let [own, base] = [subsurface.surface, subsurface.base].map(|index| &scene.surfaces[index]);
         let [shapes, bases] = allowed_shapes(own, base)?;
@@ -151,7 +153,7 @@ impl Opening {
     }
 }
 
-/// The flat shapes of a subsurface and of its base, if these are of kinds that can be.
+/// Returns the flat shapes of a subsurface and of its base, if their kinds are allowed.
 fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Problem> {
     let refused =
         |what: &str| (format!("no surface can lie on `{}`, which is {what}", base.name), BASES.to_owned());
@@ -169,7 +171,7 @@ fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Probl
     }
 }
 
-/// The pieces of a shape that lies in a plane, or the kind of a shape that does not.
+/// Returns the pieces of a planar shape, or the kind of a shape that is not planar.
 fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     match shape {
         Shape::Polygon(polygon) => Ok(vec![Flat::Polygon(polygon.clone())]),
@@ -186,7 +188,7 @@ fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     }
 }
 
-/// The remainder of a shape around openings, or the begin of a message.
+/// Returns the remainder of a shape around openings, or the beginning of an error message.
 fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str> {
     let cut = |polygon: Polygon| openings.iter().try_fold(polygon, without);
     match shape {
@@ -204,7 +206,7 @@ fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str>
     }
 }
 
-/// The remainder of a polygon around the polygons of an opening.
+/// Returns the remainder of a polygon around the polygons of an opening.
 fn without(left: Polygon, Opening { shapes, resolution, .. }: &Opening) -> Option<Polygon> {
     let polygon = |shape: &Flat| match shape {
         Flat::Polygon(polygon) => Some(polygon.clone()),
@@ -222,7 +224,7 @@ fn disks(openings: &[Opening]) -> Vec<Disk> {
     openings.iter().flat_map(|opening| &opening.shapes).filter_map(disk).collect()
 }
 
-/// The mesh with these outlines as faces.
+/// Builds the mesh with these outlines as faces.
 fn mesh_of(outlines: &[&Vec<Vector>]) -> Result<Mesh, &'static str> {
     if outlines.is_empty() {
         return Err("nothing is left");

@@ -1,4 +1,5 @@
-//! Surfaces: each `[[surface]]` of the file becomes a shape with a material and, for a lamp, a radiance.
+//! Surfaces: parses each `[[surface]]` of the file into a shape with a material and, for a lamp, a
+//! radiance.
 
 use super::element::{Element, Names};
 use super::error::Report;
@@ -44,7 +45,7 @@ pub(super) fn read(
     })
 }
 
-/// The one shape of a surface, and its place.
+/// Returns the only shape of a surface, and its place.
 fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Option<(Shape, Range<usize>)> {
     const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front, or a `mesh`, a `sphere` or a `disk`";
     let given: Vec<&str> = SHAPES.into_iter().filter(|shape| element.optional(shape).is_some()).collect();
@@ -68,7 +69,8 @@ fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Optio
     Some((shape?, value.span()))
 }
 
-/// Keeps the name of the surface that this one lies on, which may come later in the file.
+/// Records the name of the surface on which this one lies; that surface can follow later in the
+/// file.
 fn on(report: &mut Report, element: &Element, known: &mut Known, (surface, name): (usize, Option<String>)) {
     let Some(value) = element.optional("on") else { return };
     if let Some(base) = text(report, value, "`on`") {
@@ -134,7 +136,7 @@ fn disk(report: &mut Report, value: &Value) -> Option<Disk> {
     Some(Disk { center: center?, normal: normal?, radius: radius? })
 }
 
-/// The radiance of a surface, given as such or as its exitance M = π L; and that exitance.
+/// Returns the radiance of a surface, given directly or by its exitance M = π L, and that exitance.
 fn emission(
     report: &mut Report,
     element: &Element,

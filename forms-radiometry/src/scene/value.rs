@@ -1,4 +1,5 @@
-//! Typed values: a TOML value becomes a number, a vector, a spectrum or a text, or an error at its place.
+//! Typed values: converts a TOML value to a number, a vector, a spectrum or a text, or reports an
+//! error at its place.
 
 use super::error::Report;
 use crate::camera::MAXIMAL_RESOLUTION;
@@ -11,17 +12,17 @@ use toml::de::{DeArray, DeValue};
 /// A value with its place in the text.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 
-/// What a number must satisfy, and how to say so.
+/// Domain of a number: a predicate, and its description.
 pub(super) struct Domain {
     /// Completes "expected …", such as "a number from 0 to 1".
     pub(super) expected: &'static str,
     pub(super) contains: fn(f64) -> bool,
 }
 
-/// Coordinates whose squares are numbers.
+/// Coordinates whose squares are representable.
 pub(super) const COORDINATE: Domain =
     Domain { expected: "a number from -1e152 to 1e152", contains: |x| x.abs() <= LARGEST_LENGTH };
-/// Lengths of which the same holds.
+/// Lengths whose squares are representable.
 pub(super) const LENGTH: Domain = Domain {
     expected: "a number from 1e-152 to 1e152",
     contains: |x| (LEAST_LENGTH..=LARGEST_LENGTH).contains(&x),
@@ -29,7 +30,7 @@ pub(super) const LENGTH: Domain = Domain {
 pub(super) const FRACTION: Domain =
     Domain { expected: "a number from 0 to 1", contains: |x| (0.0..=1.0).contains(&x) };
 pub(super) const NOT_NEGATIVE: Domain = Domain { expected: "a number of at least 0", contains: |x| x >= 0.0 };
-/// Coefficients of media: their products with lengths are numbers that are not lost.
+/// Coefficients of media: their products with lengths neither overflow nor underflow.
 pub(super) const COEFFICIENT: Domain = Domain {
     expected: "0, or a number from 1e-160 to 1e160",
     contains: |x| x == 0.0 || (1e-160..=1e160).contains(&x),
@@ -46,7 +47,7 @@ pub(super) const PIXELS: Domain = Domain {
     contains: |x| x.fract() == 0.0 && (1.0..=MAXIMAL_RESOLUTION as f64).contains(&x),
 };
 
-/// 2⁵³: up to here every whole number is an `f64`.
+/// 2⁵³: every integer up to here is an `f64`.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 fn wrong_kind(report: &mut Report, value: &Value, what: &str, expected: &str) {
@@ -74,7 +75,7 @@ pub(super) fn boolean(report: &mut Report, value: &Value, what: &str) -> Option<
     found
 }
 
-/// A finite number of the domain.
+/// Returns a finite number of the domain.
 pub(super) fn number(report: &mut Report, value: &Value, what: &str, domain: &Domain) -> Option<f64> {
     let Some(found) = plain_number(value.get_ref()) else {
         wrong_kind(report, value, what, domain.expected);
@@ -83,7 +84,7 @@ pub(super) fn number(report: &mut Report, value: &Value, what: &str, domain: &Do
     within(report, value.span(), what, found, domain)
 }
 
-/// The number, reported if it is not finite or not of the domain.
+/// Returns the number. A number that is not finite or outside the domain is reported.
 pub(super) fn within(
     report: &mut Report,
     place: Range<usize>,
@@ -102,7 +103,7 @@ pub(super) fn within(
     Some(found)
 }
 
-/// The number that a value is, if it is one.
+/// Returns the number in a value, if it is one.
 pub(super) fn plain_number(value: &DeValue) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
@@ -114,7 +115,7 @@ pub(super) fn plain_number(value: &DeValue) -> Option<f64> {
     }
 }
 
-/// An array of exactly this many values.
+/// Returns an array of exactly `length` values.
 pub(super) fn array<'a, 't>(
     report: &mut Report,
     value: &'a Value<'t>,
@@ -133,7 +134,7 @@ pub(super) fn array<'a, 't>(
     Some(array)
 }
 
-/// Three coordinates.
+/// Returns a vector of three coordinates.
 pub(super) fn vector(report: &mut Report, value: &Value, what: &str) -> Option<Vector> {
     let coordinates = array(report, value, what, 3, "three coordinates [x, y, z]")?;
     let mut numbers = coordinates
@@ -143,7 +144,7 @@ pub(super) fn vector(report: &mut Report, value: &Value, what: &str) -> Option<V
     Some(Vector::new(x?, y?, z?))
 }
 
-/// A vector that has a direction, as a unit vector.
+/// Returns the unit vector in the direction of a vector other than zero.
 pub(super) fn direction(report: &mut Report, value: &Value, what: &str) -> Option<Vector> {
     let unit = vector(report, value, what)?.unit();
     if unit.is_none() {
@@ -152,7 +153,7 @@ pub(super) fn direction(report: &mut Report, value: &Value, what: &str) -> Optio
     unit
 }
 
-/// Two whole numbers of pixels or cells.
+/// Returns two integer numbers of pixels or cells.
 pub(super) fn pixels(report: &mut Report, value: &Value, what: &str, expected: &str) -> Option<[usize; 2]> {
     let sides = array(report, value, what, 2, expected)?;
     let mut numbers = sides.iter().map(|side| number(report, side, what, &PIXELS));
@@ -160,8 +161,8 @@ pub(super) fn pixels(report: &mut Report, value: &Value, what: &str, expected: &
     Some([width? as usize, height? as usize])
 }
 
-/// One number for all bands, or one a band. Where the bands themselves are in error, their number is not
-/// known, and the list is checked number by number only.
+/// Returns one number for each band, from a list or from one number for all. If the bands
+/// themselves are invalid, their number is unknown, and only the numbers of the list are checked.
 pub(super) fn spectrum(
     report: &mut Report,
     value: &Value,
@@ -184,7 +185,7 @@ pub(super) fn spectrum(
     numbers.into_iter().collect()
 }
 
-/// One of the named choices.
+/// Returns one of the named choices.
 pub(super) fn choice<T: Copy>(
     report: &mut Report,
     place: Range<usize>,
@@ -203,13 +204,13 @@ pub(super) fn choice<T: Copy>(
     chosen
 }
 
-/// "1 value", "2 values".
+/// Formats a count: "1 value", "2 values".
 pub(super) fn values(count: usize) -> String {
     let ending = if count == 1 { "" } else { "s" };
     format!("{count} value{ending}")
 }
 
-/// "`a`, `b` or `c`".
+/// Formats a list of alternatives: "`a`, `b` or `c`".
 pub(super) fn one_of<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let quoted: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     match quoted.split_last() {

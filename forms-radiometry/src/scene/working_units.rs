@@ -1,13 +1,15 @@
-//! Working units: a scene in any unit and of any size becomes the same scene with lengths about 1, and what is found of it is told in
-//! the units of its author.
+//! Working units: scales a scene in any unit and of any size to lengths and lights near 1, and
+//! converts the results back to the author's units.
 //!
 //! ```text
-//! scene in m, cm or mm ─ lengths × 2ᵏ, lights × 2ⁿ ─▶ both about 1 ─ simulation ─▶ irradiance, radiance × 2⁻ⁿ
-//!                                                                                  flux = irradiance × area in m² × 2⁻ⁿ
+//! scene in m, cm or mm ─ lengths × 2ᵏ, lights × 2ⁿ ─▶ both about 1 ─ simulation ─▶ results
+//! results ─▶ irradiance, radiance × 2⁻ⁿ
+//!            flux = irradiance × area in m² × 2⁻ⁿ
 //! ```
-//! Form factors are made of fourth powers of lengths, which leave the range of `f64` long before the lengths do. A power of two rounds
-//! nothing. View factors and irradiance do not depend on the unit of lengths; E = I/r² of a point light takes r in metres, as does the
-//! area of a flux. Every answer is in proportion to the lights.
+//! Form factors contain fourth powers of lengths, which leave the range of `f64` long before the
+//! lengths do. Scaling by a power of two rounds nothing. View factors and irradiance do not depend
+//! on the unit of lengths; E = I/r² of a point light takes r in metres, as does the area of a flux.
+//! Every answer is proportional to the lights.
 
 use super::model::{LengthUnit, Light, LightKind, ReceiverKind, Scene, Shape};
 use super::place::Place;
@@ -15,35 +17,38 @@ use crate::geometry::scale;
 use crate::geometry::{Disk, Sphere, Vector};
 use std::borrow::Cow;
 
-/// Lengths of one scene that differ by more than this cannot all be brought near enough to 1.
+/// Largest ratio of lengths in one scene: if they differ by more, they cannot all be scaled near
+/// enough to 1.
 const WIDEST: f64 = 1e140;
 
-/// The least radius beside the coordinates of a centre: of a smaller one rounding leaves no circle.
+/// The least radius relative to the coordinates of its centre: rounding would destroy a smaller
+/// circle.
 const LEAST_RADIUS: f64 = 1e-12;
 
 /// A scene in working units.
 #[derive(Clone, Debug)]
 pub(crate) struct WorkingScene<'s> {
     pub(crate) scene: Cow<'s, Scene>,
-    /// What a length in the file is multiplied by: a power of two.
+    /// Scale factor from lengths in the file to working units: a power of two.
     pub(crate) factor: f64,
     /// The area of a square whose side is the working unit of length, in m².
     pub(crate) square_metres: f64,
-    /// What irradiance and radiance of the working scene are multiplied by: a power of two.
+    /// Scale factor from irradiance and radiance of the working scene to the author's units: a
+    /// power of two.
     pub(crate) light: f64,
 }
 
-/// The lengths that decide how a scene is scaled.
+/// The lengths that determine the scaling of a scene.
 struct Lengths {
-    /// The largest distance of anything from the origin, along an axis.
+    /// The largest absolute coordinate of any object.
     largest: f64,
-    /// The least extent of a flat or round piece, and the surface that it belongs to.
+    /// The least extent of a flat or curved piece, and the index of its surface.
     least: f64,
     least_surface: usize,
 }
 
 impl Scene {
-    /// The scene with lengths and lights about 1, and without lights that emit nothing.
+    /// Returns the scene with lengths and lights near 1, without the lights that emit nothing.
     pub(crate) fn in_working_units(&self) -> WorkingScene<'_> {
         let factor = Lengths::of(self).factor();
         let metres = self.unit.metres() / factor;
@@ -64,11 +69,13 @@ impl Scene {
         WorkingScene { scene, factor, square_metres, light: darker.recip() }
     }
 
-    /// The largest irradiance or radiance that a light makes at distances of about 1 in working units.
+    /// Returns the largest irradiance or radiance that a light causes at distances of about 1 in
+    /// working units.
     fn brightest(&self, square_metres: f64) -> f64 {
         let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
         let of_light = |light: &Light| match &light.kind {
-            // the quotient itself may overflow or underflow, but not so far that the largest number does not stand for it
+            // the quotient can overflow or underflow, but not so far that the largest or smallest
+            // number cannot replace it
             LightKind::Point { intensity, .. } => {
                 let quotient = largest(intensity) / square_metres;
                 let floor = if largest(intensity) > 0.0 { f64::MIN_POSITIVE } else { 0.0 };
@@ -81,7 +88,8 @@ impl Scene {
         surfaces.chain(lights).fold(largest(&self.ambient.radiance), f64::max)
     }
 
-    /// Multiplies all lights by a power of two, and gives point lights an intensity by the square of the working unit of length.
+    /// Multiplies all lights by a power of two, and divides the intensity of point lights by the
+    /// area of the square of the working unit of length.
     fn darken(&mut self, darker: f64, square_metres: f64) {
         let darken = |values: &mut Vec<f64>| values.iter_mut().for_each(|value| *value *= darker);
         for surface in &mut self.surfaces {
@@ -93,7 +101,8 @@ impl Scene {
             match &mut light.kind {
                 LightKind::Distant { irradiance, .. } => darken(irradiance),
                 LightKind::Point { intensity, .. } => {
-                    // half of the factor before and half after, as the product of both may be out of range
+                    // half of the factor before the division and half after it, since the product
+                    // of both can be out of range
                     let half = (0.5 * darker.log2()).floor().exp2();
                     let other = darker / half;
                     intensity.iter_mut().for_each(|value| *value = *value * half / square_metres * other);
@@ -128,7 +137,8 @@ impl Scene {
         }
     }
 
-    /// Lengths that cannot be told beside others: a place, what is wrong there, and what was expected.
+    /// Returns the lengths that are lost next to others: a place, the error message, and the
+    /// expected input.
     pub(super) fn lost_lengths(&self) -> Vec<(&Place, String, String)> {
         let Lengths { largest, least, least_surface } = Lengths::of(self);
         let widest = self.surfaces.get(least_surface).filter(|_| least < largest / WIDEST).map(|surface| {
@@ -157,7 +167,7 @@ impl Scene {
 }
 
 impl LengthUnit {
-    /// How many metres it is.
+    /// Returns the length of the unit in metres.
     pub fn metres(self) -> f64 {
         match self {
             Self::Metre => 1.0,
@@ -177,7 +187,7 @@ impl Shape {
         }
     }
 
-    /// How far it reaches from the origin along an axis at most, and the least extent of its pieces.
+    /// Returns the largest absolute coordinate of the shape, and the least extent of its pieces.
     fn lengths(&self) -> [f64; 2] {
         match self {
             Self::Polygon(polygon) => polygon.lengths(),
@@ -214,7 +224,7 @@ impl Lengths {
         lengths
     }
 
-    /// What brings them near 1.
+    /// Returns the scale factor that brings the lengths near 1.
     fn factor(&self) -> f64 {
         scale::factor([self.largest, self.least])
     }

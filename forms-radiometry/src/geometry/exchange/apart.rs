@@ -1,13 +1,16 @@
-//! Exchange by outlines whose edges are apart: pairs of edges become integrals by Gauss rules, whose numbers of points follow from
-//! the distances of the edges before any value is taken.
+//! Exchange area of separated contours: pairs of edges become integrals by Gauss rules. The number
+//! of points of each rule follows from the distance of the edges, before any value is computed.
 //!
 //! ```text
-//! A₁F₁₂ = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds,      |remainder of n points| ≤ 4/n ρ⁻²ⁿ times both lengths
+//! A₁F₁₂ = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds
+//! |remainder of n points| ≤ 4/n ρ⁻²ⁿ times both lengths
 //! ```
-//! For a point q of the inner edge, ln r as a function of the place s along the outer edge has its branch points at the foot of q
-//! plus or minus i times the distance of q. In the unit of half the outer edge they lie on the ellipse about its ends a and b with
-//! ρ + 1/ρ = (|q − a| + |q − b|)/half, which is at least 2 |q − middle|/half. The remainder of the rule for a logarithm is the integral
-//! of its kernel 2π ρ⁻²ⁿ⁻¹ (1 + o(1)) along the cut from there, below π/n ρ⁻²ⁿ.
+//! For a point q of the inner edge, ln r as a function of the position s along the outer edge has
+//! its branch points at the foot of q plus or minus i times the distance of q. In units of half the
+//! outer edge they lie on the ellipse with the foci a and b, the ends of that edge, with ρ + 1/ρ =
+//! (|q − a| + |q − b|)/half, which is at least 2 |q − middle|/half. The remainder of the rule for a
+//! logarithm is the integral of its kernel 2π ρ⁻²ⁿ⁻¹ (1 + o(1)) along the cut from there, below π/n
+//! ρ⁻²ⁿ.
 //!
 //! Source: P. Davis, P. Rabinowitz, Methods of Numerical Integration (1984), 4.6.
 
@@ -18,27 +21,28 @@ use crate::geometry::Vector;
 use crate::kernels::edge_potential;
 use std::f64::consts::PI;
 
-/// The factor of ρ⁻²ⁿ/n: more than π, for the fewest points.
+/// Factor of ρ⁻²ⁿ/n: larger than π, to cover rules with few points.
 const REMAINDER: f64 = 4.0;
 
-/// Fewer points are not taken.
+/// The least number of points of a rule.
 const LEAST_POINTS: usize = 2;
 
-/// The part of the tolerance that the rules may take.
+/// Fraction of the tolerance that is allotted to the quadrature rules.
 const RULES: f64 = 0.25;
 
 /// A pair of edges.
 struct Pair<'e> {
     outer: &'e Edge<f64>,
     inner: &'e Edge<f64>,
-    /// The length of the outer edge, times the cosine between both.
+    /// The length of the outer edge, times the cosine of the angle between the edges.
     weight: f64,
-    /// The points along the outer edge.
+    /// The number of points along the outer edge.
     points: usize,
 }
 
-/// The exchange area of two outlines that lie in front of each other, to about a relative tolerance, with its error; nothing where edges
-/// are so close that it takes too many points.
+/// Computes the exchange area of two outlines that lie in front of each other, to approximately a
+/// relative tolerance, with its error. Returns `None` where edges are so close that a rule needs
+/// too many points.
 pub(super) fn exchange(
     here: &Outline,
     there: &Outline,
@@ -63,10 +67,11 @@ pub(super) fn exchange(
     Some(integrated(&pairs, remainder))
 }
 
-/// The fewest points whose rule leaves no more than a share of the integral over a pair of edges with this cosine, and what it leaves.
+/// Returns the least number of points for which the remainder of the integral over a pair of edges
+/// with this cosine is within `share`, and that remainder.
 fn points(outer: &Edge<f64>, inner: &Edge<f64>, cosine: f64, share: f64) -> Option<(usize, f64)> {
     let half = 0.5 * outer.length;
-    // half of ρ + 1/ρ, not above 1 where the edges are closer than half of one
+    // half of ρ + 1/ρ; at most 1 where the distance of the edges is within half an edge
     let least = distance(outer.at(half), inner) / half;
     if least <= 1.0 {
         return None;
@@ -81,7 +86,7 @@ fn points(outer: &Edge<f64>, inner: &Edge<f64>, cosine: f64, share: f64) -> Opti
     })
 }
 
-/// The sum over pairs of edges, of which their rules leave this.
+/// Sums the integrals over pairs of edges; `remainder` is the error of their rules.
 fn integrated(pairs: &[Pair], remainder: f64) -> Exchange {
     if pairs.is_empty() {
         return Exchange::default();
@@ -95,7 +100,7 @@ fn integrated(pairs: &[Pair], remainder: f64) -> Exchange {
     for Pair { outer, inner, points, .. } in pairs {
         let [a, b, c] = subtracted(inner.start, outer.start);
         let [e, f, g] = outer.direction.map(|along| outer.length * along);
-        // seven short loops would take longer than to write all columns in one
+        // one loop that writes all columns is faster than seven short loops
         for [at, _] in gauss(*points) {
             (x[row], y[row], z[row]) = (a - at * e, b - at * f, c - at * g);
             [u[row], v[row], w[row]] = inner.direction;
@@ -120,7 +125,7 @@ fn integrated(pairs: &[Pair], remainder: f64) -> Exchange {
     Exchange { area: scale * sum, error: scale * (remainder + ROUNDINGS * f64::EPSILON * magnitude) }
 }
 
-/// The distance of a point from an edge.
+/// Returns the distance of a point from an edge.
 fn distance(point: [f64; 3], edge: &Edge<f64>) -> f64 {
     let place = dot(subtracted(point, edge.start), edge.direction).clamp(0.0, edge.length);
     let way = subtracted(point, edge.at(place));

@@ -1,29 +1,34 @@
-//! Exchange by the areas: polygons as patches of four corners, and the density of exchange at Gauss points of both.
+//! Exchange area by quadrature over both areas: polygons are split into quadrilateral patches, and
+//! the exchange density is evaluated at Gauss points of both.
 //!
 //! ```text
 //! A₁F₁₂ = ∫∫ cos cos'/(π r²) dA dA'
 //! ```
-//! Nothing cancels, and far apart few points will do: the integrand is analytic up to where its nearest pole is, and the rule's
-//! error falls like the square of the distance in sizes with every point.
+//! Nothing cancels, and few points are enough for polygons that are far apart: the integrand is
+//! analytic up to its nearest pole, and with every additional point the error of the rule decreases
+//! by the square of the distance in units of the size.
 
 use super::{Exchange, Outline};
 use crate::geometry::Vector;
 use crate::kernels::exchange_density;
 use std::sync::OnceLock;
 
-/// The rules that are tried, by their points along each side; the difference of two is the estimate of the error of the first.
+/// The Gauss rules in the order in which they are tried, by their points along each side. The
+/// difference of two successive rules, an estimate of the error of the coarser one, is reported as
+/// the error of the finer one.
 const ORDERS: [usize; 4] = [2, 3, 5, 8];
 
-/// Patches that are more than so many times as long as wide are cut across only.
+/// Patches whose length exceeds this multiple of their width are halved only across their length.
 const SLENDER: f64 = 1.5;
 
 /// A node in [0, 1] and its weight.
 pub(crate) type Node = [f64; 2];
 
-/// The most points of a Gauss–Legendre rule.
+/// The largest number of points of a Gauss–Legendre rule.
 pub(super) const MOST_POINTS: usize = 16;
 
-/// The Gauss–Legendre rule on [0, 1] with this many points, by Newton's method on the Legendre polynomial.
+/// Returns the Gauss–Legendre rule on [0, 1] with this many points, computed by Newton's method on
+/// the Legendre polynomial.
 pub(crate) fn gauss(count: usize) -> &'static [Node] {
     static RULES: [OnceLock<Vec<Node>>; MOST_POINTS + 1] = [const { OnceLock::new() }; MOST_POINTS + 1];
     RULES[count].get_or_init(|| {
@@ -48,11 +53,12 @@ pub(crate) fn gauss(count: usize) -> &'static [Node] {
     })
 }
 
-/// A patch with four corners, of which the last two may be one: x(s, t) is bilinear, dA = |∂ₛx × ∂ₜx| ds dt.
+/// A patch with four corners, of which the last two can coincide: x(s, t) is bilinear, dA = |∂ₛx ×
+/// ∂ₜx| ds dt.
 #[derive(Clone, Copy)]
 pub(crate) struct Patch([Vector; 4]);
 
-/// The patches of a convex outline.
+/// Splits a convex outline into patches.
 pub(crate) fn patches(outline: &Outline) -> impl Iterator<Item = Patch> {
     let mut next = 1;
     std::iter::from_fn(move || {
@@ -67,7 +73,7 @@ pub(crate) fn patches(outline: &Outline) -> impl Iterator<Item = Patch> {
 }
 
 impl Patch {
-    /// The point of these coordinates, and dA/(ds dt) there.
+    /// Returns the point at these parameters, and dA/(ds dt) there.
     pub(crate) fn at(&self, s: f64, t: f64) -> (Vector, f64) {
         let Patch([a, b, c, d]) = *self;
         let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
@@ -75,9 +81,11 @@ impl Patch {
         (a + s * along + t * by_t, (along + t * twist).cross(by_t).length())
     }
 
-    /// Calls `each` with the points of a rule that is the same along both sides, and the area of each.
+    /// Calls `each` with the points of a tensor-product rule, the same along both sides, and the
+    /// area of each point.
     ///
-    /// ∂ₛx × ∂ₜx = u × v + s u × w + t w × v with the sides u, v from the first corner and the twist w; in a plane all three have one direction.
+    /// ∂ₛx × ∂ₜx = u × v + s u × w + t w × v with the sides u, v from the first corner and the
+    /// twist w; in a plane all three are parallel.
     pub(crate) fn by_rule(&self, rule: &[Node], mut each: impl FnMut(Vector, f64)) {
         let Patch([a, b, c, d]) = *self;
         let (along, across, twist) = (b - a, d - a, (a - b) + (c - d));
@@ -93,22 +101,23 @@ impl Patch {
         }
     }
 
-    /// Its corners, one after the other around it.
+    /// Returns the corners in order around the patch.
     pub(super) fn corners(&self) -> &[Vector] {
         &self.0
     }
 
-    /// How far its farthest corner is from a point.
+    /// Returns the distance of the farthest corner from a point.
     pub(crate) fn radius(&self, centre: Vector) -> f64 {
         self.0.iter().map(|&corner| (corner - centre).length()).fold(0.0, f64::max)
     }
 
-    /// Its area: that density is linear in each coordinate.
+    /// Returns the area: the density dA/(ds dt) is linear in each parameter.
     pub(super) fn area(&self) -> f64 {
         self.at(0.5, 0.5).1
     }
 
-    /// The patches that halving one coordinate gives, where the sides along it are much longer than those across.
+    /// Splits the patch in two along its longer direction; `None` unless its sides in one direction
+    /// are much longer than those across.
     pub(crate) fn halves(&self) -> Option<[Patch; 2]> {
         let Patch([a, b, c, d]) = *self;
         let squared = |from: Vector, to: Vector| (to - from).dot(to - from);
@@ -126,7 +135,7 @@ impl Patch {
         }
     }
 
-    /// The patches that halving each coordinate gives.
+    /// Splits the patch into four by halving each parameter.
     pub(crate) fn quarters(&self) -> [Patch; 4] {
         let corner = |s: f64, t: f64| self.at(s, t).0;
         [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5), (0.5, 0.5)].map(|(s, t)| {
@@ -135,7 +144,7 @@ impl Patch {
     }
 }
 
-/// What the areas exchange if all of each were in its middle.
+/// Estimates the exchange area by concentrating each outline at its centre.
 pub(super) fn roughly(here: &Outline, there: &Outline, [n, m]: [Vector; 2]) -> f64 {
     let area = |outline: &Outline| patches(outline).map(|patch| patch.area()).sum::<f64>();
     let way = Vector::mean(there) - Vector::mean(here);
@@ -143,7 +152,7 @@ pub(super) fn roughly(here: &Outline, there: &Outline, [n, m]: [Vector; 2]) -> f
     area(here) * area(there) * (n.dot(way) * m.dot(way)).abs() / (std::f64::consts::PI * squared * squared)
 }
 
-/// Points of a convex outline, each with its area.
+/// Returns quadrature points of a convex outline, each with its area.
 fn points(outline: &Outline, count: usize) -> Vec<(Vector, f64)> {
     let mut points = Vec::new();
     for patch in patches(outline) {
@@ -157,7 +166,7 @@ fn points(outline: &Outline, count: usize) -> Vec<(Vector, f64)> {
     points
 }
 
-/// The sum over the points of both outlines.
+/// Sums the exchange density over the points of both outlines.
 fn sum(here: &Outline, there: &Outline, [n, m]: [Vector; 2], count: usize) -> f64 {
     let (here, there) = (points(here, count), points(there, count));
     let rows = here.len() * there.len();
@@ -179,8 +188,9 @@ fn sum(here: &Outline, there: &Outline, [n, m]: [Vector; 2], count: usize) -> f6
     weights.iter().zip(densities).map(|(weight, density)| weight * density).sum()
 }
 
-/// The exchange area of two convex outlines with these unit normals, by the first rule that is within a relative tolerance;
-/// the last one, with its error, if none is.
+/// Computes the exchange area of two convex outlines with these unit normals by the first rule
+/// whose error is within a relative tolerance. If no rule is, returns the result of the last one
+/// with its error.
 pub(super) fn exchange(here: &Outline, there: &Outline, normals: [Vector; 2], tolerance: f64) -> Exchange {
     let mut before = sum(here, there, normals, ORDERS[0]);
     let mut found = Exchange { area: before, error: f64::INFINITY };

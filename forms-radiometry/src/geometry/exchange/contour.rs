@@ -1,11 +1,14 @@
-//! Exchange by the outlines: pairs of edges become integrals of the logarithm of the distance, and these the exchange area.
+//! Exchange area by double contour integration: sums integrals of the logarithm of the distance
+//! over pairs of edges.
 //!
 //! ```text
-//! A₁F₁₂ = 1/(2π) ∮∮ ln r dx·dy = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds      (Stokes, twice: kernels/exchange.forms)
+//! A₁F₁₂ = 1/(2π) ∮∮ ln r dx·dy                      (Stokes, twice: kernels/exchange.forms)
+//!       = 1/(2π) Σᵢⱼ eᵢ·fⱼ ∫ (∫ ln r dt) ds
 //! ```
-//! The inner integral is the kernel `edge_potential`, exact also where edges touch; the outer one is taken over the shorter
-//! edge of the two by the rule of Gauss and Kronrod, halved where it is slow. Constants in ln r fall out of closed outlines,
-//! so that any unit of length will do; near to the distance of the polygons, it keeps the logarithms small.
+//! The inner integral is the kernel `edge_potential`, exact also where edges touch. The outer one
+//! is taken over the shorter edge by a Gauss–Kronrod rule with adaptive bisection. Constants in ln
+//! r cancel over closed contours, so any unit of length is valid; a unit near the distance of the
+//! polygons keeps the logarithms small.
 
 use super::kronrod::{self, Integral, POINTS};
 use super::{Exchange, Outline};
@@ -13,24 +16,27 @@ use crate::kernels::edge_potential;
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 
-/// What rounding leaves of a sum of terms, in units of their magnitudes, for numbers of this precision.
+/// Rounding error of a sum of terms, in units of their magnitudes times the precision of the number
+/// type.
 pub(super) const ROUNDINGS: f64 = 8.0;
 
-/// Rounds of halving: a rule that is slow at a point comes within 2⁻⁶⁰ of it.
+/// The largest number of bisection rounds: where the rule converges slowly at a point, the parts
+/// shrink to within 2⁻⁶⁰ of it.
 const MOST_ROUNDS: usize = 60;
 
-/// More parts are not made: what is left of the error is said.
+/// The largest number of parts. If it is reached, the remaining error is reported.
 const MOST_PARTS: usize = 4096;
 
-/// Numbers in which the integral is taken.
+/// Number type in which the integral is computed.
 pub(super) trait Number: Real {
     /// The relative error of a function's value.
     const EPSILON: f64;
-    /// The potential of edges, row by row.
+    /// Computes the potentials of edges, one for each row.
     fn potentials(rows: &Rows<Self>) -> Vec<Self>;
 }
 
-/// For each point the start of an edge as it is seen from there, the edge's direction and its length.
+/// Arguments of the potential in columns. Each row has the start of an edge relative to a point,
+/// the edge's direction and its length.
 pub(super) struct Rows<T> {
     columns: [Vec<T>; 7],
 }
@@ -61,7 +67,7 @@ impl Number for f64 {
 }
 
 impl Number for DoubleDouble {
-    // a few bits of what double-doubles hold are lost in a function
+    // a function loses a few of the bits of a double-double
     const EPSILON: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
 
     fn potentials(Rows { columns: [x, y, z, u, v, w, length] }: &Rows<DoubleDouble>) -> Vec<DoubleDouble> {
@@ -77,13 +83,13 @@ pub(super) struct Edge<T> {
 }
 
 impl<T: Number> Edge<T> {
-    /// The edges of an outline, those without length left out.
+    /// Returns the edges of an outline, without those of zero length.
     pub(super) fn of(outline: &Outline) -> Vec<Self> {
         let points: Vec<[T; 3]> = outline.iter().map(|point| point.coordinates().map(T::from_f64)).collect();
         Self::between(&points)
     }
 
-    /// The edges from each corner to the next.
+    /// Returns the edges from each corner to the next.
     pub(super) fn between(points: &[[T; 3]]) -> Vec<Self> {
         let edge = |place: usize| {
             let (start, end) = (points[place], points[(place + 1) % points.len()]);
@@ -130,7 +136,7 @@ impl<T: Number> Part<'_, T> {
     }
 }
 
-/// The parts with their integrals.
+/// Integrates each part.
 fn integrated<T: Number>(parts: &[Part<'_, T>]) -> Vec<Integral<T>> {
     let mut rows = Rows::with_capacity(POINTS * parts.len());
     parts.iter().for_each(|part| part.points(&mut rows));
@@ -143,16 +149,18 @@ fn integrated<T: Number>(parts: &[Part<'_, T>]) -> Vec<Integral<T>> {
     parts.iter().zip(values.chunks_exact(POINTS)).map(integral).collect()
 }
 
-/// The exchange area of two outlines that lie in front of each other, to a relative tolerance or as far as rounding lets it.
+/// Computes the exchange area of two outlines that lie in front of each other, to a relative
+/// tolerance or to the limit of rounding.
 pub(super) fn exchange<T: Number>(here: &Outline, there: &Outline, tolerance: f64) -> Exchange {
     let (integral, error) = integral(&Edge::<T>::of(here), &Edge::<T>::of(there), tolerance);
     let scale = 1.0 / (2.0 * PI);
     let area = scale * integral.to_f64();
-    // where the sum has more digits than a number, its own rounding is left
+    // if the sum has more digits than an `f64`, the rounding of the result remains
     Exchange { area, error: scale * error + 0.5 * f64::EPSILON * area.abs() }
 }
 
-/// The integral over all pairs of edges, 2π times the exchange area, and its error.
+/// Computes the integral over all pairs of edges, which is 2π times the exchange area, and its
+/// error.
 pub(super) fn integral<T: Number>(here: &[Edge<T>], there: &[Edge<T>], tolerance: f64) -> (T, f64) {
     let mut parts: Vec<Part<'_, T>> = Vec::new();
     for a in here {
@@ -196,18 +204,18 @@ pub(super) fn integral<T: Number>(here: &[Edge<T>], there: &[Edge<T>], tolerance
     (sum.value, sum.error + sum.rounding)
 }
 
-/// What rounding leaves of an integral of absolute values of this size.
+/// Returns the rounding error of an integral whose absolute value integrates to `magnitude`.
 fn rounding<T: Number>(magnitude: f64) -> f64 {
     ROUNDINGS * T::EPSILON * magnitude
 }
 
-/// The elements of a list of an even length, two by two.
+/// Returns the elements of a list of even length in pairs.
 fn pairs<P>(list: Vec<P>) -> impl Iterator<Item = [P; 2]> {
     let mut list = list.into_iter();
     std::iter::from_fn(move || Some([list.next()?, list.next()?]))
 }
 
-/// What the parts add up to.
+/// The sum over all parts.
 struct Sum<T> {
     value: T,
     error: f64,

@@ -1,16 +1,19 @@
-//! The rule of Gauss and Kronrod: fifteen values become an integral, and seven of them an estimate of its error.
+//! Gauss–Kronrod rule: fifteen function values give an integral, and seven of them an estimate of
+//! its error.
 //!
-//! Source: R. Piessens et al., QUADPACK (1983), the pair of 7 and 15 points; numbers here are to 31 digits, in two words.
+//! Source: R. Piessens et al., QUADPACK (1983), the pair of 7 and 15 points; the numbers here have
+//! 31 digits, in two words.
 
 use forms::math::Real;
 
-/// How many values an integral takes.
+/// Number of function values of the rule.
 pub(super) const POINTS: usize = 15;
 
-/// A node in [0, 1) of the interval [−1, 1], its weight, and its weight in the rule of seven points or 0.
+/// A node in [0, 1) of the interval [−1, 1], its weight, and its weight in the rule of seven
+/// points, or 0 if it is not part of that rule.
 type Node = [[f64; 2]; 3];
 
-/// The nodes that are not negative; the others are their mirror images.
+/// The non-negative nodes; the others are their mirror images.
 const NODES: [Node; 8] = [
     [[0.0, 0.0], [0.20948214108472782, 9.321252782204223e-18], [0.4179591836734694, -1.5497807119257288e-17]],
     [[0.20778495500789848, -1.322698778629045e-17], [0.20443294007529889, 6.740401802865974e-18], [0.0, 0.0]],
@@ -34,19 +37,19 @@ const NODES: [Node; 8] = [
     [[0.9914553711208126, 2.7322067495382985e-17], [0.022935322010529224, 5.957180517223158e-19], [0.0, 0.0]],
 ];
 
-/// The node of this place, from −1 on to 1, and its two weights.
+/// Returns the node with this index, in order from −1 to 1, and its two weights.
 fn node<T: Real>(place: usize) -> [T; 3] {
     let from_middle = place.abs_diff(POINTS / 2);
     let [at, weight, of_seven] = NODES[from_middle].map(|words| T::constant(&words));
     [if place < POINTS / 2 { -at } else { at }, weight, of_seven]
 }
 
-/// The places in an interval at which values are taken.
+/// Returns the nodes of the rule in an interval.
 pub(super) fn places<T: Real>(middle: T, half: T) -> [T; POINTS] {
     std::array::from_fn(|place| half.mul_add(node::<T>(place)[0], middle))
 }
 
-/// An integral over an interval, the integral of the absolute values, and an estimate of the rule's error.
+/// Integral over an interval, integral of the absolute values, and estimate of the rule's error.
 #[derive(Clone, Copy)]
 pub(super) struct Integral<T> {
     pub(super) value: T,
@@ -54,10 +57,10 @@ pub(super) struct Integral<T> {
     pub(super) error: f64,
 }
 
-/// The integral over an interval of this half length of a function with these values at its places.
+/// Integrates a function with these values at the nodes of an interval of this half length.
 ///
-/// The error of the finer rule is far below the difference δ of the two: it is taken for D (200 δ/D)^(3/2) where that is less
-/// than D, the integral of the distances from the mean.
+/// The error of the finer rule is far below the difference δ of the two rules. It is estimated as D
+/// (200 δ/D)^(3/2) where that is less than D, the integral of the distances from the mean.
 pub(super) fn integral<T: Real>(values: &[T], half: T) -> Integral<T> {
     let zero = T::from_f64(0.0);
     let (mut fine, mut coarse, mut magnitude) = (zero, zero, 0.0);

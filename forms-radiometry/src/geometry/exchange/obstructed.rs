@@ -1,11 +1,13 @@
-//! Exchange with something in between: what the points of the smaller polygon see of the other, integrated over the smaller one.
+//! Exchange area with occluders: the form factor from points of the smaller polygon to the visible
+//! part of the other, integrated over the smaller one.
 //!
 //! ```text
-//! A₁F₁₂ = A₂F₂₁ = ∫ F(x) dA,   F(x) Lambert's sum over what is left of the other polygon as x sees it
+//! A₁F₁₂ = A₂F₂₁ = ∫ F(x) dA,   F(x) Lambert's sum over the part of the other polygon seen from x
 //! ```
-//! F is exact at a point, whatever hides the other polygon. It has kinks where the border of a shadow comes to a corner of the other
-//! polygon: seen from the smaller one, shadows move little, and most of them reach no corner at all. Patches are halved both
-//! ways where a rule on the whole and on the parts disagrees, worst first.
+//! F is exact at each point, for any occluders. It has kinks where the boundary of a shadow reaches
+//! a vertex of the other polygon: seen from the smaller polygon, shadows move little, and most of
+//! them reach no vertex at all. A patch is quartered where the rule on the whole and on its
+//! quarters disagree, the worst patch first.
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
@@ -13,18 +15,20 @@ use crate::geometry::{Between, Borders, Face, Looking, Polygon, Screens, Vector,
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Points of the rule along each side of a patch.
+/// Number of points of the rule along each side of a patch.
 const ORDER: usize = 3;
 
-/// More patches than this are not looked at; what is left of the error is said.
+/// The largest number of patches. If it is reached, the remaining error is reported.
 const MOST_PATCHES: usize = 200_000;
 
-/// The rounding of a form factor at a point, in units of 2⁻⁵².
+/// Rounding error of a form factor at a point, in units of 2⁻⁵².
 const ROUNDING: f64 = 16.0;
 
-/// The exchange area of the fronts of two polygons among others, to a relative tolerance or as far as many patches lead.
+/// Computes the exchange area of the fronts of two polygons among others, to a relative tolerance
+/// or until the limit on patches is reached.
 ///
-/// Where nothing can come between it is [`exchange`](super::exchange). The error is the sum of what the last halving of each patch changed.
+/// Where nothing can occlude the polygons, the result is [`exchange`](super::exchange). The error
+/// is the sum of the changes by the last refinement of each patch.
 pub fn visible_exchange<'a>(
     here: &'a Polygon,
     there: &'a Polygon,
@@ -47,8 +51,9 @@ pub fn visible_exchange<'a>(
     Exchange { area: sum.area / factor / factor, error: sum.error / factor / factor }
 }
 
-/// The exchange area of two faces among screens, to a tolerance relative to itself or to this area, whichever is larger, or as exact as
-/// it is when it is stopped.
+/// Computes the exchange area of two faces among occluders. The tolerance is relative to the result
+/// or to the area `least`, whichever is larger. If the computation is stopped, returns the result
+/// so far.
 pub(crate) fn exchange_with(
     here: &Face,
     there: &Face,
@@ -73,7 +78,7 @@ pub(crate) fn exchange_with(
     }
 }
 
-/// What points of one side of a plane see of a face with these screens in between.
+/// The visible part of a face from points on one side of a plane, with these occluders.
 struct View<'s> {
     screens: &'s Screens,
     between: &'s [u32],
@@ -81,14 +86,15 @@ struct View<'s> {
     normal: Vector,
 }
 
-/// A patch with the integral over it, and by how much that changed when it was made from the patch before.
+/// A patch with the integral over it, and its share of the change when it was split off its parent
+/// patch.
 struct Part {
     patch: Patch,
     area: f64,
     error: f64,
 }
 
-/// Lists that are reused from patch to patch.
+/// Buffers that are reused from patch to patch.
 #[derive(Default)]
 struct Work {
     points: Vec<Vector>,
@@ -122,13 +128,13 @@ impl View<'_> {
             error += quarters.iter().map(|part| part.error).sum::<f64>() - worst.error;
             queue.extend(quarters);
         }
-        // the running sums have gathered roundings
+        // the running sums have accumulated rounding errors
         let (area, error) = sums(&queue);
         let size: f64 = queue.iter().map(|part| part.patch.area()).sum();
         Exchange { area, error: error + ROUNDING * f64::EPSILON * size }
     }
 
-    /// The integrals by the rule on patches that lie in one.
+    /// Integrates by the rule over patches that lie within one patch.
     fn over<const N: usize>(
         &self,
         patches: [Patch; N],
@@ -160,13 +166,14 @@ impl View<'_> {
     }
 }
 
-/// A patch after its quarters.
+/// Returns the quarters of a patch, followed by the patch itself.
 fn with_quarters(patch: &Patch) -> [Patch; 5] {
     let [a, b, c, d] = patch.quarters();
     [a, b, c, d, *patch]
 }
 
-/// The quarters of a patch that has this integral, each with its share of what they change.
+/// Returns the quarters of a patch whose integral is `whole`, each with a quarter of the change as
+/// its error.
 fn parts(quarters: [(Patch, f64); 4], whole: f64) -> [Part; 4] {
     let change = quarters.iter().map(|(_, area)| area).sum::<f64>() - whole;
     quarters.map(|(patch, area)| Part { patch, area, error: 0.25 * change.abs() })

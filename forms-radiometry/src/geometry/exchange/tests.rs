@@ -1,4 +1,4 @@
-//! Known view factors, laws, and the ways compared with each other.
+//! Known view factors, laws, and comparisons between the methods.
 
 use super::*;
 use crate::kernels::{view_factor_parallel_rectangles, view_factor_perpendicular_rectangles};
@@ -8,17 +8,17 @@ fn polygon(points: &[[f64; 3]]) -> Polygon {
     Polygon::new(points.iter().map(|&[x, y, z]| Vector::new(x, y, z)).collect()).expect("a polygon")
 }
 
-/// The rectangle a × b in the plane z = 0 that looks up.
+/// The rectangle a × b in the plane z = 0 that faces up.
 fn floor(a: f64, b: f64) -> Polygon {
     polygon(&[[0.0, 0.0, 0.0], [a, 0.0, 0.0], [a, b, 0.0], [0.0, b, 0.0]])
 }
 
-/// The same at this height, looking down.
+/// The same rectangle at this height, facing down.
 fn ceiling(a: f64, b: f64, height: f64) -> Polygon {
     polygon(&[[0.0, 0.0, height], [0.0, b, height], [a, b, height], [a, 0.0, height]])
 }
 
-/// The wall of width b and height c in the plane x = 0 that looks to positive x.
+/// The wall of width b and height c in the plane x = 0 that faces positive x.
 fn wall(b: f64, c: f64) -> Polygon {
     polygon(&[[0.0, 0.0, 0.0], [0.0, b, 0.0], [0.0, b, c], [0.0, 0.0, c]])
 }
@@ -98,7 +98,8 @@ fn the_inside_of_a_box_sends_everything_to_its_walls() {
     }
 }
 
-/// Quadrilaterals in general position, the second moved away from the first by so many of its sizes.
+/// Quadrilaterals in general position, the second moved away from the first by `distance` times its
+/// size.
 fn in_general_position(seed: u32, distance: f64) -> [Polygon; 2] {
     let mut state = u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     let mut number = || {
@@ -172,7 +173,7 @@ fn exchange_is_the_same_both_ways_and_wherever_the_pair_is() {
             let shift = Vector::new(1024.0, -2048.0, 4096.0);
             Polygon::new(polygon.vertices().iter().map(|&v| v + shift).collect()).expect("a square")
         };
-        // the corners themselves are rounded by being moved
+        // moving the vertices rounds them
         let far = exchange(&moved(&a), &moved(&b), 1e-12);
         assert!((far.area - there.area).abs() <= 1e-10 * scale, "{seed}: {} and {}", far.area, there.area);
     }
@@ -198,7 +199,8 @@ fn a_polygon_across_the_plane_of_the_other_counts_as_far_as_it_is_in_front() {
 
 #[test]
 fn a_square_between_two_squares_hides_what_its_shadow_covers() {
-    // F₁₂ = ∫ (F − F of the shadow): from (x, y, 0) the square [0, ½]² at half the height hides [0, 1 − x] × [0, 1 − y]
+    // F₁₂ = ∫ (F − F of the shadow): from (x, y, 0) the square [0, ½]² at half the height hides [0,
+    // 1 − x] × [0, 1 − y]
     let screen = polygon(&[[0.0, 0.0, 0.5], [0.5, 0.0, 0.5], [0.5, 0.5, 0.5], [0.0, 0.5, 0.5]]);
     let found = visible_exchange(&floor(1.0, 1.0), &ceiling(1.0, 1.0, 1.0), [&screen].into_iter(), 1e-6);
     let expected = 0.149_868_671_773_790_54;

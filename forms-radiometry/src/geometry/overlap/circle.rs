@@ -1,10 +1,10 @@
-//! Areas that a circle has in common with convex polygons and circles, in closed form.
+//! Intersection areas of a circle with convex polygons and with circles, in closed form.
 
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector, edges};
 use std::f64::consts::PI;
 
-/// The area of convex pieces, in the plane of a disk, that lies in the disk.
+/// Returns the area of the part of convex pieces, in the plane of a disk, that lies in the disk.
 pub(super) fn area_in_pieces(disk: &Disk, pieces: &[Vec<Vector>]) -> f64 {
     let [u, v] = across(disk.normal);
     let place = |&vertex: &Vector| {
@@ -18,8 +18,8 @@ pub(super) fn area_in_pieces(disk: &Disk, pieces: &[Vec<Vector>]) -> f64 {
     pieces.iter().map(of_piece).sum()
 }
 
-/// The signed area between the centre of a circle and an edge, as far as it lies in the circle: a triangle under
-/// the part of the edge inside, and sectors on both sides of it.
+/// Returns the signed area, within the circle, of the triangle between the centre of the circle and
+/// an edge: a triangle under the part of the edge inside, and sectors on both sides of it.
 ///
 /// The edge a + t (b − a) enters and leaves where |a|² + 2t a·(b − a) + t² |b − a|² = r².
 fn along_edge(a: [f64; 2], b: [f64; 2], radius: f64) -> f64 {
@@ -39,9 +39,10 @@ fn along_edge(a: [f64; 2], b: [f64; 2], radius: f64) -> f64 {
     sector(a, p) + 0.5 * cross(p, q) + sector(q, b)
 }
 
-/// The area of the lens that two disks in one plane have in common.
+/// Returns the area of the lens in which two disks in one plane overlap.
 ///
-/// r²(α − sin α cos α) + s²(β − sin β cos β), with α and β half the angles that the common chord subtends.
+/// r²(α − sin α cos α) + s²(β − sin β cos β), with α and β half the angles that the common chord
+/// subtends.
 pub(super) fn area_in_disk(a: &Disk, b: &Disk) -> f64 {
     let distance = (a.center - b.center).length();
     let (r, s) = (a.radius, b.radius);

@@ -1,20 +1,22 @@
-//! Difference of polygons: others in its plane are cut out of a polygon, and its remainder becomes convex pieces.
+//! Difference of polygons: subtracts coplanar polygons from a polygon and splits the remainder into
+//! convex pieces.
 //!
 //! ```text
 //! convex piece ─ line of an edge of a convex hole ─┬─ beyond it: a piece of the remainder
-//!                                                  └─ the rest ─▶ the next edge …  ─▶ inside of all: dropped
+//!                                                  └─ rest ─▶ next edge … ─▶ inside all: dropped
 //! ```
-//! The lines of a convex hole cut a convex piece into convex pieces, no more than the hole has edges. The pieces do
-//! not overlap, and their areas and that of the hole add up to the area of the piece. Round holes are cut last
-//! ([`round_holes`](super::round_holes)).
+//! The lines of a convex hole cut a convex piece into convex pieces, no more than the hole has
+//! edges. The pieces do not overlap, and their areas plus the area of the hole add up to the area
+//! of the piece. Round holes are cut last ([`round_holes`](super::round_holes)).
 
 use super::{Polygon, edges};
 use crate::geometry::Vector;
 use crate::geometry::clip::split_beyond;
 
 impl Polygon {
-    /// This polygon without the parts that these cover, which lie in its plane and face the same way; `None` if
-    /// they cover it. Parts that are narrower than the resolution count as rounding and are not cut off.
+    /// Returns this polygon minus the coplanar polygons `holes`, which face the same way; `None` if
+    /// they cover it. Parts that are narrower than the resolution count as rounding and are not cut
+    /// off.
     pub(crate) fn without(&self, holes: &[Self], resolution: f64) -> Option<Self> {
         let mut pieces = self.pieces.clone();
         for hole in holes.iter().flat_map(Self::convex_pieces) {
@@ -27,13 +29,13 @@ impl Polygon {
     }
 }
 
-/// The part of a convex outline that lies in another one with this unit normal, seen along that; no vertices if it
-/// has no area.
+/// Returns the intersection of a convex outline with another one that has this unit normal,
+/// projected along the normal; no vertices if it has no area.
 pub(crate) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
     split_along(outline, edges(other), normal, 0.0).1
 }
 
-/// The convex pieces of a convex one without a convex hole.
+/// Returns the convex pieces of a convex piece minus a convex hole.
 pub(super) fn difference(
     piece: Vec<Vector>,
     hole: &[Vector],
@@ -43,15 +45,16 @@ pub(super) fn difference(
     if split_along(&piece, edges(hole), normal, resolution).1.is_empty() {
         return vec![piece];
     }
-    // a segment from a point outside of the hole to one inside crosses an edge in the piece
+    // a segment from a point outside the hole to a point inside crosses an edge within the piece
     let crossing = edges(hole).filter(|edge| length_inside(*edge, &piece, normal) > resolution);
     let (mut outside, _) = split_along(&piece, crossing, normal, resolution);
     outside.iter_mut().for_each(|piece| snap(piece, hole, resolution));
     outside
 }
 
-/// Splits a convex outline along the lines of edges with this unit normal: the convex pieces beyond each, and the one on the
-/// inner side of all, which has no vertices if it has no area.
+/// Splits a convex outline along the lines of edges with this unit normal. Returns the convex
+/// pieces beyond each line, and the piece on the inner side of all lines, which has no vertices if
+/// it has no area.
 pub(super) fn split_along(
     outline: &[Vector],
     edges: impl Iterator<Item = [Vector; 2]>,
@@ -73,7 +76,7 @@ pub(super) fn split_along(
     (pieces, rest)
 }
 
-/// The length of the part of an edge that lies in a convex outline.
+/// Returns the length of the part of an edge that lies in a convex outline.
 fn length_inside([a, b]: [Vector; 2], outline: &[Vector], normal: Vector) -> f64 {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for side in edges(outline) {
@@ -89,7 +92,8 @@ fn length_inside([a, b]: [Vector; 2], outline: &[Vector], normal: Vector) -> f64
     (to - from).max(0.0) * (b - a).length()
 }
 
-/// Moves vertices that the cuts made next to a vertex of the hole there, so that no gap is left between both.
+/// Moves vertices of a cut that lie next to a vertex of the hole onto it, so that no gap is left
+/// between the piece and the hole.
 fn snap(piece: &mut Vec<Vector>, hole: &[Vector], resolution: f64) {
     for vertex in piece.iter_mut() {
         if let Some(&corner) = hole.iter().find(|&&corner| (corner - *vertex).length() <= resolution) {
@@ -102,7 +106,8 @@ fn snap(piece: &mut Vec<Vector>, hole: &[Vector], resolution: f64) {
     }
 }
 
-/// The distance of points from the line of an edge, above zero on the side of its polygon.
+/// Returns the signed distance of points from the line of an edge, positive on the side of its
+/// polygon.
 fn inward([a, b]: [Vector; 2], normal: Vector) -> impl Fn(Vector) -> f64 {
     let across = normal.cross(b - a).unit().unwrap_or_default();
     move |point| across.dot(point - a)
@@ -114,7 +119,7 @@ mod tests {
     use super::*;
     use forms_testing::SplitMix;
 
-    /// Distances below this are rounding.
+    /// Distances below this count as rounding.
     const RESOLUTION: f64 = 1e-9;
 
     fn polygon(corners: &[[f64; 2]]) -> Polygon {

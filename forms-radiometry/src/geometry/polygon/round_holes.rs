@@ -1,11 +1,11 @@
-//! Round holes: disks are cut out of a polygon as the regular polygons that stand for them.
+//! Round holes: subtracts the regular polygons that approximate disks from a polygon.
 //!
 //! ```text
-//! pieces ─ square around the disk ─┬─ outside: pieces of the remainder
-//!                                  └─ inside ─ lines of the edges of the regular polygon ─▶ narrow pieces around it
+//! pieces ─ square around disk ─┬─ outside: pieces of the remainder
+//!                              └─ inside ─ lines of the regular polygon ─▶ narrow pieces around it
 //! ```
-//! A regular polygon has the area of its disk, and stands for the disk itself in the faces of the scene: hole and disk fit at
-//! each fineness.
+//! A regular polygon has the area of its disk and also replaces the disk in the faces of the scene:
+//! hole and disk match at each tessellation level.
 
 use super::difference::{difference, intersection, split_along};
 use super::{PLANARITY, Polygon, edges};
@@ -13,13 +13,15 @@ use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector};
 use std::borrow::Cow;
 
-/// The fineness of the holes in the pieces that depend on none: 384 edges.
+/// Tessellation level of the holes in pieces that are requested without a level: 384 edges.
 const FINENESS: usize = 4;
-/// Half the side of the square around a disk, in radii: beyond the corners of the coarsest polygon.
+/// Half the side of the square around a disk, in radii: the square encloses the vertices of the
+/// coarsest polygon.
 const SQUARE: f64 = 1.1;
 
 impl Polygon {
-    /// This polygon without disks that lie in its plane, face the same way and are inside, once all other holes are cut.
+    /// Returns this polygon minus disks that lie in its plane, inside it, and face the same way.
+    /// All other holes must have been cut before.
     pub(crate) fn without_disks(self, disks: Vec<Disk>) -> Self {
         if disks.is_empty() {
             return self;
@@ -29,17 +31,18 @@ impl Polygon {
         Self { pieces: whole.pieces_at(FINENESS).into_owned(), ..whole }
     }
 
-    /// The disks that were cut out.
+    /// Returns the disks that were cut out.
     pub(crate) fn round_holes(&self) -> &[Disk] {
         &self.round_holes
     }
 
-    /// Convex pieces without its other holes.
+    /// Returns convex pieces of the polygon minus its polygonal holes; round holes are not cut out.
     pub(crate) fn straight_pieces(&self) -> &[Vec<Vector>] {
         if self.round_holes.is_empty() { &self.pieces } else { &self.straight }
     }
 
-    /// Its convex pieces, where regular polygons of this fineness stand for disks that were cut out.
+    /// Returns the convex pieces, with the disks that were cut out approximated by regular polygons
+    /// of this tessellation level.
     pub(crate) fn pieces_at(&self, fineness: usize) -> Cow<'_, [Vec<Vector>]> {
         if self.round_holes.is_empty() {
             return Cow::Borrowed(&self.pieces);
@@ -53,7 +56,7 @@ impl Polygon {
     }
 }
 
-/// The convex pieces of a convex one around the regular polygon that stands for a disk.
+/// Returns the convex pieces of a convex piece around the regular polygon that approximates a disk.
 fn without_disk(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vector>> {
     if intersection(&piece, hole, disk.normal).is_empty() {
         return vec![piece];

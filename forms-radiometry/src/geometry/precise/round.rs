@@ -1,11 +1,14 @@
-//! Round shapes that are seen whole: the measure at a point of a sphere or a disk that nothing hides, in double-double.
+//! Unoccluded spheres and disks: form factor and solid angle at a point, in double-double.
 //!
 //! ```text
-//! sphere ─ distance of the centre, cos θ of its direction ─▶ form_factor_point_sphere, solid_angle_sphere
-//! disk ─ height over it, way from its axis ─▶ form_factor_point_disk, form_factor_beside_disk ─▶ vector irradiance
+//! sphere ─ distance of the centre, cos θ of its direction
+//!        ─▶ form_factor_point_sphere, solid_angle_sphere
+//! disk ─ height over it, vector from its axis ─▶ form_factor_point_disk, form_factor_beside_disk
+//!      ─▶ vector irradiance
 //! ```
-//! There is no measure where it has no such closed form: of a disk that the horizon cuts, of the solid angle of a disk beside its axis, and of a point
-//! so near to a plane or a border that its side is not known.
+//! The result is `None` where there is no such closed form: for a disk that the horizon cuts, for
+//! the solid angle of a disk from a point off its axis, and for a point so near to a plane or a
+//! border that its side is not known.
 
 use super::{Precise, Rounded, TERM, cross, dot, length, unit, way};
 use crate::geometry::round::across;
@@ -16,25 +19,29 @@ use crate::kernels::{
 };
 use forms::math::{DoubleDouble, Real};
 
-/// What is lost of the last bits by a kernel of these, in units of a term.
+/// Rounding error of a kernel in this module, in units of the error of a term.
 const OF_KERNEL: f64 = 2.0;
 
-/// A shape that a point sees as a whole.
+/// A shape that a point sees completely, without occlusion.
 pub(crate) trait SeenWhole {
-    /// Whether a point sees its front, or its back.
+    /// Whether a point sees its front rather than its back.
     fn shows_front(&self, point: Vector) -> bool;
 
-    /// ∫ cos θ dω/π over it, θ from a direction; with a horizon, over what is above that of the direction.
+    /// Returns ∫ cos θ dω/π over the shape; θ is measured from `direction`. With a horizon, only
+    /// the part above the plane with the normal `direction` counts.
     fn form_factor(&self, point: Vector, direction: Vector, has_horizon: bool) -> Option<Rounded>;
 
-    /// Its solid angle over π.
+    /// Returns the solid angle over π.
     fn solid_angle_over_pi(&self, point: Vector) -> Option<Rounded>;
 
-    /// A rectangle that hides it from the point, in front of all of it that is seen but nothing that is not, and its unit normal to the point.
+    /// Returns a rectangle that hides the shape from the point, and its unit normal towards the
+    /// point. The rectangle lies in front of the whole visible part, and hides no part of the shape
+    /// that the point does not see.
     fn outline(&self, point: Vector) -> Option<([Vector; 4], Vector)>;
 }
 
-/// A square with this centre, half side and normal, which is counter-clockwise from where that points to.
+/// Returns the square with this centre, half side and normal, counter-clockwise seen from the side
+/// to which the normal points.
 fn square(center: Vector, half: f64, normal: Vector) -> Option<([Vector; 4], Vector)> {
     let [u, v] = across(normal).map(|along| half * along);
     let corners = [center - u - v, center + u - v, center + u + v, center - u + v];
@@ -45,18 +52,19 @@ fn number(x: f64) -> DoubleDouble {
     DoubleDouble::from_f64(x)
 }
 
-/// A sphere from outside.
+/// A sphere seen from outside.
 struct Outside {
-    /// The unit vector to the centre and the distance of that.
+    /// The unit vector to the centre, and the distance of the centre.
     towards: Precise,
     distance: DoubleDouble,
-    /// Its solid angle over π, and the cosine of its angular radius.
+    /// The solid angle over π, and the cosine of the angular radius.
     solid_angle: f64,
     cosine: f64,
 }
 
 impl Sphere {
-    /// Where a point is: outside, if there is something, or inside; nowhere if it is on the sphere.
+    /// Classifies a point: `Some(Some(_))` outside, `Some(None)` inside, `None` if it is on the
+    /// sphere.
     fn seen_from(&self, point: Vector) -> Option<Option<Outside>> {
         let ahead = way(point, self.center);
         let distance = length(ahead);
@@ -83,15 +91,16 @@ impl SeenWhole for Sphere {
         self.inward == matches!(self.seen_from(point), Some(None))
     }
 
-    /// From inside it is all directions. When the normal turns by an angle δ, F changes by no more than δ Ω/π, and Ω/π = 2 (1 − cos α) for the
-    /// angular radius α, sin α = R/d.
+    /// From inside, the sphere covers all directions. When the normal turns by an angle δ, F
+    /// changes by no more than δ Ω/π, and Ω/π = 2 (1 − cos α) for the angular radius α, sin α =
+    /// R/d.
     fn form_factor(&self, point: Vector, direction: Vector, has_horizon: bool) -> Option<Rounded> {
         let Some(outside) = self.seen_from(point)? else {
             return Some(Rounded::exactly(if has_horizon { 1.0 } else { 0.0 }));
         };
         let (axis, turned) = unit(direction);
         let cosine = dot(axis, outside.towards);
-        // rounding may leave it beyond ±1
+        // rounding can put it beyond ±1
         let near = cosine.to_f64();
         let cosine = if near.abs() < 1.0 { cosine } else { number(near.signum()) };
         let (distance, radius) = (outside.distance, number(self.radius));
@@ -112,7 +121,8 @@ impl SeenWhole for Sphere {
         Some(Rounded { value, error }.over_pi())
     }
 
-    /// The square round the circle where lines from the point touch the sphere: it is at d cos²α, its radius R cos α.
+    /// Returns the square around the circle where lines from the point are tangent to the sphere:
+    /// the circle has the distance d cos²α and the radius R cos α.
     fn outline(&self, point: Vector) -> Option<([Vector; 4], Vector)> {
         let Outside { towards, distance, cosine, .. } = self.seen_from(point)??;
         let [x, y, z] = towards.map(DoubleDouble::to_f64);
@@ -121,29 +131,32 @@ impl SeenWhole for Sphere {
     }
 }
 
-/// A disk from a point that is not in its plane.
+/// A disk seen from a point that is not in its plane.
 struct Above {
-    /// Whether the point is before the front.
+    /// Whether the point is in front of the disk.
     is_before: bool,
-    /// The unit normal of the side on which the point is.
+    /// The unit normal on the side of the point.
     normal: Precise,
     height: DoubleDouble,
-    /// The way from the axis to the point, at a right angle, and its length.
+    /// The vector from the axis to the point, perpendicular to the axis, and its length.
     aside: Precise,
     away: DoubleDouble,
     /// The distance of the nearest point of the disk.
     nearest: f64,
-    /// What a form factor changes by where the point moves by a part of its distance from the centre.
+    /// Change of a form factor per displacement of the point relative to its distance from the
+    /// centre.
     moved: f64,
-    /// By how much the normal, which is rounded, changes a form factor.
+    /// Change of a form factor by the rounding of the normal.
     tilted: f64,
 }
 
 impl Disk {
-    /// From where a point sees the disk, unless it is in its plane; nothing where rounding of the normal decides that.
+    /// Classifies a point relative to the disk: `Some(None)` if it lies in the disk's plane, `None`
+    /// where the rounding of the normal decides that.
     ///
-    /// The contour of a form factor is ∮ (r × dr)/2π|r|². Where the point moves by δ, each part changes by 3 δ |dr|/2π|r|² at most, and all of it by
-    /// 3 δ R/d d′ with the distances d and d′ of the nearest and the farthest point of the rim.
+    /// The form factor is the contour integral ∮ (r × dr)/2π|r|². If the point moves by δ, each
+    /// element changes by at most 3 δ |dr|/2π|r|², and the whole integral by at most 3 δ R/d d′
+    /// with the distances d and d′ of the nearest and the farthest point of the rim.
     fn seen_from(&self, point: Vector) -> Option<Option<Above>> {
         let (normal, tilt) = unit(self.normal);
         let from_center = way(self.center, point);
@@ -156,7 +169,7 @@ impl Disk {
         let away = length(aside);
         let across = (away - number(radius)).to_f64();
         let rim = across.hypot(height.to_f64());
-        // beyond this a tilt is small beside all distances
+        // beyond these limits a tilt is small compared with all distances
         if height.to_f64().abs() <= tilt * far || rim <= 1e3 * tilt * far || rim == 0.0 {
             return None;
         }
@@ -171,7 +184,8 @@ impl Disk {
             away,
             nearest: if across < 0.0 { height.to_f64().abs() } else { rim },
             moved,
-            // from afar, of cos θ cos θ′/πρ² per area no factor changes by more than the turn and 4 r/ρ of it
+            // from afar, no factor of cos θ cos θ′/πρ² per area changes by more than the turn and 4
+            // r/ρ of it
             tilted: tilt * if far > 2.0 * radius { 6.0 * (radius / (far - radius)).powi(2) } else { moved },
         }))
     }
@@ -182,8 +196,9 @@ impl SeenWhole for Disk {
         matches!(self.seen_from(point), Some(Some(Above { is_before: true, .. })))
     }
 
-    /// Vector irradiance has a component along the normal and one to the axis. Where the horizon of a plane does not cut the disk, its irradiance is the
-    /// component along its normal.
+    /// Vector irradiance has a component along the normal and a component towards the axis. Where
+    /// the horizon of a plane does not cut the disk, the irradiance of the plane is the component
+    /// of the vector irradiance along the plane's normal.
     fn form_factor(&self, point: Vector, direction: Vector, has_horizon: bool) -> Option<Rounded> {
         let Some(above) = self.seen_from(point)? else { return Some(Rounded::exactly(0.0)) };
         let (axis, turned) = unit(direction);
@@ -205,7 +220,7 @@ impl SeenWhole for Disk {
             let beside = form_factor_beside_disk::dd(radius, height, away);
             value = value - dot(axis, above.aside) / away * beside;
         }
-        // its solid angle over π
+        // the solid angle of the disk over π
         let most = (self.radius / nearest).powi(2).min(2.0);
         Some(Rounded { value, error: tilted + turned * most + OF_KERNEL * TERM * (most + moved) })
     }

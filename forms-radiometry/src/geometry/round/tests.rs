@@ -1,4 +1,5 @@
-//! Areas are exact, polyhedra are closed, and form factors come near those of the round shapes as fast as their order says.
+//! Areas are exact, polyhedra are closed, and form factors converge to those of the curved shapes
+//! with the stated order.
 
 use super::*;
 use crate::geometry::{Polygon, form_factor};
@@ -69,7 +70,8 @@ fn errors(expected: f64, at: impl Fn(usize) -> f64) -> [f64; 4] {
 #[test]
 fn the_form_factor_of_a_disk_comes_nearer_with_the_fourth_power_of_its_edges() {
     let disk = Disk { center: CENTER, normal: Vector::new(0.0, 0.0, 1.0), radius: 1.0 };
-    // height over the disk and distance from its axis; the greatest error at fineness 0, and the least order
+    // height over the disk and distance from its axis; the largest error at fineness 0, and the
+    // least order
     let cases = [
         (1.0, 0.0, 2e-5, 3.9),
         (0.3, 0.0, 2e-5, 3.9),
@@ -95,7 +97,8 @@ fn the_form_factor_of_a_disk_comes_nearer_with_the_fourth_power_of_its_edges() {
 fn the_form_factor_of_a_sphere_comes_nearer_with_the_square_of_its_edges() {
     let sphere = Sphere { center: CENTER, radius: 1.0, inward: false };
     let mut worst = [0.0_f64; 4];
-    // distance of the centre, and the cosine of its angle from the receiver's normal: the last ones are cut by the horizon
+    // distance of the centre, and the cosine of its angle from the receiver's normal: the horizon
+    // cuts the last ones
     for (distance, cosine) in [(2.0, 1.0), (5.0, 1.0), (3.0, 0.7), (1.5, 0.9), (2.0, 0.3), (4.0, -0.1)] {
         let away = Vector::new(0.36, 0.48, 0.8);
         let across = Vector::new(0.8, -0.6, 0.0);
@@ -108,7 +111,7 @@ fn the_form_factor_of_a_sphere_comes_nearer_with_the_square_of_its_edges() {
         worst = std::array::from_fn(|place| worst[place].max(found[place]));
     }
     assert!(worst[0] < 0.01 && worst.is_sorted_by(|more, less| less < more), "{worst:?}");
-    // the corners of the icosahedron are where the order is not yet seen from one step to the next
+    // at the vertices of the icosahedron, the order does not show from one step to the next
     let order = (worst[0] / worst[3]).log2() / 3.0;
     assert!(order > 1.9, "{worst:?}, order {order}");
 }

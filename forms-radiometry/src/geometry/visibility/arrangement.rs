@@ -1,61 +1,64 @@
-//! Arrangements: planes part points into cells. All points of a cell lie on the same sides of all planes.
+//! Arrangements of planes: planes divide points into cells. All points of a cell lie on the same
+//! sides of all planes.
 //!
 //! ```text
-//! planes ─┬─ that have all corners of an outline on one side: the same for all points in it
-//!         └─ others: asked point by point ─▶ keys ─▶ cells
+//! planes ─┬─ with all corners of an outline on one side: the same side for all points in it
+//!         └─ others: tested point by point ─▶ keys ─▶ cells
 //! ```
 
 use super::{Plane, Vector};
 use crate::geometry::edges::Columns;
 
-/// Planes that part points, at most: a key has bits for so many.
+/// The largest number of planes that separate points: a key has one bit for each.
 const MOST: u32 = u64::BITS;
 
-/// On which side of a plane a point is.
+/// The side of a plane on which a point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
-    /// In front of it.
+    /// In front of the plane.
     Front,
-    /// Behind it.
+    /// Behind the plane.
     Behind,
-    /// So close that it counts as neither.
+    /// So close to the plane that the point counts as neither.
     Neither,
 }
 
-/// What is known of a plane.
+/// Classification of a plane.
 #[derive(Clone, Copy, Debug)]
 enum Known {
     /// All points are on this side.
     All(Side),
-    /// Points are parted, and their keys have bits at this place.
+    /// The plane separates points; its side is at this bit of the keys.
     Parted(u32),
 }
 
-/// Planes, and the cells that points are in.
+/// Planes, and the cells of points between them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Arrangement {
-    /// The planes, whose normals have any length, each with the product below which a point is on neither side.
+    /// The planes, with normals of any length, each with the product below which a point is on
+    /// neither side.
     planes: Vec<(Plane, f64)>,
     known: Vec<Known>,
-    /// The points, cell by cell, and where they are.
+    /// The indices of the points, cell by cell, and their positions.
     points: Vec<u32>,
     places: Columns,
-    /// Of each point the planes that it is in front of and behind.
+    /// For each point, the set of planes that it is in front of and the set of planes that it is
+    /// behind.
     keys: [Vec<u64>; 2],
-    /// Of each cell the same, and where its points end.
+    /// For each cell, the same two sets, and the end of its points.
     cells: Vec<([u64; 2], usize)>,
-    /// Of each point its number, and the cell that it is in.
+    /// For each point, its index and its cell.
     unsorted: Vec<(u32, usize)>,
 }
 
-/// A cell.
+/// A cell of the arrangement.
 #[derive(Clone, Copy)]
 pub(super) struct Cell<'a> {
     known: &'a [Known],
     key: [u64; 2],
     /// The indices of its points.
     pub(super) points: &'a [u32],
-    /// Where they are.
+    /// The positions of its points.
     pub(super) places: [&'a [f64]; 3],
 }
 
@@ -79,7 +82,8 @@ impl Arrangement {
         self.planes.push((plane, least));
     }
 
-    /// Parts some of the points in an outline into cells; nothing where too many planes part them.
+    /// Divides some of the points in an outline into cells; `None` if too many planes separate
+    /// them.
     pub(super) fn part(
         &mut self,
         points: &[Vector],
@@ -92,7 +96,7 @@ impl Arrangement {
         let mut parting = 0;
         for &(plane, least) in &self.planes {
             let first = Side::of(plane, least, outline[0]);
-            // each of the three is a convex set
+            // the set of points with each value of `Side` is convex
             let is_all = outline[1..].iter().all(|&corner| Side::of(plane, least, corner) == first);
             self.known.push(if is_all { Known::All(first) } else { Known::Parted(parting) });
             parting += u32::from(!is_all);
@@ -112,7 +116,7 @@ impl Arrangement {
         Some(())
     }
 
-    /// Makes the columns those of the points in the order that these have.
+    /// Fills the position columns in the current order of the points.
     fn take_places(&mut self, points: &[Vector]) {
         for (axis, column) in self.places.iter_mut().enumerate() {
             column.clear();
@@ -120,7 +124,7 @@ impl Arrangement {
         }
     }
 
-    /// On which sides of the planes that part points each of them is.
+    /// Computes the keys: for each point, its sides of the separating planes.
     fn take_keys(&mut self) {
         let Self { planes, known, places, keys, points, .. } = self;
         keys.iter_mut().for_each(|keys| {
@@ -140,7 +144,7 @@ impl Arrangement {
         }
     }
 
-    /// Brings the points into the order of their cells. Neighbours are often in the same one.
+    /// Sorts the points by cell. Successive points are often in the same cell.
     fn sort(&mut self) {
         let Self { points, keys: [front, behind], cells, unsorted, .. } = self;
         unsorted.clear();
@@ -157,7 +161,8 @@ impl Arrangement {
             cells[last].1 += 1;
             unsorted.push((point, last));
         }
-        // counts become places where cells begin, and these, point by point, places where they end
+        // counting sort: counts become the starts of the cells, and the starts advance point by
+        // point to the ends
         let mut start = 0;
         for (_, count) in &mut *cells {
             start += std::mem::replace(count, start);
@@ -169,7 +174,7 @@ impl Arrangement {
         }
     }
 
-    /// The cells with points in them.
+    /// Returns the cells that contain points.
     pub(super) fn cells(&self) -> impl Iterator<Item = Cell<'_>> {
         let starts = std::iter::once(0).chain(self.cells.iter().map(|(_, end)| *end));
         starts.zip(&self.cells).map(|(start, &(key, end))| Cell {
@@ -182,7 +187,7 @@ impl Arrangement {
 }
 
 impl Cell<'_> {
-    /// On which side of a plane it is.
+    /// Returns the side of a plane on which the cell lies.
     pub(super) fn side(&self, plane: usize) -> Side {
         match self.known[plane] {
             Known::All(side) => side,
@@ -220,7 +225,7 @@ mod tests {
             }
             count += cell.points.len();
         }
-        // the diagonal has points on neither side, and the last plane parts none
+        // the diagonal has points on neither side, and the last plane separates none
         assert_eq!([count, arrangement.cells().count()], [64, 5]);
         assert!(arrangement.cells().all(|cell| cell.side(2) == Side::Behind));
     }

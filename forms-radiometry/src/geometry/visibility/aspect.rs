@@ -1,16 +1,20 @@
-//! Aspects: from where a luminaire looks the same past what stands in between.
+//! Aspects: cells of points from which a luminaire looks topologically the same behind its
+//! occluders.
 //!
 //! ```text
-//! points ─ planes of luminaire, horizon and screens ─▶ cells: the outline of each shadow is the same
-//!        ─ planes through an edge of one outline and a corner of the other ─▶ cells: the same corners are hidden, the same edges cross
+//! points ─ planes of luminaire, horizon and screens ─▶ cells: each shadow has the same silhouette
+//!        ─ planes through an edge of one outline and a corner of the other ─▶ cells: the same
+//!                                                corners are hidden, the same edges cross
 //! ```
-//! On which side of an edge from a to b a corner c is seen from a point p is the sign of
+//! The side of an edge from a to b on which a point p sees a corner c is the sign of
 //! ```text
 //! (b − p) × (a − p) · (c − p)  =  (b − c) × (a − c) · (c − p),
 //! ```
-//! which is affine in p: the points from which it is the same lie on one side of the plane through a, b and c.
+//! which is affine in p: the points that see c on the same side lie on one side of the plane
+//! through a, b and c.
 //!
-//! Source of the term: J. Koenderink, A. van Doorn, The internal representation of solid shape with respect to vision (1979).
+//! Source of the term: J. Koenderink, A. van Doorn, The internal representation of solid shape with
+//! respect to vision (1979).
 
 use super::arrangement::{Arrangement, Cell, Side};
 use super::body::Body;
@@ -18,32 +22,34 @@ use super::border::Looking;
 use super::crossing::{End, MOST, Signs};
 use super::{Plane, Screen, Screens, Vector};
 
-/// Products that are smaller than this part of what they may be have no sure sign: far above rounding, far below what is common.
+/// Products below this fraction of their bound have an uncertain sign: far above rounding, far
+/// below usual values.
 const UNSURE: f64 = 1e-11;
 
-/// Bodies with more sides are not looked at.
+/// The largest number of sides of a body for which aspects are computed.
 const MOST_SIDES: usize = 64;
 
-/// The shadows that may take a part of a luminaire.
+/// The shadows that can hide a part of a luminaire.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Shadows {
-    /// Their edges, with the shadow on the left, and where those of each end.
+    /// Silhouette edges of the shadows, with the shadow on their left, and the end of each shadow's
+    /// edges.
     edges: Vec<[Vector; 2]>,
     ends: Vec<usize>,
     seen: Vec<bool>,
 }
 
-/// How a luminaire looks past them.
+/// The appearance of a luminaire behind these shadows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Aspect {
-    /// The shadow that takes a part.
+    /// The shadow that hides a part.
     pub(super) shadow: Vec<[Vector; 2]>,
-    /// The edges of the border of what is seen.
+    /// The edges of the contour of the visible part.
     pub(super) border: Vec<[End; 2]>,
     signs: Signs,
 }
 
-/// What stands in between: a screen by itself, or a body.
+/// An occluder: a single screen, or a body.
 enum Obstacle<'s> {
     Screen(&'s Screen),
     Body(&'s Body),
@@ -57,8 +63,9 @@ impl Screens {
             .map_or_else(|| Obstacle::Body(&self.bodies[index - self.screens.len()]), Obstacle::Screen)
     }
 
-    /// Adds the planes that decide what hides what: that of the luminaire, one through each of its corners along the horizon, and those of what
-    /// stands in between. Nothing where that has too many.
+    /// Adds the planes that determine the silhouettes: the plane of the luminaire, one plane
+    /// through each of its corners parallel to the horizon, and the planes of the occluders.
+    /// Returns `None` if an occluder has too many.
     pub(super) fn add_planes(&self, looking: &Looking, planes: &mut Arrangement) -> Option<()> {
         let (corners, normal) = looking.luminaire;
         planes.clear();
@@ -85,8 +92,9 @@ impl Screens {
         cell.side(0) == Side::Front
     }
 
-    /// Takes the edges of the shadows as a cell of these planes sees them; nothing where the luminaire is not wholly above the horizon, where the
-    /// cell is not outside of a body, or where edges do not say all of a shadow.
+    /// Collects the silhouette edges of the shadows as a cell of these planes sees them. Returns
+    /// `None` where the luminaire is not completely above the horizon, where the cell is not
+    /// outside a body, or where the edges do not describe a shadow completely.
     pub(super) fn take_shadows(&self, looking: &Looking, cell: &Cell, shadows: &mut Shadows) -> Option<()> {
         let (corners, normal) = looking.luminaire;
         shadows.edges.clear();
@@ -123,7 +131,8 @@ impl Screens {
         Some(())
     }
 
-    /// Takes the edges of a screen's shadow, if it has any, as they are seen from a side of it.
+    /// Collects the edges of a screen's shadow, if it casts any, as seen from one side of the
+    /// screen.
     fn take_shadow_of_screen(
         &self,
         (screen, side): (&Screen, Side),
@@ -134,7 +143,7 @@ impl Screens {
         let parts = match side {
             Side::Front => beyond(-1.0),
             Side::Behind => beyond(1.0),
-            // edge-on it hides nothing
+            // a screen seen edge-on hides nothing
             Side::Neither => false,
         };
         if !parts {
@@ -149,14 +158,14 @@ impl Screens {
 }
 
 impl Shadows {
-    /// The edges of each.
+    /// Returns the edges of each shadow.
     fn all(&self) -> impl Iterator<Item = &[[Vector; 2]]> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         starts.zip(&self.ends).map(|(start, &end)| &self.edges[start..end])
     }
 
-    /// Adds the planes through edges of each of them and corners of a luminaire, and the other way round, as points in an outline are parted by
-    /// them.
+    /// Adds the planes through the edges of each shadow and the corners of a luminaire, and vice
+    /// versa. They are to separate points in `outline`.
     pub(super) fn add_planes(&self, luminaire: &[Vector], outline: &[Vector], planes: &mut Arrangement) {
         planes.clear();
         let mut add = |[a, b]: [Vector; 2], corner: Vector| {
@@ -178,8 +187,9 @@ impl Shadows {
 }
 
 impl Aspect {
-    /// Makes this what a cell of these planes sees. There is nothing where more than one shadow takes a part of the luminaire, and where something
-    /// is so close to an edge that it is not sure on which side it is.
+    /// Sets this to the aspect that a cell of these planes sees. Returns `None` where more than one
+    /// shadow hides a part of the luminaire, and where a corner is so close to an edge that its
+    /// side is uncertain.
     pub(super) fn set(&mut self, luminaire: &[Vector], shadows: &Shadows, cell: &Cell) -> Option<()> {
         self.shadow.clear();
         self.border.clear();
@@ -217,7 +227,8 @@ impl Aspect {
     }
 }
 
-/// In front of which of some planes a cell is, by their places; nothing where that is not sure.
+/// Returns, as bits, which of `count` planes from `first` on a cell is in front of; `None` where
+/// this is uncertain.
 fn bits(cell: &Cell, first: usize, count: usize) -> Option<u32> {
     (0..count).try_fold(0, |bits, place| match cell.side(first + place) {
         Side::Front => Some(bits | 1 << place),
@@ -226,7 +237,7 @@ fn bits(cell: &Cell, first: usize, count: usize) -> Option<u32> {
     })
 }
 
-/// The edge that begins at a corner of an outline.
+/// Returns the edge that begins at a corner of an outline.
 pub(super) fn edge_after(outline: &[Vector], corner: usize) -> [Vector; 2] {
     [outline[corner], outline[(corner + 1) % outline.len()]]
 }

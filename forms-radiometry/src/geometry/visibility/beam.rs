@@ -1,45 +1,48 @@
-//! Beams: light from one point or from far away, a face and what stands in between become the part of the face that is lit.
+//! Beams: computes the lit part of a face under light from a point or a direction, with occluders.
 //!
 //! ```text
-//! face ─ every screen before it casts a prism or a cone of shadow ─▶ convex pieces that are lit ─▶ the border of the shadow
+//! face ─ every screen before it casts a prism or a cone of shadow ─▶ convex lit pieces
+//! convex lit pieces ─▶ the border of the shadow
 //! ```
-//! A shadow has the planes that hold an edge of a screen and the rays through it. Both screens of a common edge have its plane to the
-//! last bit, so no light slips between them. A screen that the beam only grazes casts none.
+//! A shadow is bounded by the planes through an edge of a screen and the rays through that edge.
+//! Two screens with a common edge share its plane to the last bit, so no light slips between them.
+//! A screen that the beam grazes casts no shadow.
 
 use super::{Plane, Screen, Screens};
 use crate::geometry::clip::{split, split_beyond};
 use crate::geometry::visibility::Between;
 use crate::geometry::{Vector, edges};
 
-/// What rounding leaves of a distance from a plane, in units of the largest distance in its face.
+/// Rounding error of a distance from a plane, relative to the largest distance in its face.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// A face of which the lit part has more pieces is not cut.
+/// The largest number of pieces of the lit part of a face. A face with more is not cut.
 const MOST_PIECES: usize = 1 << 12;
 
-/// How many extents of the scene away everything is behind.
+/// Distance, in extents of the scene, at which a distant source is behind everything.
 const BEYOND: f64 = 4.0;
 
-/// Light without extent.
+/// Light from a source without extent.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Beam {
-    /// From a point.
+    /// Light from a point.
     From(Vector),
-    /// From far away, along this unit vector.
+    /// Parallel light from far away, along this unit vector.
     Along(Vector),
 }
 
 /// The lit part of a face.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Lit {
-    /// Convex pieces, counter-clockwise seen from the side that the face looks to.
+    /// Convex pieces, counter-clockwise seen from the front of the face.
     pub(crate) pieces: Vec<Vec<Vector>>,
-    /// Whether it is all of the face, or none of it.
+    /// Whether the lit part is all of the face, or none of it.
     pub(crate) is_whole: bool,
 }
 
 impl Beam {
-    /// The plane of the rays through an edge of a screen; that of the edge the other way round is the same, turned round.
+    /// Returns the plane of the rays through an edge of a screen. The reversed edge has the same
+    /// plane with the opposite normal.
     fn plane_through(self, [a, b]: [Vector; 2]) -> Plane {
         match self {
             Self::From(source) => Plane { point: source, normal: (a - source).cross(b - source) },
@@ -50,7 +53,7 @@ impl Beam {
         }
     }
 
-    /// Whether its source is on the side to which a plane points.
+    /// Whether the source is on the side to which a plane's normal points.
     fn comes_from_above(self, plane: Plane, resolution: f64) -> bool {
         match self {
             Self::From(source) => plane.distance(source) > resolution,
@@ -58,7 +61,8 @@ impl Beam {
         }
     }
 
-    /// How far its source is on the side to which a plane points: of one that is far away the sine of its height, times the extent of the scene.
+    /// Returns the height of the source over a plane. For a distant source, this is the sine of its
+    /// elevation times the extent of the scene.
     fn height_above(self, plane: Plane, extent: f64) -> f64 {
         match self {
             Self::From(source) => plane.distance(source),
@@ -68,7 +72,7 @@ impl Beam {
 }
 
 impl Screens {
-    /// The part of a face that a beam reaches; nothing where it has too many pieces.
+    /// Returns the part of a face that a beam reaches; `None` where it has too many pieces.
     pub(crate) fn lit(&self, (outline, normal): (&[Vector], Vector), beam: Beam) -> Option<Lit> {
         let face = Plane { point: outline[0], normal };
         let extent = if self.screens.is_empty() { 0.0 } else { self.tree.bounds().extent() };
@@ -107,7 +111,8 @@ impl Screens {
         Some(Lit { is_whole: is_whole || pieces.is_empty(), pieces })
     }
 
-    /// The planes, pointing inwards, of the shadow that the part of a screen casts which is between a beam's source and a face.
+    /// Returns the planes, with inward normals, of the shadow cast by the part of a screen that is
+    /// between the beam's source and a face.
     fn shadow(&self, screen: &Screen, beam: Beam, face: Plane, extent: f64) -> Vec<Plane> {
         let above = beam.height_above(screen.plane, extent);
         if above.abs() <= self.resolution {
@@ -129,7 +134,8 @@ impl Screens {
     }
 }
 
-/// Appends the convex pieces of a piece that are outside of a shadow; whether the shadow takes any of it.
+/// Appends the convex pieces of a piece that are outside a shadow. Returns whether the shadow
+/// covers any part of it.
 fn cut_from(piece: Vec<Vector>, shadow: &[Plane], rest: &mut Vec<Vec<Vector>>) -> bool {
     let reach = piece.iter().map(|&v| (v - piece[0]).largest()).fold(0.0, f64::max);
     let rounding = |plane: &Plane| {
@@ -160,14 +166,16 @@ fn cut_from(piece: Vec<Vector>, shadow: &[Plane], rest: &mut Vec<Vec<Vector>>) -
 }
 
 impl Lit {
-    /// All of a face, if a beam comes from before it and nothing is in between.
+    /// Returns the lit part without occluders: all of a face if the beam comes from its front,
+    /// otherwise nothing.
     pub(crate) fn unhidden((outline, normal): (&[Vector], Vector), beam: Beam, resolution: f64) -> Self {
         let is_lit = beam.comes_from_above(Plane { point: outline[0], normal }, resolution);
         Self { pieces: if is_lit { vec![outline.to_vec()] } else { Vec::new() }, is_whole: true }
     }
 
-    /// The segments of the shadow's border inside of the face, each along the lit part, which is on its left: what is left of the pieces'
-    /// sides without those of other pieces and of the face.
+    /// Returns the segments of the shadow's border inside the face, with the lit part on their
+    /// left. They are the edges of the lit pieces, minus the edges that are shared with other
+    /// pieces or with the face.
     pub(crate) fn border(&self, outline: &[Vector], closeness: f64) -> Vec<[Vector; 2]> {
         if self.is_whole {
             return Vec::new();
@@ -178,7 +186,8 @@ impl Lit {
     }
 }
 
-/// The parts of a segment on which none of the others lies that run the other way.
+/// Returns the parts of a segment that are not covered by any of the other segments in the opposite
+/// direction.
 fn uncovered([a, b]: [Vector; 2], others: &[[Vector; 2]], closeness: f64) -> Vec<[Vector; 2]> {
     let length = (b - a).length();
     let Some(along) = (b - a).unit().filter(|_| length > closeness) else { return Vec::new() };
@@ -207,7 +216,7 @@ mod tests {
         Vector::new(x, y, z)
     }
 
-    /// A rectangle that looks up, at a height.
+    /// A horizontal rectangle that faces up, at a height.
     fn level([low, high]: [[f64; 2]; 2], z: f64) -> Vec<Vector> {
         [[low[0], low[1]], [high[0], low[1]], [high[0], high[1]], [low[0], high[1]]]
             .map(|[x, y]| corner([x, y, z]))
@@ -227,7 +236,7 @@ mod tests {
         lit.pieces.iter().map(of_piece).sum()
     }
 
-    /// The lit part of a ground of 10 × 10 below some outlines.
+    /// Returns the lit part of a ground of 10 × 10 below some outlines.
     fn ground(screens: &[Vec<Vector>], beam: Beam) -> (Lit, Vec<Vector>) {
         let outline = level([[-5.0; 2], [5.0; 2]], 0.0);
         let mut faces = sides(0, outline.clone()).to_vec();

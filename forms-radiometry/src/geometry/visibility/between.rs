@@ -1,9 +1,12 @@
-//! What can come between receivers and a luminaire: of all screens those that some segment between the two outlines gets through.
+//! Occluder search: finds the screens that can occlude a luminaire from receivers, those that some
+//! segment between the two outlines intersects.
 //!
-//! A screen can hide something only if it is above the receivers' horizon, in front of the luminaire, has a receiver and a part of the
-//! luminaire on different sides, and if no plane parts it from the shaft between them. The shaft cuts the screen's plane in the
-//! convex hull of the points where segments between corners on different sides pass through: if the screen holds all of these,
-//! it hides everything; if they lie beyond one of its edges, it hides nothing. Screens of a convex body are taken together.
+//! A screen can occlude only if it rises above the receivers' horizon, lies in front of the
+//! luminaire, has a receiver and a part of the luminaire on different sides, and is not separated
+//! by a plane from the shaft between them. The intersection of the shaft with the screen's plane is
+//! the convex hull of the points where segments between corners on different sides intersect the
+//! plane. If the screen contains all of these points, it hides everything; if all lie beyond one of
+//! its edges, it hides nothing. Screens of a convex body are treated together.
 
 use super::bounds::Bounds;
 use super::shaft::Shaft;
@@ -12,16 +15,17 @@ use super::{Plane, Screen, Screens, Vector};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// The corners of two quadrilaterals, and the passages between them: only more than these need memory of their own.
+/// Inline capacities for the corners of two quadrilaterals and for the intersections between them.
+/// Only larger outlines allocate memory.
 const CORNERS: usize = 8;
 const PASSAGES: usize = 16;
 
-/// How much of a luminaire is hidden.
+/// Degree of occlusion of a luminaire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Between {
     /// Nothing can be hidden.
     Nothing,
-    /// Something may be hidden.
+    /// A part can be hidden.
     Some,
     /// Everything is hidden from everywhere by one screen or one body.
     All,
@@ -30,25 +34,27 @@ pub(crate) enum Between {
 struct Search<'s> {
     screens: &'s Screens,
     shaft: Shaft<'s>,
-    /// The corners of both outlines, each with its distance from a screen's plane, reused from screen to screen.
+    /// The corners of both outlines, each with its distance from a screen's plane; the buffer is
+    /// reused from screen to screen.
     corners: SmallVec<[(Vector, f64); CORNERS]>,
-    /// Where segments get through that plane, likewise.
+    /// The points where segments intersect that plane; the buffer is also reused.
     passages: SmallVec<[Vector; PASSAGES]>,
     found: &'s mut Vec<u32>,
     luminaire: Plane,
-    /// The bodies of screens that were found.
+    /// The bodies whose screens were found.
     bodies: Vec<(u32, Part)>,
     all: bool,
 }
 
-/// What was found of a body.
+/// The part of a body that was found.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Part {
-    /// One screen, at this place of the list.
+    /// One screen, at this index of the list.
     One(usize),
-    /// Screens that hide by themselves, since not all of the body is in front of the luminaire.
+    /// Screens that occlude individually, because the body is not completely in front of the
+    /// luminaire.
     Several,
-    /// The body, which stands for all of its screens.
+    /// The body, which replaces all of its screens.
     Whole,
 }
 
@@ -79,8 +85,9 @@ impl Search<'_> {
         ControlFlow::Break(())
     }
 
-    /// Takes a screen that may hide something; if it is the second of its body and all of that is in front of the luminaire, the body for
-    /// both and for the rest. `place` is where the body is known.
+    /// Adds a screen that can occlude. If it is the second screen of its body and the whole body is
+    /// in front of the luminaire, adds the body instead of both and of its other screens. `place`
+    /// is the index of the body in `bodies`.
     fn take(&mut self, screen: u32, body: Option<u32>, place: Option<usize>) -> ControlFlow<()> {
         let (Some(index), Some(place)) = (body, place) else {
             self.bodies.extend(body.map(|body| (body, Part::One(self.found.len()))));
@@ -134,7 +141,7 @@ impl Search<'_> {
         if holds_all { Between::All } else { Between::Some }
     }
 
-    /// On which sides of a plane the corners of both outlines are.
+    /// Returns the sides of a plane on which the corners of both outlines lie.
     fn sides(&mut self, plane: Plane) -> [Sides; 2] {
         self.corners.clear();
         self.shaft.outlines.map(|outline| {
@@ -144,7 +151,8 @@ impl Search<'_> {
         })
     }
 
-    /// The corners of the part of the plane that is in the shaft, among others that are inside.
+    /// Computes points that include all corners of the intersection of the plane with the shaft;
+    /// the other points lie inside it.
     fn find_passages(&mut self) {
         self.passages.clear();
         for &(a, alpha) in self.corners.iter().filter(|(_, alpha)| *alpha >= 0.0) {
@@ -156,14 +164,15 @@ impl Search<'_> {
     }
 }
 
-/// On which sides of a plane there are points.
+/// The sides of a plane on which there are points.
 struct Sides {
     in_front: bool,
     behind: bool,
 }
 
 impl Sides {
-    /// Of points with these distances, which count as lying in the plane below the resolution.
+    /// Returns the sides for points with these distances; a point whose distance is below the
+    /// resolution counts as lying in the plane.
     fn of(points: &[(Vector, f64)], resolution: f64) -> Self {
         let mut sides = Self { in_front: false, behind: false };
         for (_, distance) in points {
@@ -175,9 +184,10 @@ impl Sides {
 }
 
 impl Screens {
-    /// Which screens can come between receivers in a convex outline, which look to the side of `normal` if there is one, and a convex
-    /// luminaire; `found` gets their indices, of one that hides everything only this. Nothing can be hidden where the luminaire is not
-    /// seen from anywhere.
+    /// Finds the screens that can occlude a convex luminaire from receivers in a convex outline,
+    /// which face the side of `normal` if there is one. `found` receives their indices; if one
+    /// screen or body hides everything, only its index. Returns [`Between::Nothing`] where no
+    /// receiver faces the luminaire.
     pub(crate) fn between(
         &self,
         receivers: &[Vector],
@@ -189,7 +199,8 @@ impl Screens {
         self.between_among(None, (receivers, normal), (luminaire, luminaire_normal), found)
     }
 
-    /// The same among these alone: what may come between the receivers and all of a luminaire tells what may before a part of it.
+    /// Searches like [`between`](Self::between), but only among these screens. The potential
+    /// occluders of a part of a luminaire are among those of the whole.
     pub(crate) fn between_among(
         &self,
         among: Option<&[u32]>,

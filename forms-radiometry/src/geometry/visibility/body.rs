@@ -1,45 +1,47 @@
-//! Convex bodies: screens that share edges become one body, whose shadow is cut out at once.
+//! Convex bodies: screens that share edges are joined into one body, whose shadow is clipped out at
+//! once.
 //!
 //! ```text
 //! screens ─ joined at convex edges ─▶ groups ─ convex, closed but for one plane ─▶ bodies
 //! ```
-//! From a point outside of a convex body, the edges between sides that are seen and sides that are not are the outline of its
-//! shadow. A body may be open in one plane, as a box without a bottom is: from behind that plane it looks as if it were closed.
+//! Seen from a point outside a convex body, the edges between visible and invisible sides are the
+//! silhouette of its shadow. A body can be open in one plane, like a box without a bottom: seen
+//! from the body's side of that plane it looks closed.
 
 use super::bounds::Bounds;
 use super::{Plane, Screen, Vector};
 use crate::geometry::Welded;
 use rustc_hash::FxHashMap;
 
-/// Groups of more screens are not looked at as bodies: each corner is compared with each plane.
+/// The largest number of screens of a body: each corner is compared with each plane.
 const MOST_SCREENS: usize = 1 << 14;
 
-/// Screens that bound a convex body, with their fronts to the outside.
+/// Screens that bound a convex body, with their fronts on the outside.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
-    /// The indices of its screens.
+    /// The indices of the screens.
     pub(super) screens: Vec<u32>,
     pub(super) planes: Vec<Plane>,
     edges: Vec<Edge>,
-    /// The plane in which it is open.
+    /// The plane in which the body is open.
     pub(super) lid: Option<Plane>,
     corners: Vec<Vector>,
     pub(super) bounds: Bounds,
 }
 
-/// An edge of a body, from a to b as the first of its sides runs.
+/// An edge of a body, from a to b in the orientation of `side`.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     ends: [Vector; 2],
     side: usize,
-    /// The side beyond it; none where the body is open.
+    /// The side beyond the edge; `None` where the body is open.
     beyond: Option<usize>,
 }
 
-/// The screens beyond the edges of each, in the order of its vertices.
+/// For each screen, the screens beyond its edges, in the order of its vertices.
 type Neighbours = Vec<Vec<Option<usize>>>;
 
-/// Bodies, and for each screen the one that it belongs to, if any.
+/// Finds the bodies, and for each screen its body, if any.
 pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec<Body>, Vec<Option<u32>>) {
     let neighbours = neighbours(screens, [resolution, rounding]);
     let mut bodies = Vec::new();
@@ -53,8 +55,9 @@ pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec
     (bodies, of_screen)
 }
 
-/// For each edge the screen that has the same edge the other way round, if the two enclose less than half a turn; of several the one that
-/// encloses the least, for where bodies touch there are others. A screen that lies back to back with it encloses nothing.
+/// Returns, for each edge, the screen that has the same edge in the opposite direction, if the two
+/// enclose less than half a turn. If there are several, as where bodies touch, it is the one that
+/// encloses the smallest angle. A screen that lies back to back with the first encloses nothing.
 fn neighbours(screens: &[Screen], [resolution, rounding]: [f64; 2]) -> Neighbours {
     let mut welded = Welded::new(resolution);
     let mut numbers = |edge: [Vector; 2]| edge.map(|end| welded.number(end));
@@ -81,7 +84,7 @@ fn neighbours(screens: &[Screen], [resolution, rounding]: [f64; 2]) -> Neighbour
     screens.iter().zip(&edges).map(beyond).collect()
 }
 
-/// The screens that neighbours join.
+/// Returns the connected groups of neighbouring screens.
 fn groups(neighbours: &Neighbours) -> Vec<Vec<usize>> {
     let mut is_known = vec![false; neighbours.len()];
     let mut groups = Vec::new();
@@ -105,7 +108,7 @@ fn groups(neighbours: &Neighbours) -> Vec<Vec<usize>> {
 }
 
 impl Body {
-    /// The body that a group of screens bounds, if it does.
+    /// Returns the body that a group of screens bounds, if it does.
     fn of(
         group: &[usize],
         screens: &[Screen],
@@ -118,7 +121,7 @@ impl Body {
         let place: FxHashMap<usize, usize> =
             group.iter().enumerate().map(|(place, &screen)| (screen, place)).collect();
         let edges_of = |(side, &screen): (usize, &usize)| {
-            // where more than two screens share an edge, the neighbour may belong to another group
+            // if more than two screens share an edge, the neighbour can belong to another group
             let beyond =
                 neighbours[screen].iter().map(|other| other.and_then(|other| place.get(&other).copied()));
             let edge = move |(ends, beyond)| Edge { ends, side, beyond };
@@ -139,13 +142,14 @@ impl Body {
         Some(Self { screens, planes, edges: edges.into_iter().filter(once).collect(), lid, corners, bounds })
     }
 
-    /// Whether all of it is in front of a plane or in it.
+    /// Whether the whole body is in front of a plane or in it.
     pub(super) fn is_before(&self, plane: Plane, rounding: f64) -> bool {
         self.corners.iter().all(|&corner| plane.distance(corner) >= -rounding)
     }
 
-    /// Whether it stands between all points of one outline and all of another. What it hides of a point is convex, and so is what of a
-    /// point's surroundings is hidden: corners are enough.
+    /// Whether the body lies between all points of one outline and all points of another. The
+    /// region that it hides from a point is convex, and so is the set of points from which it hides
+    /// a given point: testing corners is enough.
     pub(super) fn hides_all(&self, [here, there]: [&[Vector]; 2]) -> bool {
         here.iter().all(|&from| there.iter().all(|&to| self.is_between(from, to)))
     }
@@ -166,8 +170,9 @@ impl Body {
         0.0 <= enter && enter < leave && leave <= 1.0
     }
 
-    /// The edges of the body's outline as it is seen from a point, in no order, each with the body on its left; none where the point is not
-    /// outside of the body, and behind its opening. `seen` is a list for which sides are seen.
+    /// Returns the edges of the body's silhouette seen from a point, in no particular order, each
+    /// with the body on its left. Returns `None` where the point is not outside the body or lies
+    /// beyond the plane of its opening. `seen` is a buffer for which sides are visible.
     pub(super) fn shadow<'b>(
         &'b self,
         apex: Vector,
@@ -187,7 +192,7 @@ impl Body {
         is_outside.then(|| self.outline(seen))
     }
 
-    /// The same from where these sides are seen.
+    /// Returns the same silhouette from a point that sees these sides.
     pub(super) fn outline<'b>(&'b self, seen: &'b [bool]) -> impl Iterator<Item = [Vector; 2]> + 'b {
         let side = move |edge: &Edge| {
             let [a, b] = edge.ends;
@@ -201,14 +206,14 @@ impl Body {
     }
 }
 
-/// The plane of all edges that have nothing beyond, with its normal away from the corners; nothing within if there are no such edges, and
-/// none if they lie in no plane.
+/// Returns the plane of all edges without a side beyond, with its normal away from the corners:
+/// `Some(None)` if there are no such edges, `None` if they do not lie in a plane.
 #[expect(clippy::option_option, reason = "open in no plane is not the same as not open")]
 fn lid(edges: &[Edge], corners: &[Vector], rounding: f64) -> Option<Option<Plane>> {
     let open: Vec<[Vector; 2]> =
         edges.iter().filter(|edge| edge.beyond.is_none()).map(|edge| edge.ends).collect();
     let Some(&[point, _]) = open.first() else { return Some(None) };
-    // edges run round the opening as their sides do: against the sense in which a lid would
+    // edges run around the opening in the orientation of their sides, opposite to that of a lid
     let twice = open.iter().fold(Vector::default(), |sum, &[a, b]| sum + (b - point).cross(a - point));
     let plane = Plane { point, normal: twice.unit()? };
     let is_in_plane = |&[a, _]: &[Vector; 2]| plane.distance(a).abs() <= rounding;

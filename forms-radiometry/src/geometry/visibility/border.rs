@@ -1,12 +1,16 @@
-//! Borders: what points see of a luminaire, as the edges around it.
+//! Silhouette columns: the contour of the visible part of a luminaire, as columns of edges for many
+//! points at once.
 //!
 //! ```text
-//! points ─ aspect ─▶ cells of points that see the same corners and crossings ─▶ edges in columns ─▶ sums by point
-//!                └─▶ points that are too close to a plane ─ visible ─▶ pieces ─────┘
+//! points ─ aspect ─▶ cells of points that see the same corners and crossings ─▶ edges in columns
+//!                └─▶ points that are too close to a plane ─ visible ─▶ pieces ─▶ edges in columns
+//! edges in columns ─▶ sums by point
 //! ```
-//! Edges that cross end in the same place, to the last bit, so borders are closed. What is a sum over edges needs no more than that, where convex
-//! pieces would have several times as many; and points that see the same corners and crossings are computed together. Where a sign is not sure, an
-//! edge may lie on another one: then the border is not given, and pieces have to be cut.
+//! Edges that cross end at the same point, to the last bit, so contours are closed. A sum over
+//! edges needs no more than that, while convex pieces would have several times as many edges.
+//! Points that see the same corners and crossings are computed together. Where a sign is uncertain,
+//! an edge can coincide with another one: then no contour is returned, and pieces are clipped
+//! instead.
 
 use super::arrangement::{Arrangement, Cell};
 use super::aspect::{Aspect, Shadows, edge_after};
@@ -15,29 +19,29 @@ use super::horizon::Workspace;
 use super::{Screens, Vector};
 use crate::geometry::edges::Edges;
 
-/// Receivers that look at a luminaire past some screens.
+/// Receivers that see a luminaire behind some occluders.
 #[derive(Clone, Copy)]
 pub(crate) struct Looking<'l> {
     pub(crate) points: &'l [Vector],
-    /// Corners of a convex set that holds the points.
+    /// Corners of a convex set that contains the points.
     pub(crate) outline: &'l [Vector],
-    /// The normal of the horizon below which nothing counts.
+    /// Normal of the horizon. The part of the luminaire below the horizon does not count.
     pub(crate) horizon: Option<Vector>,
     /// The outline of the luminaire, and its unit normal.
     pub(crate) luminaire: (&'l [Vector], Vector),
-    /// What may come in between.
+    /// The potential occluders.
     pub(crate) screens: &'l [u32],
 }
 
-/// Lists that are reused from group to group.
+/// Buffers that are reused from group to group.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Borders {
     edges: Edges,
-    /// The planes that decide what hides what, and those that decide which edges cross.
+    /// The planes that determine the silhouettes, and the planes that determine which edges cross.
     planes: [Arrangement; 2],
     shadows: Shadows,
     drawing: Drawing,
-    /// The points whose border is not given.
+    /// The points for which no contour is available.
     rest: Vec<u32>,
 }
 
@@ -45,12 +49,14 @@ pub(crate) struct Borders {
 #[derive(Clone, Debug, Default)]
 struct Drawing {
     aspect: Aspect,
-    /// How far along an edge of the luminaire each point sees it cross one of the shadow.
+    /// For each point, the fraction of a luminaire's edge at which the point sees a shadow's edge
+    /// cross it.
     ratios: Vec<f64>,
 }
 
 impl Screens {
-    /// Adds to the sum of each receiver ∫ cos θ dω/π over what it sees of a luminaire, θ from a direction `along`, times a factor.
+    /// Adds to each receiver's sum ∫ cos θ dω/π over the visible part of a luminaire, times a
+    /// factor; θ is measured from the direction `along`.
     pub(crate) fn add_form_factors(
         &self,
         looking: Looking,
@@ -71,7 +77,7 @@ impl Screens {
         borders.edges.add_form_factors(along, factor, sums);
     }
 
-    /// Takes the edges of the borders of what receivers see, as far as they are given.
+    /// Collects the contour edges of the visible parts, where contours are available.
     fn take_borders(&self, looking: &Looking, borders: &mut Borders) {
         let Borders { edges, planes: [planes, crossings], shadows, drawing, rest } = borders;
         let Looking { points, outline, luminaire: (corners, _), .. } = *looking;
@@ -100,7 +106,7 @@ impl Screens {
                 Some(())
             };
             if draw(&mut cell.points.iter().copied(), outline).is_none() {
-                // a point by itself is not parted
+                // planes do not separate a single point
                 cell.points
                     .iter()
                     .for_each(|&index| _ = draw(&mut std::iter::once(index), &[points[index as usize]]));
@@ -110,7 +116,7 @@ impl Screens {
 }
 
 impl Drawing {
-    /// Takes the edges of the aspect as the points of a cell see them.
+    /// Appends the edges of the aspect as the points of a cell see them.
     fn draw(&mut self, cell: &Cell, luminaire: &[Vector], edges: &mut Edges) {
         let Self { aspect, ratios } = self;
         let (border, shadow) = (&aspect.border, &aspect.shadow);
@@ -132,15 +138,15 @@ impl Drawing {
     }
 }
 
-/// Where a corner is, relative to the points of a cell.
+/// Writes the position of a corner relative to the points of a cell.
 fn place_corner(corner: Vector, cell: &Cell, columns: [&mut [f64]; 3]) {
     for ((column, places), corner) in columns.into_iter().zip(cell.places).zip(corner.coordinates()) {
         column.iter_mut().zip(places).for_each(|(at, place)| *at = corner - place);
     }
 }
 
-/// Where the edge from a to b passes through the plane of a point and an edge of a shadow: at a + α/(α − β) (b − a), α and β the products of that
-/// edge with a and b.
+/// Writes the intersection of the edge from a to b with the plane through a point and an edge of a
+/// shadow: a + α/(α − β) (b − a), where α and β are the triple products of that edge with a and b.
 fn place_crossing(
     [[a, b], [start, end]]: [[Vector; 2]; 2],
     cell: &Cell,
@@ -170,7 +176,7 @@ mod tests {
     use super::*;
     use crate::geometry::{Face, form_factor_of_pieces};
 
-    /// The rectangle at this height that looks down.
+    /// The rectangle at this height that faces down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {
         let corner = |x, y| Vector::new(x, y, height);
         let corners = vec![corner(x[0], y[0]), corner(x[0], y[1]), corner(x[1], y[1]), corner(x[1], y[0])];
@@ -178,7 +184,8 @@ mod tests {
         front
     }
 
-    /// What receivers see of a lamp: the form factors of borders and of pieces, and how many borders are given.
+    /// Returns the form factors of a lamp by contours and by pieces, and the number of available
+    /// contours.
     fn both(screens: &Screens, lamp: &Face, points: &[Vector], outline: &[Vector]) -> ([Vec<f64>; 2], usize) {
         let (mut between, mut work, mut borders) = (Vec::new(), Workspace::default(), Borders::default());
         let luminaire = (lamp.vertices.as_slice(), lamp.normal);

@@ -1,48 +1,48 @@
-//! Boxes: points become the least box with sides along the axes that holds them.
+//! Axis-aligned bounding boxes of points.
 
 use super::Vector;
 
-/// A box with sides along the axes.
+/// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     pub(super) low: Vector,
     pub(super) high: Vector,
 }
 
-/// A function of both, coordinate by coordinate.
+/// Applies a function to both vectors coordinate by coordinate.
 fn zipped(a: Vector, b: Vector, of: impl Fn(f64, f64) -> f64) -> Vector {
     Vector::new(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z))
 }
 
 impl Bounds {
-    /// The box that holds nothing.
+    /// The empty box.
     pub(super) const NOTHING: Self = {
         let most = f64::INFINITY;
         Self { low: Vector::new(most, most, most), high: Vector::new(-most, -most, -most) }
     };
 
-    /// The box of points.
+    /// Returns the bounding box of points.
     pub(super) fn of(points: impl Iterator<Item = Vector>) -> Self {
         points.fold(Self::NOTHING, |all, point| all.with(Self { low: point, high: point }))
     }
 
-    /// The box of both.
+    /// Returns the bounding box of two boxes.
     pub(super) fn with(self, other: Self) -> Self {
         Self { low: zipped(self.low, other.low, f64::min), high: zipped(self.high, other.high, f64::max) }
     }
 
-    /// The box that reaches farther by this much on every side.
+    /// Returns the box extended by this margin on every side.
     pub(super) fn wider(self, by: f64) -> Self {
         let by = Vector::new(by, by, by);
         Self { low: self.low - by, high: self.high + by }
     }
 
-    /// Its longest side.
+    /// Returns the longest side.
     pub(super) fn extent(self) -> f64 {
         (self.high - self.low).largest()
     }
 
-    /// The largest absolute value of a coordinate in it.
+    /// Returns the largest absolute value of a coordinate in the box.
     pub(super) fn largest(self) -> f64 {
         self.low.largest().max(self.high.largest())
     }
@@ -58,19 +58,19 @@ impl Bounds {
             && low.z <= self.high.z
     }
 
-    /// The distance of two boxes.
+    /// Returns the distance of two boxes.
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let nothing = Vector::default();
         let [after, before] = [self.low - other.high, other.low - self.high];
         zipped(zipped(after, before, f64::max), nothing, f64::max).length()
     }
 
-    /// Whether a point is in it.
+    /// Whether a point is in the box.
     pub(super) fn holds(&self, point: Vector) -> bool {
         self.meets(&Self { low: point, high: point })
     }
 
-    /// The point of the box that is farthest in a direction.
+    /// Returns the farthest point of the box in a direction.
     pub(super) fn farthest(&self, direction: Vector) -> Vector {
         let reach = |along: f64, low: f64, high: f64| if along > 0.0 { high } else { low };
         Vector::new(

@@ -1,18 +1,19 @@
-//! Boxes that meet: boxes around points become a tree, in which those that meet another box are found.
+//! Box intersection: builds a BVH of boxes around points and finds the boxes that intersect another
+//! box.
 
 use super::bounds::Bounds;
 use super::tree::{Query, Tree};
 use crate::geometry::Vector;
 use std::ops::ControlFlow;
 
-/// Boxes, each around a few points, in a tree.
+/// A BVH of boxes, each around a few points.
 pub(crate) struct Boxes {
     boxes: Vec<Bounds>,
     tree: Tree,
 }
 
 impl Boxes {
-    /// The least box around each of these sets of points, wider by a margin on every side.
+    /// Builds the bounding box of each of these sets of points, extended by a margin on every side.
     pub(crate) fn around<P: IntoIterator<Item = Vector>>(sets: impl Iterator<Item = (P, f64)>) -> Self {
         let boxes: Vec<Bounds> =
             sets.map(|(points, margin)| Bounds::of(points.into_iter()).wider(margin)).collect();
@@ -20,7 +21,8 @@ impl Boxes {
         Self { boxes, tree }
     }
 
-    /// Shows the index of each box that the box around these points meets, wider by a margin, until it breaks off.
+    /// Calls `visit` with the index of each box that intersects the bounding box of these points,
+    /// extended by a margin, until `visit` breaks.
     pub(crate) fn meeting(
         &self,
         points: impl IntoIterator<Item = Vector>,
@@ -32,13 +34,14 @@ impl Boxes {
     }
 }
 
-/// The distance of the boxes around points: these are no closer.
+/// Returns the distance of the bounding boxes of two sets of points: a lower bound on the distance
+/// of the points.
 pub(crate) fn distance_of_boxes(points: &[Vector], others: &[Vector]) -> f64 {
     let [own, other] = [points, others].map(|points| Bounds::of(points.iter().copied()));
     own.distance(&other)
 }
 
-/// A search for boxes that meet one.
+/// A search for the boxes that intersect a box.
 struct Meeting<'b, V> {
     boxes: &'b [Bounds],
     sought: Bounds,

@@ -1,8 +1,9 @@
-//! Branches: the tree of boxes once more, as rays go through it: each branch holds the boxes of both of its children in a line of
-//! memory, rounded to the outside, and the nearer child comes first.
+//! BVH layout for rays: each branch holds the boxes of both of its children in one cache line,
+//! rounded outwards, and the nearer child is visited first.
 //!
-//! Coordinates are relative to the scene, from 0 to 1, so that rounding them to 24 digits widens every box by 10⁻⁷ of the scene at
-//! most. What a ray meets is found from the screens alone; boxes only tell what it passes by.
+//! Coordinates are relative to the scene, from 0 to 1, so that rounding them to 24 bits widens
+//! every box by at most 10⁻⁷ of the scene. Intersections are computed from the screens alone; boxes
+//! only decide which screens are skipped.
 
 use super::Vector;
 use super::bounds::Bounds;
@@ -10,34 +11,34 @@ use super::tree::Tree;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
-/// What tells a leaf from a branch.
+/// Bit that marks a leaf.
 const LEAF: u32 = 1 << 31;
-/// By how much boxes are widened before they are rounded, for the rounding of what is relative to the scene.
+/// Margin added to boxes before they are rounded, for the rounding of relative coordinates.
 const WIDER: f64 = 1e-12;
-/// What rounding may make of a distance.
+/// Relative rounding error of a distance.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// What is looked for along a ray.
+/// A ray query.
 pub(super) trait Way {
-    /// The origin and the direction.
+    /// Returns the origin and the direction.
     fn ray(&self) -> [Vector; 2];
-    /// How far it goes, in lengths of its direction, as far as is known.
+    /// Returns the farthest distance still of interest, in lengths of the direction.
     fn end(&self) -> f64;
-    /// A box that was not passed by.
+    /// Handles a leaf whose box the ray enters.
     fn at(&mut self, leaf: usize) -> ControlFlow<()>;
 }
 
-/// Two boxes and what is in them.
+/// An inner node: two boxes and their contents.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Branch {
-    /// For each axis the low and the high sides of both boxes.
+    /// For each axis, the low and the high sides of both boxes.
     sides: [[[f32; 2]; 2]; 3],
-    /// For each box a branch, or a leaf.
+    /// For each box, a branch or a leaf.
     below: [u32; 2],
 }
 
-/// The branches of a tree.
+/// The inner nodes of a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Branches {
     branches: Vec<Branch>,
@@ -46,11 +47,11 @@ pub(super) struct Branches {
     scale: f64,
 }
 
-/// A ray relative to the scene.
+/// A ray in coordinates relative to the scene.
 struct Slopes {
     origin: [f64; 3],
     inverse: [f64; 3],
-    /// For each axis the side, low or high, that the ray meets first.
+    /// For each axis, the side, low or high, that the ray meets first.
     first: [usize; 3],
 }
 
@@ -64,7 +65,7 @@ impl Branches {
         branches
     }
 
-    /// Adds what is below one to two siblings, and returns it.
+    /// Adds the subtree of one or two siblings, and returns its root.
     fn add(&mut self, tree: &Tree, siblings: [Option<usize>; 2]) -> Option<u32> {
         match siblings {
             [Some(one), Some(other)] => {
@@ -99,14 +100,15 @@ impl Branches {
         [x, y, z]
     }
 
-    /// Shows a ray the leaves whose boxes it enters, nearer ones first where two are side by side, until it breaks off.
+    /// Visits the leaves whose boxes a ray enters, the nearer of two siblings first, until the
+    /// query breaks.
     pub(super) fn walk(&self, way: &mut impl Way) {
         let [origin, direction] = way.ray();
         let direction = self.scale * direction;
         let inverse = [1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z];
         let first = inverse.map(|inverse| usize::from(inverse < 0.0));
         let slopes = Slopes { origin: self.relative(origin), inverse, first };
-        // a ray takes less than an allocation would
+        // inline stack: traversing a ray is cheaper than an allocation
         let mut waiting: SmallVec<[(f64, u32); 64]> = SmallVec::new();
         waiting.extend(self.root.map(|root| (0.0, root)));
         while let Some((entered, mut below)) = waiting.pop() {
@@ -133,8 +135,9 @@ impl Branches {
 }
 
 impl Slopes {
-    /// Where the ray enters both boxes of a branch, and whether it passes through them between its origin and its end. An infinite inverse
-    /// stands for a ray along a side, for which 0 · ∞ constrains nothing: every comparison with it is false.
+    /// Returns where the ray enters both boxes of a branch, and whether it passes through them
+    /// between its origin and its end. The inverse is infinite for a ray parallel to a side, where
+    /// 0 · ∞ constrains nothing: every comparison with it is false.
     #[inline]
     fn entered(&self, branch: &Branch, end: f64) -> ([f64; 2], [bool; 2]) {
         let (mut enter, mut leave) = ([0.0_f64; 2], [end; 2]);

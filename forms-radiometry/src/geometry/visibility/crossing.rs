@@ -1,44 +1,49 @@
-//! Crossings: of two convex outlines as a point sees them, a luminaire's and a shadow's, the edges of the border of what the shadow leaves.
+//! Silhouette crossings: combines the outlines of a luminaire and of a shadow, as a point sees
+//! them, into the contour of the part that the shadow leaves visible.
 //!
 //! ```text
-//! which corners are inside of which sides ─▶ edges that cross ─▶ edges of the luminaire outside of the shadow,
-//!                                                               edges of the shadow in the luminaire, the other way round
+//! which corners are inside of which sides ─▶ edges that cross
+//! edges that cross ─▶ edges of the luminaire outside the shadow,
+//!                     edges of the shadow in the luminaire, in the opposite direction
 //! ```
-//! No number is looked at: only on which side each corner is of each plane through the point and an edge of the other outline.
+//! Both outlines are convex. The result is purely combinatorial: it depends only on the side of
+//! each corner relative to each plane through the point and an edge of the other outline.
 
-/// Outlines with more edges are not looked at.
+/// The largest number of edges of an outline.
 pub(super) const MOST: usize = 8;
 
-/// Bits by corner for each side of an outline: whether the corner is inside of it.
+/// For each side of an outline, one bit for each corner: whether the corner is inside that side.
 pub(super) type Bits = [u32; MOST];
 
 /// Two outlines as a point sees them.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Signs {
-    /// How many corners the luminaire and the shadow have.
+    /// The numbers of corners of the luminaire and of the shadow.
     pub(super) counts: [usize; 2],
-    /// Of each corner of the shadow the one at the other end of its edge. The luminaire's are in order.
+    /// For each corner of the shadow, the corner at the end of its edge. The luminaire's corners
+    /// are in order.
     pub(super) next: [usize; MOST],
-    /// For each edge of the shadow the luminaire's corners, and for each of the luminaire's the shadow's.
+    /// For each edge of the shadow, bits for the luminaire's corners; for each edge of the
+    /// luminaire, bits for the shadow's corners.
     pub(super) inside: [Bits; 2],
 }
 
-/// An end of an edge of a border.
+/// An end point of a contour edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// A corner of the luminaire.
     Luminaire(usize),
     /// A corner of the shadow.
     Shadow(usize),
-    /// Where these edges of the luminaire and of the shadow cross.
+    /// The crossing of these edges of the luminaire and of the shadow.
     Crossing([usize; 2]),
 }
 
-/// Where an edge comes into the other outline, and where it leaves it.
+/// The crossings at which an edge enters the other outline and leaves it.
 type Passage = [Option<[usize; 2]>; 2];
 
 impl Signs {
-    /// The edges of the border; nothing where signs contradict each other.
+    /// Computes the edges of the contour; `None` where signs contradict each other.
     pub(super) fn border(&self, border: &mut Vec<[End; 2]>) -> Option<()> {
         border.clear();
         let [corners, edges] = self.counts;
@@ -64,13 +69,14 @@ impl Signs {
         Some(())
     }
 
-    /// The luminaire's corner after one.
+    /// Returns the next corner of the luminaire.
     fn after(&self, corner: usize) -> usize {
         (corner + 1) % self.counts[0]
     }
 
-    /// Where the luminaire's edges pass through the shadow, and where the shadow's pass through the luminaire; nothing where that does not agree
-    /// with which corners are inside: hidden ones of the luminaire, and lit ones of the shadow.
+    /// Returns the crossings of the luminaire's edges with the shadow, and of the shadow's edges
+    /// with the luminaire. Returns `None` where they contradict which corners are inside: the
+    /// hidden corners of the luminaire, and the lit corners of the shadow.
     fn passages(&self, [hidden, lit]: [u32; 2]) -> Option<[[Passage; MOST]; 2]> {
         let mut passages = [[[None; 2]; MOST]; 2];
         let [corners, edges] = self.counts;
@@ -94,8 +100,9 @@ impl Signs {
         self.agree(&passages, [hidden, lit]).then_some(passages)
     }
 
-    /// Whether edges pass as they have to by which of their ends are inside. If none passes, one outline lies in the other: those that lie beside
-    /// each other are parted by a side of one.
+    /// Whether the crossings of all edges are consistent with which of their ends are inside. If no
+    /// edge crosses, one outline must lie in the other: disjoint outlines are separated by a side
+    /// of one of them.
     fn agree(&self, [of_luminaire, of_shadow]: &[[Passage; MOST]; 2], [hidden, lit]: [u32; 2]) -> bool {
         let [corners, edges] = self.counts;
         let fits_luminaire =
@@ -106,7 +113,7 @@ impl Signs {
     }
 }
 
-/// Whether an edge whose start and end are inside or not passes as it has to.
+/// Whether the crossings of an edge are consistent with whether its start and its end are inside.
 fn fits([enter, leave]: &Passage, [starts_inside, ends_inside]: [bool; 2]) -> bool {
     match (starts_inside, ends_inside) {
         (false, false) => enter.is_some() == leave.is_some(),
@@ -116,12 +123,12 @@ fn fits([enter, leave]: &Passage, [starts_inside, ends_inside]: [bool; 2]) -> bo
     }
 }
 
-/// The corners that are on the inner side of all sides.
+/// Returns the corners that are inside all sides.
 fn inside(bits: &[u32]) -> u32 {
     bits.iter().fold(u32::MAX, |all, bits| all & bits)
 }
 
-/// Whether a place is among these bits.
+/// Whether the bit of a corner is set.
 fn is_in(bits: u32, place: usize) -> bool {
     bits >> place & 1 == 1
 }

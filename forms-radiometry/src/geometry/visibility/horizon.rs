@@ -1,22 +1,23 @@
-//! Horizons: a luminaire, clipped at a point's horizon, becomes the one convex piece that the point sees if nothing is in between.
+//! Horizon clipping: clips a luminaire at a point's horizon; the result is the convex piece that
+//! the point sees without occluders.
 
 use super::visible::Cutting;
 use super::{Plane, Screens, Vector};
 use crate::geometry::clip::{Pieces, split};
 
-/// Lists that are reused from receiver to receiver.
+/// Buffers that are reused from receiver to receiver.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Workspace {
-    /// A luminaire relative to the receiver.
+    /// The luminaire relative to the receiver.
     pub(super) luminaire: Vec<Vector>,
     above: Vec<Vector>,
     below: Vec<Vector>,
     pub(super) visible: Pieces,
-    /// What only screens take.
+    /// Buffers that are only needed with occluders.
     pub(super) cutting: Option<Box<Cutting>>,
 }
 
-/// A receiver and the plane of a luminaire in front of which it is.
+/// A receiver, and the plane of a luminaire that it faces.
 #[derive(Clone, Copy)]
 pub(super) struct View {
     pub(super) position: Vector,
@@ -27,8 +28,9 @@ pub(super) struct View {
 }
 
 impl Screens {
-    /// Whether some receiver is in front of a luminaire, and some of that above the receivers' horizon, if there is one: beyond what
-    /// counts as lying in a plane.
+    /// Whether some receiver is in front of the luminaire, and some part of the luminaire is above
+    /// the receivers' horizon, if there is one. Points within the resolution of a plane count as
+    /// lying in it.
     pub(crate) fn face_each_other(
         &self,
         receivers: &[Vector],
@@ -45,8 +47,9 @@ impl Screens {
 }
 
 impl Workspace {
-    /// What a receiver sees of a luminaire with nothing in between: a convex piece relative to `position`, above the horizon if there is
-    /// one. It is empty where the receiver is behind the luminaire or no farther than the resolution from its plane.
+    /// Returns the part of a luminaire that a receiver sees without occluders: a convex piece
+    /// relative to `position`, above the horizon if there is one. It is empty where the receiver is
+    /// behind the luminaire or within the resolution of its plane.
     pub(crate) fn above_horizon(
         &mut self,
         position: Vector,
@@ -58,7 +61,7 @@ impl Workspace {
         self.visible.last()
     }
 
-    /// Makes the same what is visible.
+    /// Initializes `visible` with that part.
     pub(super) fn begin(
         &mut self,
         position: Vector,

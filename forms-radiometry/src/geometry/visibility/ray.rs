@@ -1,32 +1,32 @@
-//! Rays: an origin and a direction become the first screen that is met, or whether there is one.
+//! Ray queries: find the first screen along a ray, or test whether there is any.
 
 use super::branches::Way;
 use super::{Screen, Screens, Vector};
 use crate::geometry::sides::sides;
 use std::ops::ControlFlow;
 
-/// What a ray meets.
+/// An intersection of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Hit {
-    /// The index of the face, front or back, among those that the screens are made of.
+    /// The index of the face, front or back, among the faces that the screens were built from.
     pub(crate) face: usize,
     /// The distance from the ray's origin, in lengths of its direction.
     pub(crate) distance: f64,
 }
 
-/// A ray on its way through the tree: what it has met first so far, up to a farthest distance.
+/// State of a ray during traversal: the nearest intersection so far, up to a farthest distance.
 struct Ray<'s> {
     screens: &'s Screens,
     origin: Vector,
     direction: Vector,
-    /// How far the ray goes.
+    /// The farthest distance of the ray.
     reach: f64,
-    /// The least distance of the end of the ray from the plane of what it meets.
+    /// The least distance of the ray's end point from the plane of a screen that it intersects.
     beyond: f64,
-    /// Whether anything that is met will do.
+    /// Whether any intersection is enough.
     any: bool,
     first: Option<Hit>,
-    /// Whether it is met from its front.
+    /// Whether the screen is hit from its front.
     is_front: bool,
 }
 
@@ -54,8 +54,9 @@ impl Way for Ray<'_> {
 }
 
 impl Ray<'_> {
-    /// Where the ray meets a screen, and whether from its front, if it is farther than `resolution` from the screen's plane and gets through
-    /// it within its reach. Of two screens that lie upon each other the one that turns its front to the ray is met.
+    /// Returns the intersection with a screen, and whether it is from the front. The origin must be
+    /// farther than `resolution` from the screen's plane, and the intersection within the ray's
+    /// reach. Of two coincident screens, the ray hits the one whose front faces it.
     fn met(&self, screen: &Screen) -> Option<(Hit, bool)> {
         let height = screen.plane.distance(self.origin);
         let along = screen.plane.normal.dot(self.direction);
@@ -80,17 +81,17 @@ impl Ray<'_> {
 }
 
 impl Screens {
-    /// The first screen that a ray meets, beyond the resolution of the scene.
+    /// Returns the first screen that a ray hits, beyond the resolution of the scene.
     pub(crate) fn first(&self, origin: Vector, direction: Vector) -> Option<Hit> {
         self.along(origin, direction, [f64::INFINITY, 0.0], false)
     }
 
-    /// Whether something stands between two points: a screen that has them on different sides.
+    /// Whether an occluder lies between two points: a screen that has them on different sides.
     pub(crate) fn hides(&self, from: Vector, to: Vector) -> bool {
         self.along(from, to - from, [1.0, self.resolution], true).is_some()
     }
 
-    /// Whether something is met in a direction from a point.
+    /// Whether a ray from a point in a direction hits anything.
     pub(crate) fn hides_direction(&self, from: Vector, direction: Vector) -> bool {
         self.along(from, direction, [f64::INFINITY, 0.0], true).is_some()
     }

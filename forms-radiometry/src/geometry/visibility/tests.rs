@@ -1,4 +1,5 @@
-//! Laws of visibility: what a point in a closed scene sees of all faces fills its hemisphere, wherever and however large the scene is.
+//! Laws of visibility: in a closed scene, the visible parts of all faces fill the hemisphere of a
+//! point, wherever and however large the scene is.
 
 mod groups;
 mod searches;
@@ -8,7 +9,7 @@ use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
 use crate::kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
-/// Numbers in [0, 1) that look random.
+/// Generator of pseudo-random numbers in [0, 1).
 struct Numbers(u64);
 
 impl Numbers {
@@ -36,7 +37,8 @@ impl Numbers {
 const ORIGIN: Vector = Vector::new(0.0, 0.0, 0.0);
 const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 
-/// A parallelepiped from a corner along three edges that are right-handed, with its faces to the outside or to the inside.
+/// A parallelepiped with one corner at `o` and three right-handed edges, with its faces outwards or
+/// inwards.
 fn parallelepiped(o: Vector, [u, v, w]: [Vector; 3], outward: bool) -> Vec<Polygon> {
     let sides = [[u, v, w], [v, w, u], [w, u, v]];
     let pair = |[a, b, c]: [Vector; 3]| {
@@ -64,8 +66,8 @@ fn room() -> Vec<Polygon> {
     upright([0.0; 3], [1.0; 3], false)
 }
 
-/// A room with a box that stands on the floor, one that leans in the air, one in a corner, a screen that touches the wall, and two that share an
-/// edge.
+/// A room with a box on the floor, a tilted box in the air, a box in a corner, a screen that
+/// touches the wall, and two screens that share an edge.
 fn furnished() -> Vec<Polygon> {
     let mut all = room();
     all.extend(upright([0.2, 0.3, 0.0], [0.3, 0.2, 0.5], true));
@@ -79,7 +81,7 @@ fn furnished() -> Vec<Polygon> {
     all
 }
 
-/// Whether a point of the room is outside of all that stands or hangs in it.
+/// Whether a point of the room is outside all objects in it.
 fn is_free(point: Vector) -> bool {
     let within = |low: [f64; 3], high: [f64; 3]| {
         point.x > low[0] && point.x < high[0] && point.y > low[1] && point.y < high[1] && point.z < high[2]
@@ -96,7 +98,7 @@ fn faces_of(polygons: &[Polygon]) -> Vec<Face> {
     polygons.iter().enumerate().flat_map(|(index, polygon)| Face::of(index, polygon)).collect()
 }
 
-/// The visible form factor of one face, by its pieces, and by its border where that is given.
+/// The visible form factor of one face, by its pieces, and by its contour where that is available.
 fn seen(screens: &Screens, face: &Face, position: Vector, normal: Vector) -> f64 {
     let (mut found, mut work) = (Vec::new(), Workspace::default());
     let Face { vertices, normal: m, .. } = face;
@@ -122,7 +124,7 @@ fn closure(screens: &Screens, faces: &[Face], position: Vector, normal: Vector) 
     faces.iter().map(|face| seen(screens, face, position, normal)).sum()
 }
 
-/// Where a point is moved to.
+/// A map of points.
 type Image<'i> = &'i dyn Fn(Vector) -> Vector;
 
 /// The same faces, each corner moved.
@@ -132,12 +134,12 @@ fn moved(faces: &[Face], image: impl Fn(Vector) -> Vector) -> Vec<Face> {
     faces.iter().map(moved).collect()
 }
 
-/// A point in the furnished room.
+/// A random free point in the furnished room.
 fn free_point(numbers: &mut Numbers) -> Vector {
     std::iter::repeat_with(|| numbers.vector()).find(|&point| is_free(point)).expect("numbers never end")
 }
 
-/// The furnished room with a ball under the ceiling and a disk before a wall.
+/// The furnished room with a ball under the ceiling and a disk in front of a wall.
 fn with_round_shapes() -> Vec<Face> {
     let mut faces = faces_of(&furnished());
     let ball = Sphere { center: Vector::new(0.35, 0.8, 0.88), radius: 0.1, inward: false };
@@ -183,7 +185,8 @@ fn what_points_on_surfaces_see_fills_their_hemisphere() {
         let [a, b, c] = [0, 1, 2].map(|corner| face.vertices[corner]);
         let (s, t) = (0.1 + 0.4 * numbers.next(), 0.1 + 0.4 * numbers.next());
         let position = a + s * (b - a) + t * (c - a);
-        // the backs of the room, and what stands on the floor or at a wall, are in no closed scene
+        // skipped: the backs of closed bodies, and points on the floor or on a wall, which are not
+        // inside the closed room
         let is_inside = [position.x, position.y, position.z].iter().all(|&c| c > 1e-6 && c < 1.0 - 1e-6);
         let sees_out = face.is_back && (face.surface < 24 || face.surface == 90);
         if is_inside && !sees_out {
@@ -252,7 +255,7 @@ fn what_is_visible_does_not_depend_on_the_place_beyond_the_rounding_of_coordinat
             for (face, shifted) in faces.iter().zip(&shifted) {
                 let expected = seen(&screens, face, position, normal);
                 let found = seen(&shifted_screens, shifted, position + shift, normal);
-                // a coordinate is off by its rounding, beside lengths of a tenth and more
+                // rounding of a coordinate, relative to lengths of at least a tenth
                 let tolerance = 100.0 * f64::EPSILON * distance;
                 assert!(
                     (found - expected).abs() <= tolerance,
@@ -265,7 +268,8 @@ fn what_is_visible_does_not_depend_on_the_place_beyond_the_rounding_of_coordinat
     }
 }
 
-/// What screens leave of the form factor of the lamp [−1, 1]² at height 2, seen from the origin.
+/// Visible fraction of the form factor of the lamp [−1, 1]² at height 2 behind screens, seen from
+/// the origin.
 fn visible_fraction(others: &[Polygon]) -> f64 {
     let lamp = rectangle((-1.0, 1.0), (-1.0, 1.0), 2.0);
     let all: Vec<Polygon> = others.iter().cloned().chain([lamp]).collect();
@@ -275,18 +279,18 @@ fn visible_fraction(others: &[Polygon]) -> f64 {
     visible / seen(&Screens::of(&faces[faces.len() - 2..]), lamp, ORIGIN, UP)
 }
 
-/// A rectangle that looks down.
+/// A rectangle that faces down.
 fn rectangle(x: (f64, f64), y: (f64, f64), height: f64) -> Polygon {
     let corners = [(x.0, y.0), (x.0, y.1), (x.1, y.1), (x.1, y.0)];
     polygon(&corners.map(|(x, y)| [x, y, height]))
 }
 
-/// The rectangle before the lamp's half at positive x.
+/// The rectangle in front of the lamp's half at positive x.
 fn half() -> Polygon {
     rectangle((0.0, 9.0), (-9.0, 9.0), 1.0)
 }
 
-/// A plane that meets the lamp's plane at this x, and leans by `slope`.
+/// A screen that meets the lamp's plane at this x, and leans by `slope`.
 fn leaning(x: f64, slope: f64) -> Polygon {
     let corners = [(-9.0, -3.0), (9.0, -3.0), (9.0, 3.0), (-9.0, 3.0)];
     polygon(&corners.map(|(y, z)| [x + slope * z, y, 2.0 + z]))

@@ -1,8 +1,9 @@
-//! The tree of boxes: boxes are parted by the surface-area heuristic, so that a query passes by what is far away from it.
+//! BVH: boxes are split by the surface-area heuristic, so that a query skips distant boxes.
 //!
-//! The crate `bvh` parts them, in coordinates from 0 to 1, so that it works at any scale; the boxes that queries are compared with are those
-//! that were given, to the last bit. Nodes lie in the order of a depth-first walk, each with the place to go on from where it is
-//! passed by: a walk needs no stack.
+//! The crate `bvh` splits them, in coordinates from 0 to 1, so that it works at any scale. Queries
+//! are compared with the original boxes, exact to the last bit. Nodes lie in the order of a
+//! depth-first traversal, each with the index at which the traversal continues if the node is
+//! skipped: a traversal needs no stack.
 
 use super::Vector;
 use super::bounds::Bounds;
@@ -12,10 +13,10 @@ use bvh::bvh::Bvh;
 use nalgebra::Point3;
 use std::ops::ControlFlow;
 
-/// What marks a node that is no leaf.
+/// Value of `leaf` that marks an inner node.
 const INNER: u32 = u32::MAX;
 
-/// Boxes in a tree.
+/// A BVH.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
@@ -24,21 +25,21 @@ pub(super) struct Tree {
 #[derive(Clone, Debug)]
 struct Node {
     bounds: Bounds,
-    /// The node to go on with where this one is passed by.
+    /// The node at which the traversal continues if this one is skipped.
     next: u32,
     /// The index of the box in a leaf.
     leaf: u32,
 }
 
-/// What is looked for in a tree.
+/// A query to the tree.
 pub(super) trait Query {
-    /// Whether what is in these bounds may be looked for.
+    /// Whether these bounds can contain a result.
     fn may_be_in(&self, bounds: &Bounds) -> bool;
-    /// A box that was not passed by.
+    /// Handles a leaf that was not skipped.
     fn at(&mut self, leaf: usize) -> ControlFlow<()>;
 }
 
-/// A box as it is seen by `bvh`.
+/// A box in the form that `bvh` requires.
 struct Leaf {
     bounds: Aabb<f64, 3>,
     node: usize,
@@ -61,7 +62,7 @@ impl BHShape<f64, 3> for Leaf {
 }
 
 impl Tree {
-    /// The tree of these boxes.
+    /// Builds the tree of these boxes.
     pub(super) fn of(boxes: &[Bounds]) -> Self {
         let all = boxes.iter().fold(Bounds::NOTHING, |all, &bounds| all.with(bounds));
         let extent = all.extent();
@@ -85,19 +86,19 @@ impl Tree {
         Self { nodes }
     }
 
-    /// The bounds of all boxes.
+    /// Returns the bounds of all boxes.
     pub(super) fn bounds(&self) -> Bounds {
         self.siblings([0, self.nodes.len()])
             .fold(Bounds::NOTHING, |all, place| all.with(self.nodes[place].bounds))
     }
 
-    /// The places of the nodes that no other is above, of which there are two at most.
+    /// Returns the indices of the root nodes, of which there are at most two.
     pub(super) fn roots(&self) -> [Option<usize>; 2] {
         let mut siblings = self.siblings([0, self.nodes.len()]);
         [siblings.next(), siblings.next()]
     }
 
-    /// The places of the nodes right below one.
+    /// Returns the indices of a node's children.
     pub(super) fn below(&self, place: usize) -> [Option<usize>; 2] {
         let mut siblings = self.siblings([place + 1, self.nodes[place].next as usize]);
         [siblings.next(), siblings.next()]
@@ -107,7 +108,7 @@ impl Tree {
         &self.nodes[place].bounds
     }
 
-    /// The index of the box that a node is, if it is a leaf.
+    /// Returns the index of a node's box if the node is a leaf.
     pub(super) fn leaf(&self, place: usize) -> Option<usize> {
         Some(self.nodes[place].leaf).filter(|&leaf| leaf != INNER).map(|leaf| leaf as usize)
     }
@@ -117,11 +118,11 @@ impl Tree {
         std::iter::successors(Some(first).filter(|&first| first < end), next)
     }
 
-    /// Shows a query the boxes that it may be in, until it breaks off.
+    /// Visits the leaves that can contain a result of a query, until the query breaks.
     pub(super) fn walk(&self, query: &mut impl Query) -> ControlFlow<()> {
         let mut place = 0;
         while let Some(node) = self.nodes.get(place) {
-            // the node above a leaf has the same bounds
+            // the parent of a leaf has the same bounds, so the leaf is not tested again
             if node.leaf != INNER {
                 query.at(node.leaf as usize)?;
             } else if query.may_be_in(&node.bounds) {
@@ -134,7 +135,7 @@ impl Tree {
     }
 }
 
-/// The bounds of the nodes right below one.
+/// Returns the bounds of a node's children.
 fn children(nodes: &[Node], place: usize) -> impl Iterator<Item = Bounds> {
     let end = nodes[place].next as usize;
     let mut child = place + 1;

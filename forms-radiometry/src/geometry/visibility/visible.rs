@@ -1,6 +1,8 @@
-//! What a point sees of a luminaire: of the convex piece that is above the point's horizon, screens leave several.
+//! Visible part: clips the occluders out of the part of a luminaire above a point's horizon; one
+//! convex piece becomes several.
 //!
-//! Each screen in front of the luminaire's plane is a cone of directions that is cut out. Pieces are relative to the point.
+//! The cone of directions of each screen in front of the luminaire's plane is clipped out. Pieces
+//! are relative to the point.
 
 use super::bounds::Bounds;
 use super::horizon::{View, Workspace};
@@ -8,7 +10,7 @@ use super::{Screen, Screens, Vector};
 use crate::geometry::clip::{Pieces, split};
 use crate::geometry::cone::{Cone, Scratch};
 
-/// Lists for what is cut out, reused from receiver to receiver.
+/// Buffers for clipping, reused from receiver to receiver.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cutting {
     screen: Vec<Vector>,
@@ -19,7 +21,7 @@ pub(super) struct Cutting {
     rest: Pieces,
 }
 
-/// A luminaire relative to a receiver, what of it is visible, and lists for what is cut out of that.
+/// A luminaire relative to a receiver, its visible part, and buffers for clipping.
 struct Cut<'w> {
     luminaire: &'w [Vector],
     visible: &'w mut Pieces,
@@ -27,8 +29,9 @@ struct Cut<'w> {
 }
 
 impl Screens {
-    /// What a receiver sees of a luminaire with some screens in between: convex pieces relative to `position`, above the horizon of
-    /// `normal` if there is one. There are none where the receiver is behind the luminaire or in its plane.
+    /// Returns the part of a luminaire that a receiver sees behind some screens: convex pieces
+    /// relative to `position`, above the horizon of `normal` if there is one. There are none where
+    /// the receiver is behind the luminaire or in its plane.
     pub(crate) fn visible<'w>(
         &self,
         position: Vector,
@@ -52,7 +55,7 @@ impl Screens {
         work.visible.iter()
     }
 
-    /// Cuts a screen or a body out of what is visible.
+    /// Clips a screen or a body out of the visible part.
     fn hide_any(&self, index: usize, view: View, cut: &mut Cut) {
         if let Some(screen) = self.screens.get(index) {
             self.hide(screen, view, cut);
@@ -76,8 +79,8 @@ impl Screens {
         }
     }
 
-    /// Whether a screen's plane, at this distance from a receiver, has the receiver and a part of the luminaire on different sides. Corners
-    /// are relative to the receiver.
+    /// Whether the plane of a screen, at this distance from a receiver, has the receiver and a part
+    /// of the luminaire on different sides. Corners are relative to the receiver.
     fn parts(&self, screen: &Screen, distance: f64, luminaire: &[Vector]) -> bool {
         let is_beyond = |v: &Vector| {
             let of_luminaire = distance + screen.plane.normal.dot(*v);
@@ -86,7 +89,8 @@ impl Screens {
         distance.abs() > self.resolution && luminaire.iter().any(is_beyond)
     }
 
-    /// Cuts a screen out of what is visible, if it has the receiver and a part of the luminaire on different sides.
+    /// Clips a screen out of the visible part, if it has the receiver and a part of the luminaire
+    /// on different sides.
     fn hide(&self, screen: &Screen, view: View, cut: &mut Cut) {
         let distance = screen.plane.distance(view.position);
         if self.parts(screen, distance, cut.luminaire) {
@@ -98,7 +102,7 @@ impl Screens {
 }
 
 impl Workspace {
-    /// What of a luminaire is visible, and lists for what is cut out of it.
+    /// Returns the visible part of the luminaire, with buffers for clipping.
     fn cut(&mut self) -> Cut<'_> {
         let lists = self.cutting.get_or_insert_default();
         Cut { luminaire: &self.luminaire, visible: &mut self.visible, lists }
@@ -106,7 +110,8 @@ impl Workspace {
 }
 
 impl Cut<'_> {
-    /// Cuts the cone over what of the screen is in front of the luminaire's plane out of what is visible.
+    /// Clips the cone over the part of the screen in front of the luminaire's plane out of the
+    /// visible part.
     fn hide(&mut self, view: View, from_front: bool, resolution: f64) {
         let height = |v: Vector| view.height + view.luminaire_normal.dot(v);
         let (lowest, highest) =
@@ -131,14 +136,14 @@ impl Cut<'_> {
         self.cut();
     }
 
-    /// Whether a box is below the horizon or beside the luminaire, as far as that is easily seen.
+    /// Whether a box is below the horizon or outside the luminaire's cone, by a conservative test.
     fn is_beside(&self, bounds: &Bounds, view: View) -> bool {
         let is_beyond = |side: Vector| side.dot(bounds.farthest(side) - view.position) <= 0.0;
         view.horizon.is_some_and(is_beyond)
             || self.lists.luminaire_cone.sides().iter().any(|&side| is_beyond(side))
     }
 
-    /// Cuts the screen's cone out of what is visible.
+    /// Clips the screen's cone out of the visible part.
     fn cut(&mut self) {
         self.lists.rest.clear();
         for piece in self.visible.iter() {

@@ -1,12 +1,15 @@
-//! Walls: convex polygons, disks and spheres as rays meet them that go on from one to the next.
+//! Walls: intersection of rays with convex polygons, disks and spheres, for rays that continue from
+//! one wall to the next.
 //!
 //! ```text
-//! walls in a tree ─ a ray from a start ─▶ the first wall it meets, where, and on which side
+//! walls in a BVH ─ a ray from a start ─▶ the first wall it meets: position, normal and side
 //! ```
-//! A ray never meets the wall that it leaves, and needs no offset for that. A straight line that leaves a plane does not come back to
-//! it: the wall is left out, and with it all walls whose planes hold the start up to rounding, as those of a surface that was
-//! divided do. A line that leaves a sphere at o comes back, if it goes inside, at −2 o·d, and at no other place, whatever is rounded. So
-//! nothing depends on how far the scene is from the origin, or how large it is.
+//! A ray never intersects the wall that it leaves, and needs no offset for that. A straight line
+//! that leaves a plane does not return to it: that wall is skipped, and with it all walls whose
+//! planes contain the start up to rounding, such as the pieces of a subdivided surface. A line that
+//! leaves a sphere at o and enters its interior returns at −2 o·d, and at no other distance,
+//! whatever the rounding. Hence nothing depends on how far the scene is from the origin, or how
+//! large it is.
 
 use super::bounds::Bounds;
 use super::branches::{Branches, Way};
@@ -16,10 +19,11 @@ use crate::geometry::sides::sides;
 use crate::geometry::{Disk, Sphere};
 use std::ops::ControlFlow;
 
-/// A piece of a surface that rays meet.
+/// A piece of a surface that rays intersect.
 #[derive(Clone, Debug)]
 pub(crate) enum Wall {
-    /// Vertices counter-clockwise seen from the side to which the unit normal points.
+    /// A convex polygon; its vertices are counter-clockwise seen from the side to which the unit
+    /// normal points.
     Polygon {
         vertices: Vec<Vector>,
         normal: Vector,
@@ -33,25 +37,25 @@ pub(crate) struct Walls {
     walls: Vec<Wall>,
     branches: Option<Branches>,
     bounds: Bounds,
-    /// What rounding leaves of a distance in the scene.
+    /// Rounding error of a distance in the scene.
     rounding: f64,
-    /// A point that is given counts as lying in a plane that is nearer than this.
+    /// A given start point counts as lying in a plane that is nearer than this.
     resolution: f64,
 }
 
-/// Where a ray starts.
+/// Start of a ray.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     pub(crate) position: Vector,
-    /// The wall that it leaves, if it leaves one.
+    /// The wall that the ray leaves, if any.
     wall: Option<usize>,
-    /// Planes that are nearer than this are not met.
+    /// Planes that are nearer to the start than this are not intersected.
     clearance: f64,
-    /// Whether it goes on at the front of the wall that it leaves.
+    /// Whether the ray continues on the front of the wall that it leaves.
     is_front: bool,
 }
 
-/// What a ray meets.
+/// An intersection of a ray with a wall.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Met {
     pub(crate) wall: usize,
@@ -64,18 +68,19 @@ pub(crate) struct Met {
     pub(crate) is_front: bool,
 }
 
-/// A ray on its way.
+/// State of a ray during traversal.
 struct Ray<'w> {
     walls: &'w Walls,
     start: Start,
     direction: Vector,
     reach: f64,
-    /// The wall that is met first so far, and whether at its front.
+    /// The nearest wall so far, and whether the ray hits its front.
     first: Option<(usize, bool)>,
 }
 
 impl Wall {
-    /// Corners between which it lies: its own, those of a polygon around a disk or of a cube around a sphere.
+    /// Returns points whose convex hull contains the wall: its own vertices, those of a polygon
+    /// around a disk, or those of a cube around a sphere.
     pub(crate) fn corners(&self) -> Vec<Vector> {
         match self {
             Self::Polygon { vertices, .. } => vertices.clone(),
@@ -101,12 +106,12 @@ impl Wall {
         }
     }
 
-    /// How far its vertices are off its plane.
+    /// Returns the largest distance of the vertices from the wall's plane.
     fn flatness(&self) -> f64 {
         if let Self::Polygon { vertices, normal } = self { flatness(vertices, *normal) } else { 0.0 }
     }
 
-    /// The plane that the wall lies in, if it is flat.
+    /// Returns the plane of the wall, if it is flat.
     pub(crate) fn plane(&self) -> Option<Plane> {
         match self {
             Self::Polygon { vertices, normal } => Some(Plane { point: vertices[0], normal: *normal }),
@@ -115,7 +120,8 @@ impl Wall {
         }
     }
 
-    /// A point that was found on the wall, as near to it as rounding lets it be, and the unit normal there.
+    /// Projects an intersection point onto the wall, as exactly as rounding permits, and returns it
+    /// with the unit normal there.
     fn foot(&self, position: Vector) -> (Vector, Vector) {
         match self {
             Self::Polygon { .. } | Self::Disk(_) => {
@@ -145,32 +151,33 @@ impl Walls {
         &self.walls[wall]
     }
 
-    /// Whether a place is in the box around all walls, up to rounding.
+    /// Whether a point is in the bounding box of all walls, up to rounding.
     pub(crate) fn surround(&self, position: Vector) -> bool {
         self.bounds.holds(position)
     }
 
-    /// A start at a place that was given, which may lie on a wall.
+    /// Returns a start at a position from the scene file, which can lie on a wall.
     pub(crate) fn start_at(&self, position: Vector) -> Start {
         Start { position, wall: None, clearance: self.resolution, is_front: false }
     }
 
-    /// A start on the wall that a ray has met, to one of its sides.
+    /// Returns a start on the wall that a ray has hit, on one of its sides.
     pub(crate) fn start_on(&self, met: &Met, is_front: bool) -> Start {
         Start { position: met.position, wall: Some(met.wall), clearance: self.rounding, is_front }
     }
 
-    /// A start at a point of a wall, on its front.
+    /// Returns a start at a point of a wall, on its front.
     pub(crate) fn start_before(&self, wall: usize, position: Vector) -> Start {
         Start { position, wall: Some(wall), clearance: self.resolution, is_front: true }
     }
 
-    /// A start in the middle of nothing.
+    /// Returns a start in free space.
     pub(crate) fn start_free(&self, position: Vector) -> Start {
         Start { position, wall: None, clearance: 0.0, is_front: false }
     }
 
-    /// The first wall that a ray meets within a reach, in lengths of its direction, which is a unit vector.
+    /// Returns the first wall that a ray hits within a reach, in lengths of its direction, which is
+    /// a unit vector.
     pub(crate) fn first(&self, start: Start, direction: Vector, reach: f64) -> Option<Met> {
         let branches = self.branches.as_ref()?;
         let mut ray = Ray { walls: self, start, direction, reach, first: None };
@@ -203,7 +210,8 @@ impl Way for Ray<'_> {
 }
 
 impl Ray<'_> {
-    /// Where the ray meets a flat wall within its reach, and whether at its front.
+    /// Returns the distance to a flat wall if the ray hits it within its reach, and whether it hits
+    /// the front.
     fn flat(&self, index: usize, wall: &Wall) -> Option<(f64, bool)> {
         let Start { position, wall: left, clearance, .. } = self.start;
         let plane = wall.plane()?;
@@ -228,7 +236,8 @@ impl Ray<'_> {
         (distance < self.reach && is_inside).then_some((distance, is_front))
     }
 
-    /// The same for a sphere: |o + t d|² = R², solved without cancellation by the root that is a sum and the product of both.
+    /// Returns the same for a sphere: |o + t d|² = R². The root computed as a sum, and the product
+    /// of both roots, avoid cancellation.
     fn sphere(&self, index: usize, sphere: &Sphere) -> Option<(f64, bool)> {
         let Start { position, wall: left, is_front, clearance } = self.start;
         let o = position - sphere.center;
@@ -240,7 +249,7 @@ impl Ray<'_> {
             let goes_inside = is_front == sphere.inward;
             return goes_inside.then(|| found((-2.0 * b).max(0.0), false)).flatten();
         }
-        // the distance of the centre from the line, squared
+        // vector from the centre to the nearest point of the line
         let beside = o - b * self.direction;
         let root = squared - beside.dot(beside);
         if root <= 0.0 {
@@ -256,7 +265,7 @@ impl Ray<'_> {
             let near = -b - half;
             (near, product / near)
         };
-        // a start that was given on the sphere is not before it
+        // a given start on the sphere counts as on it, not in front of it
         let is_on = (length - sphere.radius).abs() <= clearance;
         if product > 0.0 && !is_on {
             return found(near, true).filter(|_| b < 0.0);
@@ -307,7 +316,8 @@ mod tests {
         }
     }
 
-    /// Rays that bounce about in a closed box or sphere, moved far away, and scaled: none leaves, and none meets where it starts.
+    /// Traces rays that bounce in a closed box or sphere, moved far away, and scaled: none leaves,
+    /// and none hits the wall where it starts.
     #[test]
     fn no_ray_leaves_a_closed_room_or_meets_the_wall_it_leaves() {
         for scale in [1e-6, 1.0, 1e6] {

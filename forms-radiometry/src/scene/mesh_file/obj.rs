@@ -1,5 +1,6 @@
-//! Wavefront OBJ: vertices and faces of the text are kept; normals, texture coordinates, groups and materials
-//! are read over, since a surface of a scene is flat between its edges and has one material.
+//! Wavefront OBJ: reads the vertices and faces of the text. Normals, texture coordinates, groups
+//! and materials are ignored, since a surface of a scene is flat between its edges and has one
+//! material.
 
 use super::words::{Word, extent, lines, words};
 use super::{Fault, MeshFile, Parts};
@@ -8,7 +9,7 @@ use crate::scene::SceneError;
 use crate::scene::place::Source;
 use crate::scene::value::values;
 
-/// Statements that say nothing about the shape: texture coordinates, names, and how the shape is shown.
+/// Statements that do not affect the shape: texture coordinates, names, and display settings.
 const WITHOUT_SHAPE: &[&str] = &["vt", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
 
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>> {
@@ -57,7 +58,7 @@ impl Parts {
     }
 }
 
-/// `v x y z`, with a weight of one or a colour behind it.
+/// Parses `v x y z`, optionally followed by a weight of one or a colour.
 fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
     let number = |(place, word): (usize, &Word)| if place < 3 { word.coordinate() } else { word.float() };
     let numbers: Vec<f64> = arguments.iter().enumerate().map(number).collect::<Result<_, _>>()?;
@@ -71,12 +72,14 @@ fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
     }
 }
 
-/// `f a b c …`, where each of them is `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`.
+/// Parses `f a b c …`, where each corner is `vertex`, `vertex/texture`, `vertex/texture/normal` or
+/// `vertex//normal`.
 fn face(arguments: &[Word], vertices: usize) -> Result<Vec<u32>, Fault> {
     arguments.iter().map(|word| corner(word, vertices)).collect()
 }
 
-/// Vertices are counted from 1; from −1 backwards from the last one before the face.
+/// Parses a corner. Positive vertex numbers count from 1; negative ones count backwards, −1 being
+/// the last vertex before the face.
 fn corner(word: &Word, vertices: usize) -> Result<u32, Fault> {
     const EXPECTED: &str = "the number of a vertex, as in 7, 7/1, 7/1/3 or 7//3";
     let mut numbers = word.text.split('/');

@@ -1,5 +1,5 @@
-//! PLY: the vertices and the faces of a file, as text or as bytes, are kept; other elements and properties are
-//! read over.
+//! PLY: reads the vertices and the faces of a file in text or binary format. Other elements and
+//! properties are ignored.
 
 use super::ply_header::{Element, Format, Header, Property};
 use super::ply_rows::{ByteRows, Rows, Stop, TextRows};
@@ -30,7 +30,7 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>
     parts.mesh(&head)
 }
 
-/// The header, if it declares the coordinates of vertices and the corners of faces.
+/// Returns the header, if it declares the coordinates of vertices and the corners of faces.
 fn shape_of(header: Header) -> Result<Header, Fault> {
     let element = |name: &str| {
         let found = header.elements.iter().find(|element| element.name == name);
@@ -131,7 +131,8 @@ fn corner(number: f64, rows: &impl Rows) -> Result<u32, Stop> {
     Err(passing(fault, rows))
 }
 
-/// A fault of one number: rows of text are read on behind it, and of bytes the rest of the row would be missed.
+/// Converts a fault of one number: reading continues after a faulty row of text, but not of bytes,
+/// where the rest of the row would be misread.
 fn passing(fault: Fault, rows: &impl Rows) -> Stop {
     let prefix = rows.prefix();
     Stop { for_good: !prefix.is_empty(), fault: Fault { message: prefix + &fault.message, ..fault } }

@@ -1,10 +1,10 @@
-//! The header of a PLY file: its lines become the format of what follows and the elements that it is made of.
+//! PLY header: parses its lines into the data format and the list of elements.
 
 use super::Fault;
 use super::words::{Word, extent, lines, words};
 use std::ops::Range;
 
-/// How numbers are written behind the header.
+/// Encoding of the numbers after the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Ascii,
@@ -12,7 +12,7 @@ pub(super) enum Format {
     BigEndian,
 }
 
-/// A type of numbers.
+/// A number type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -25,26 +25,26 @@ pub(super) enum Scalar {
     F64,
 }
 
-/// A property of an element: a number, or as many as the number before them says.
+/// A property of an element: a number, or a list preceded by its length.
 pub(super) struct Property {
     pub(super) name: String,
     pub(super) scalar: Scalar,
     pub(super) count: Option<Scalar>,
 }
 
-/// An element: so many rows of the same properties.
+/// An element: a number of rows with the same properties.
 pub(super) struct Element {
     pub(super) name: String,
     pub(super) rows: u64,
     pub(super) properties: Vec<Property>,
-    /// Where the header declares it.
+    /// The place of its declaration in the header.
     pub(super) place: Range<usize>,
 }
 
 pub(super) struct Header {
     pub(super) format: Format,
     pub(super) elements: Vec<Element>,
-    /// The byte of the text behind it.
+    /// The byte of the text after the header.
     pub(super) end: usize,
 }
 
@@ -121,7 +121,7 @@ impl Header {
     }
 }
 
-/// `property TYPE NAME` or `property list TYPE TYPE NAME`.
+/// Parses `property TYPE NAME` or `property list TYPE TYPE NAME`.
 fn property(elements: &mut [Element], line: &[Word]) -> Result<(), Fault> {
     let (count, scalar, name) = match line {
         [_, list, count, scalar, name] if list.text == "list" => {

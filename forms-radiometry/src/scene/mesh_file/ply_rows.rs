@@ -1,33 +1,33 @@
-//! The rows behind a PLY header, as text or as bytes: each becomes numbers.
+//! PLY data: parses the rows after a PLY header, in text or binary format, into numbers.
 
 use super::Fault;
 use super::ply_header::{Element, Format, Scalar};
 use super::words::{Word, extent, words};
 use std::ops::Range;
 
-/// Rows of numbers, one after the other.
+/// A sequence of rows of numbers.
 pub(super) trait Rows {
     /// Begins the next row.
     fn begin(&mut self, element: &Element, row: u64) -> Result<(), Stop>;
-    /// The next number of the row.
+    /// Returns the next number of the row.
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
-    /// Ends the row, in which nothing may be left.
+    /// Ends the row. Remaining numbers are an error.
     fn end(&mut self) -> Result<(), Stop>;
-    /// Where the last number, or what precedes it, is told.
+    /// Returns the place of the last number, or of the declaration of its element.
     fn place(&self) -> Range<usize>;
-    /// Where the whole row is told.
+    /// Returns the place of the whole row.
     fn row_place(&self) -> Range<usize>;
-    /// What a message begins with where the place alone does not tell the row.
+    /// Returns the prefix of messages that identifies the row where the place alone does not.
     fn prefix(&self) -> String;
 }
 
-/// Why a row was not read, and whether the rows behind it can be.
+/// The reason why a row was not read, and whether reading stops there.
 pub(super) struct Stop {
     pub(super) fault: Fault,
     pub(super) for_good: bool,
 }
 
-/// Rows as lines of text.
+/// Rows in text format, one for each line.
 pub(super) struct TextRows<'t, L> {
     lines: L,
     row: Vec<Word<'t>>,
@@ -101,7 +101,8 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
     }
 }
 
-/// Rows as bytes. Places are those of the element in the header, since bytes cannot be quoted.
+/// Rows in binary format. Places are those of the element's declaration in the header, since bytes
+/// cannot be quoted.
 pub(super) struct ByteRows<'b> {
     bytes: &'b [u8],
     next: usize,
@@ -111,7 +112,7 @@ pub(super) struct ByteRows<'b> {
 }
 
 impl<'b> ByteRows<'b> {
-    /// The bytes of a file from one of them on.
+    /// Creates the rows that start at a byte of a file.
     pub(super) fn new(bytes: &'b [u8], from: usize, format: Format) -> Self {
         let is_big_endian = format == Format::BigEndian;
         Self { bytes, next: from, is_big_endian, place: 0..0, row: String::new() }
@@ -170,7 +171,7 @@ impl Rows for ByteRows<'_> {
 }
 
 impl Scalar {
-    /// The least and the largest whole number of a type.
+    /// Returns the smallest and the largest integer of a type.
     fn range(self) -> (i64, i64) {
         match self {
             Self::I8 => (i8::MIN.into(), i8::MAX.into()),

@@ -1,18 +1,18 @@
-//! Words: a line of a mesh file becomes its words, each with its place, and words become numbers.
+//! Words: splits a line of a mesh file into words with their places, and parses words as numbers.
 
 use super::Fault;
 use crate::scene::value::COORDINATE;
 use std::ops::Range;
 
-/// What stands between spaces.
+/// Text between whitespace.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Word<'t> {
     pub(super) text: &'t str,
-    /// Its bytes in the file.
+    /// Its byte range in the file.
     pub(super) range: Range<usize>,
 }
 
-/// The lines of a text from a byte on, each with the byte it starts at.
+/// Returns the lines of a text from a byte on, each with its first byte.
 pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
     let mut start = from;
     text[from..].split_inclusive('\n').map(move |line| {
@@ -22,7 +22,7 @@ pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &st
     })
 }
 
-/// The words of a line that starts at this byte.
+/// Returns the words of a line that starts at this byte.
 pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
     line.split_whitespace().map(move |text| {
         let begin = start + text.as_ptr() as usize - line.as_ptr() as usize;
@@ -30,7 +30,7 @@ pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> 
     })
 }
 
-/// The bytes that some words cover.
+/// Returns the byte range that some words cover.
 pub(super) fn extent(words: &[Word]) -> Range<usize> {
     match words {
         [] => 0..0,
@@ -39,18 +39,18 @@ pub(super) fn extent(words: &[Word]) -> Range<usize> {
 }
 
 impl Word<'_> {
-    /// A coordinate.
+    /// Parses a coordinate.
     pub(super) fn coordinate(&self) -> Result<f64, Fault> {
         self.float().and_then(|x| coordinate(self.range.clone(), x))
     }
 
-    /// Any number.
+    /// Parses any number.
     pub(super) fn float(&self) -> Result<f64, Fault> {
         let wrong = |_| Fault::new(self.range.clone(), format!("`{}` is no number", self.text), "a number");
         self.text.parse().map_err(wrong)
     }
 
-    /// A whole number.
+    /// Parses an integer.
     pub(super) fn whole(&self) -> Result<i64, Fault> {
         let wrong = |_| {
             Fault::new(self.range.clone(), format!("`{}` is no whole number", self.text), "a whole number")
@@ -59,7 +59,7 @@ impl Word<'_> {
     }
 }
 
-/// A number that may be a coordinate.
+/// Checks that a number is a valid coordinate.
 pub(super) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
     if !x.is_finite() {
         return Err(Fault::new(range, "a coordinate is not finite", COORDINATE.expected));

@@ -1,5 +1,5 @@
-//! Materials: `<bsdf>` becomes a law of reflection; a boundary of media becomes a material together with the
-//! medium that a shape has inside.
+//! Materials: parses `<bsdf>` into a law of reflection; a boundary of media becomes a material
+//! together with the interior medium of a shape.
 
 use super::object::{Object, unique};
 use super::{Node, Reader};
@@ -7,7 +7,7 @@ use crate::scene::model::{Material, MaterialKind};
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
 use std::ops::Range;
 
-/// A `<bsdf>`, read.
+/// A parsed `<bsdf>`.
 #[derive(Clone, Debug)]
 pub(super) struct Bsdf {
     pub(super) law: Law,
@@ -19,25 +19,25 @@ pub(super) struct Bsdf {
 
 #[derive(Clone, Debug)]
 pub(super) enum Law {
-    /// One that does not depend on the shape.
+    /// A law that does not depend on the shape.
     Opaque(MaterialKind),
     /// A boundary between media of these indices.
     Dielectric { inside: f64, outside: f64, outside_place: Range<usize> },
     /// A boundary without a change of index.
     Null,
-    /// One that was reported.
+    /// An invalid law, which was reported.
     Wrong,
 }
 
-/// What a material was made of: an element, and the medium behind it.
+/// Identifies a material: its element, and the medium behind it.
 pub(super) type Key = (usize, Option<usize>);
 
 /// The keys of the materials of shapes without a `<bsdf>`.
 const DEFAULT_KEY: usize = usize::MAX;
 const BLACK_KEY: usize = usize::MAX - 1;
 
-/// Indices of refraction by name, as in Mitsuba’s table, whose source is Hecht, *Optics*, 4th edition: at 589 nm
-/// and 0 to 20 °C.
+/// Indices of refraction by name, as in Mitsuba’s table, whose source is Hecht, *Optics*, 4th
+/// edition: at 589 nm and 0 to 20 °C.
 const INDICES: [(&str, f64); 23] = [
     ("vacuum", 1.0),
     ("helium", 1.000_036),
@@ -67,7 +67,7 @@ const INDICES: [(&str, f64); 23] = [
 const KINDS: [&str; 5] = ["diffuse", "conductor", "dielectric", "twosided", "null"];
 
 impl Bsdf {
-    /// Reads a `<bsdf>`, once however often it is referred to.
+    /// Parses a `<bsdf>`, only once even if it is referenced several times.
     pub(super) fn read<'a>(reader: &mut Reader<'a, '_, '_>, node: Node<'a>) -> Self {
         let key = node.id().get_usize();
         if let Some(bsdf) = reader.bsdfs.get(&key) {
@@ -87,7 +87,7 @@ impl Bsdf {
         bsdf
     }
 
-    /// What Mitsuba takes for a shape without a `<bsdf>`: grey, but black where the shape emits.
+    /// Returns Mitsuba's default for a shape without a `<bsdf>`: grey, or black if the shape emits.
     pub(super) fn default(bands: usize, emits: bool, place: Range<usize>) -> Self {
         let (key, name, reflectance) =
             if emits { (BLACK_KEY, "black", 0.0) } else { (DEFAULT_KEY, "grey", 0.5) };
@@ -95,7 +95,7 @@ impl Bsdf {
         Self { law, two_sided: false, name: name.to_owned(), key, place }
     }
 
-    /// The index of the material that this is with a medium behind it.
+    /// Returns the index of the material for this `<bsdf>` with the medium behind it.
     pub(super) fn material(&self, reader: &mut Reader, kind: MaterialKind) -> usize {
         let inside = match kind {
             MaterialKind::Dielectric { inside } => Some(inside),
@@ -112,7 +112,8 @@ impl Bsdf {
     }
 }
 
-/// The law of the `<bsdf>` within a `twosided`, which cannot be another one nor a boundary of media.
+/// Returns the law of the `<bsdf>` within a `twosided`, which can be neither `twosided` itself nor
+/// a boundary of media.
 fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     let node = object.node;
     let inner = reader.take_object(&mut object, "bsdf");
@@ -156,7 +157,8 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     }
 }
 
-/// A metal of index η + ik; without one, or of the material `none`, a perfect mirror.
+/// Returns the law of a metal with index η + ik; without an index, or with the material `none`, a
+/// perfect mirror.
 fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     if let Some((name, place)) = reader.string(&mut object, "material")
         && name != "none"
@@ -189,7 +191,7 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     }
 }
 
-/// An index of refraction, as a number or by name, and its place.
+/// Returns an index of refraction, given as a number or by name, and its place.
 fn index<'a>(
     reader: &mut Reader<'a, '_, '_>,
     object: &mut Object<'a>,

@@ -1,4 +1,5 @@
-//! Emitters of the scene: `<emitter>` becomes a point light, a distant light, or light from outside.
+//! Emitters of the scene: parses `<emitter>` into a point light, a distant light, or light from
+//! outside.
 
 use super::object::Object;
 use super::{Node, Reader};
@@ -45,7 +46,7 @@ impl<'a> Reader<'a, '_, '_> {
         self.lights.extend(kind.map(|kind| Light { name, kind, place }));
     }
 
-    /// A place is a point or direction, or comes from a transform.
+    /// Checks that the position or direction and the transform are not both given.
     fn placed_once(&mut self, object: &Object<'a>) {
         for key in ["position", "direction"] {
             if object.has(key) && object.has("to_world") {

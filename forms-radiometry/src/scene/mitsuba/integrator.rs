@@ -1,4 +1,4 @@
-//! Integrators: how many bounces of light an `<integrator>` follows becomes an effect that is forced.
+//! Integrators: the number of light bounces of an `<integrator>` becomes a forced effect.
 
 use super::{Node, Reader};
 use crate::scene::model::{Effect, Force, ForcedEffect, MaterialKind, Receiver, ReceiverKind};
@@ -6,16 +6,16 @@ use crate::scene::value::Domain;
 use std::ops::Range;
 
 const KINDS: [&str; 4] = ["path", "direct", "volpath", "volpathmis"];
-/// What only changes how long the integrator takes to come to its answer.
+/// Properties that only affect the run time of the integrator.
 const IGNORED: [&str; 4] = ["rr_depth", "shading_samples", "emitter_samples", "bsdf_samples"];
 const DEPTH: Domain = Domain {
     expected: "-1 for no limit, or a whole number of at least 2",
     contains: |x| x.fract() == 0.0 && (x == -1.0 || (2.0..=1e9).contains(&x)),
 };
 
-/// What an integrator leaves out.
+/// Limits of an integrator.
 pub(super) struct Integrator {
-    /// The longest paths, from the lamp to the eye; none if they have no limit.
+    /// The longest path from the lamp to the eye; `None` if there is no limit.
     depth: Option<u32>,
     follows_media: bool,
     place: Range<usize>,
@@ -43,8 +43,9 @@ impl<'a> Reader<'a, '_, '_> {
         self.integrator = Some(Integrator { depth, follows_media, place: node.range() });
     }
 
-    /// A path of depth d from a lamp to a camera is reflected d − 1 times, the last time towards the camera; to an
-    /// irradiance meter, which is a surface itself, d − 1 times before it. All reflections have to be diffuse.
+    /// Returns the forced effects. A path of depth d from a lamp to a camera is reflected d − 1
+    /// times, the last time towards the camera. A path to an irradiance meter, which is a surface
+    /// itself, is reflected d − 1 times before it. All reflections must be diffuse.
     pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
         let Some(Integrator { depth, follows_media, place }) = self.integrator.take() else {
             return Vec::new();

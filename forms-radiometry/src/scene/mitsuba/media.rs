@@ -1,4 +1,5 @@
-//! Media: `<medium>` becomes coefficients; with the index that a boundary gives it, a medium of the model.
+//! Media: parses `<medium>` into coefficients; together with the index from a boundary, they form a
+//! medium of the model.
 
 use super::object::unique;
 use super::{Node, Reader};
@@ -7,26 +8,26 @@ use crate::scene::value::{COEFFICIENT, FRACTION, MEAN_COSINE, NOT_NEGATIVE};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The index of a medium.
+/// Source of the refractive index of a medium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Index {
-    /// That of a boundary, by the bits of the number.
+    /// Index from a boundary, as the bits of the number.
     Given(u64),
-    /// The same as in front of its boundary.
+    /// The same index as in front of its boundary.
     OfFront,
-    /// That of the ambient medium.
+    /// Index of the ambient medium.
     Ambient,
 }
 
 /// The media so far.
 #[derive(Default)]
 pub(super) struct Media {
-    /// Elements that were read, by their numbers in the document.
+    /// The parsed elements, by their numbers in the document.
     read: HashMap<usize, Coefficients>,
-    /// The media of the scene by what they are made of.
+    /// The media of the scene, by element and index.
     indices: HashMap<(Option<usize>, Index), usize>,
     list: Vec<Medium>,
-    /// The element of each, by its number in the document.
+    /// The element of each medium, by its number in the document.
     pub(super) elements: Vec<Option<usize>>,
 }
 
@@ -39,7 +40,8 @@ struct Coefficients {
 }
 
 impl<'a> Reader<'a, '_, '_> {
-    /// Reads a `<medium>`, once however often it is referred to; its number in the document.
+    /// Parses a `<medium>`, only once even if it is referenced several times, and returns its
+    /// number in the document.
     pub(super) fn medium(&mut self, node: Node<'a>) -> usize {
         let key = node.id().get_usize();
         if !self.media.read.contains_key(&key) {
@@ -91,7 +93,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The mean cosine of a phase function.
+    /// Returns the mean cosine of a phase function.
     fn phase(&mut self, node: Node<'a>) -> f64 {
         let mut object = self.object(node);
         match &*object.kind {
@@ -111,7 +113,8 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The medium of the scene that an element is with an index; without an element, a clear one.
+    /// Returns the medium of the scene for an element and an index; without an element, a clear
+    /// medium.
     pub(super) fn filled(&mut self, key: Option<usize>, index: Index, place: Range<usize>) -> usize {
         let next = self.media.list.len();
         let found = *self.media.indices.entry((key, index)).or_insert(next);
@@ -146,14 +149,14 @@ impl<'a> Reader<'a, '_, '_> {
         found
     }
 
-    /// Whether there is a medium that does anything on the way of light.
+    /// Whether there is a medium that absorbs or scatters.
     pub(super) fn has_media(&self) -> bool {
         let acts =
             |medium: &Medium| medium.absorption.iter().chain(&medium.scattering).any(|&sigma| sigma > 0.0);
         self.media.list.iter().any(acts)
     }
 
-    /// The media of the scene, and the element of each.
+    /// Returns the media of the scene, and the element of each.
     pub(super) fn all_media(&mut self) -> (Vec<Medium>, Vec<Option<usize>>) {
         (std::mem::take(&mut self.media.list), std::mem::take(&mut self.media.elements))
     }

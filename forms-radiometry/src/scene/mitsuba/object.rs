@@ -1,11 +1,11 @@
-//! Objects: an element with a type, from whose children what is known is taken one by one; what is left is an
-//! error.
+//! Objects: an element with a type. The known properties are taken from its children one by one;
+//! remaining children are errors.
 
 use super::{Node, Reader};
 use crate::scene::value::one_of;
 use std::ops::Range;
 
-/// How long a value with parameters may become: they may stand for each other.
+/// The largest length of a value after substitution of parameters, which can refer to each other.
 const LONGEST_VALUE: usize = 10_000;
 
 /// An element such as `<shape type="sphere">`.
@@ -14,12 +14,12 @@ pub(super) struct Object<'a> {
     /// Its type.
     pub(super) kind: String,
     left: Vec<Node<'a>>,
-    /// The names of the properties that were looked for.
+    /// The names of the requested properties.
     asked: Vec<String>,
 }
 
 impl<'a> Object<'a> {
-    /// Takes the property of this name.
+    /// Takes the property with this name.
     pub(super) fn take(&mut self, name: &str) -> Option<Node<'a>> {
         let is_it = |node: &Node<'a>| node.attribute("name") == Some(name);
         self.asked.push(name.to_owned());
@@ -32,17 +32,17 @@ impl<'a> Object<'a> {
         self.left.iter().position(is_it).map(|place| self.left.remove(place))
     }
 
-    /// Whether a property of this name has not been taken yet.
+    /// Whether a property with this name has not been taken yet.
     pub(super) fn has(&self, name: &str) -> bool {
         self.left.iter().any(|node| node.attribute("name") == Some(name))
     }
 
-    /// What has not been taken yet.
+    /// Returns the children that have not been taken yet.
     pub(super) fn left(&self) -> impl Iterator<Item = Node<'a>> {
         self.left.iter().copied()
     }
 
-    /// Drops the properties of these names, which do not bear on the answer.
+    /// Drops the properties with these names, which do not affect the result.
     pub(super) fn ignore(&mut self, names: &[&str]) {
         for name in names {
             self.take(name);
@@ -51,7 +51,7 @@ impl<'a> Object<'a> {
 }
 
 impl<'a> Reader<'a, '_, '_> {
-    /// An element as an object.
+    /// Converts an element to an object.
     pub(super) fn object(&mut self, node: Node<'a>) -> Object<'a> {
         self.attributes(node, &["type", "id", "name"]);
         let kind = self.attribute(node, "type").map_or(String::new(), |(kind, _)| kind);
@@ -62,8 +62,8 @@ impl<'a> Reader<'a, '_, '_> {
         Object { node, kind, left, asked: Vec::new() }
     }
 
-    /// Reports what is left of an object. `known` is all that could have been there; what was not looked for, since the
-    /// object is in error, says nothing new.
+    /// Reports the remaining children of an object. `known` lists all allowed properties. A known
+    /// property that was not requested because the object is invalid is not reported.
     pub(super) fn finish(&mut self, object: Object<'a>, known: &[&str]) {
         let Object { node, kind, left, asked } = object;
         let whole = described(node, &kind);
@@ -92,7 +92,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// Reports a type that is not known. Nothing can be said of what is in such an object.
+    /// Reports an unknown type. The contents of such an object are not checked.
     pub(super) fn unknown(&mut self, object: &mut Object<'a>, known: &[&str]) {
         object.left.clear();
         let place = object.node.attribute_node("type").map_or(object.node.range(), |kind| kind.range_value());
@@ -100,7 +100,7 @@ impl<'a> Reader<'a, '_, '_> {
         self.report.error(place, message, one_of(known.iter().copied()));
     }
 
-    /// The children that are elements; text between them is an error.
+    /// Returns the children that are elements; text between them is an error.
     pub(super) fn elements(&mut self, node: Node<'a>) -> Vec<Node<'a>> {
         for child in node.children().filter(Node::is_text) {
             let text = child.text().unwrap_or_default();
@@ -112,7 +112,7 @@ impl<'a> Reader<'a, '_, '_> {
         node.children().filter(Node::is_element).collect()
     }
 
-    /// Reports attributes other than these; whether there are none.
+    /// Reports attributes other than these. Returns whether there are none.
     pub(super) fn attributes(&mut self, node: Node<'a>, known: &[&str]) -> bool {
         let mut unknown = node.attributes().filter(|attribute| !known.contains(&attribute.name())).peekable();
         let are_known = unknown.peek().is_none();
@@ -123,7 +123,8 @@ impl<'a> Reader<'a, '_, '_> {
         are_known
     }
 
-    /// The value of an attribute, with parameters put in, and its place. It has none if a parameter is missing.
+    /// Returns the value of an attribute after substitution of parameters, and its place; `None` if
+    /// a parameter is missing.
     pub(super) fn attribute(&mut self, node: Node<'a>, name: &str) -> Option<(String, Range<usize>)> {
         let attribute = node.attribute_node(name)?;
         let mut parts = attribute.value().split('$');
@@ -151,7 +152,7 @@ impl<'a> Reader<'a, '_, '_> {
         Some((value, attribute.range_value()))
     }
 
-    /// The object that a `ref` names, or the node itself.
+    /// Returns the object to which a `ref` refers, or the node itself.
     pub(super) fn resolved(&mut self, node: Node<'a>) -> Option<Node<'a>> {
         if !node.has_tag_name("ref") {
             return Some(node);
@@ -191,7 +192,8 @@ fn described(node: Node, kind: &str) -> String {
     format!("{article} {tag} of type `{kind}`")
 }
 
-/// The name, with a number behind it if it is taken: one element may become several parts of a scene.
+/// Returns the name, with a number appended if it is taken: one element can become several parts of
+/// a scene.
 pub(super) fn unique<'n>(name: &str, taken: impl Iterator<Item = &'n str> + Clone) -> String {
     let is_free = |candidate: &String| !taken.clone().any(|taken| taken == candidate);
     let numbered = (2..).map(|number| format!("{name} ({number})"));

@@ -1,4 +1,5 @@
-//! Sensors: `<sensor>` becomes a camera, or, within a shape, the irradiance of that shape.
+//! Sensors: parses `<sensor>` into a camera or, within a shape, an irradiance receiver on that
+//! shape.
 
 use super::object::Object;
 use super::{Node, Reader};
@@ -7,7 +8,7 @@ use crate::geometry::Vector;
 use crate::scene::model::{Receiver, ReceiverKind};
 use crate::scene::value::{FIELD_OF_VIEW, PIXELS};
 
-/// Properties of films that do not bear on the radiance of a pixel.
+/// Properties of films that do not affect the radiance of a pixel.
 const FILM_IGNORED: [&str; 6] =
     ["file_format", "pixel_format", "component_format", "banner", "sample_border", "compensate"];
 
@@ -34,7 +35,8 @@ impl<'a> Reader<'a, '_, '_> {
         self.receivers.extend(camera.map(receiver));
     }
 
-    /// A camera looks along z with y upright; its field of view is horizontal unless `fov_axis` says otherwise.
+    /// Returns the camera. It looks along z with y upright; its field of view is horizontal unless
+    /// `fov_axis` states otherwise.
     fn camera(&mut self, object: &mut Object<'a>) -> Option<Camera> {
         let node = object.node;
         let to_world = self.transform(object);
@@ -72,7 +74,7 @@ impl<'a> Reader<'a, '_, '_> {
         Camera::looking(origin, forward, up, 2.0 * half_height.atan().to_degrees(), resolution)
     }
 
-    /// The resolution of a film; 768 × 576 if nothing is said.
+    /// Returns the resolution of a film; the default is 768 × 576.
     fn film(&mut self, object: &mut Object<'a>) -> Option<[usize; 2]> {
         let Some(node) = object.take_tag("film") else { return Some([768, 576]) };
         let mut film = self.object(node);
@@ -88,7 +90,7 @@ impl<'a> Reader<'a, '_, '_> {
         Some([width as usize, height as usize])
     }
 
-    /// The mean irradiance of a shape.
+    /// Adds a receiver for the mean irradiance of a shape.
     pub(super) fn irradiance_meter(&mut self, node: Node<'a>, surface: usize, shape: &str) {
         let mut object = self.object(node);
         if object.kind != "irradiancemeter" {

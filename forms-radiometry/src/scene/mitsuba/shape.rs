@@ -1,4 +1,4 @@
-//! Shapes: `<shape>` becomes a surface with its material, what it emits, and what is measured on it.
+//! Shapes: parses `<shape>` into a surface with its material, its emission, and its receivers.
 
 use super::bsdf::{Bsdf, Law};
 use super::media::Index;
@@ -12,7 +12,7 @@ use crate::scene::value::{LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
 
 const KINDS: [&str; 6] = ["rectangle", "cube", "sphere", "disk", "obj", "ply"];
-/// Normals that are off by no more than rounding differ by a sine of no more than this.
+/// Largest sine of the angle between normals that differ only by rounding.
 const SAME_NORMAL: f64 = 1e-6;
 
 const PARTS: [&str; 8] =
@@ -44,7 +44,8 @@ impl<'a> Reader<'a, '_, '_> {
         self.surfaces.push(Surface { name, material, shape, radiance, exitance: None, two_sided, place });
     }
 
-    /// In Mitsuba the back of a two-sided surface reflects but does not emit; here it does what the front does.
+    /// Rejects two-sided emitters. In Mitsuba the back of a two-sided surface reflects but does not
+    /// emit; here the back acts like the front.
     fn check_sides(&mut self, node: Node<'a>, bsdf: &Bsdf, radiance: &[f64]) {
         let emits = radiance.iter().any(|&radiance| radiance > 0.0);
         if bsdf.two_sided && emits {
@@ -53,7 +54,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The material of a shape: what its bsdf is, with the media inside and outside of the shape.
+    /// Returns the material of a shape: its bsdf, with the media inside and outside the shape.
     fn material_of(&mut self, object: &mut Object<'a>, bsdf: &Bsdf) -> usize {
         let inside = self.named_medium(object, "interior");
         let outside = self.named_medium(object, "exterior");
@@ -84,7 +85,7 @@ impl<'a> Reader<'a, '_, '_> {
         bsdf.material(self, MaterialKind::Dielectric { inside })
     }
 
-    /// Takes the medium that is named `interior` or `exterior`; its number in the document.
+    /// Takes the medium named `interior` or `exterior`, and returns its number in the document.
     fn named_medium(&mut self, object: &mut Object<'a>, name: &str) -> Option<usize> {
         let node = object.take(name)?;
         let medium = self.resolved(node)?;
@@ -112,8 +113,8 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The square [−1, 1]² of the plane z = 0, seen from above. Its normal goes with the inverse transpose of
-    /// the transform, so a reflection keeps its front on the same side.
+    /// Returns the square [−1, 1]² of the plane z = 0, seen from above. Its normal is transformed
+    /// by the inverse transpose of the transform, so a reflection keeps its front on the same side.
     fn rectangle(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let mut vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
@@ -140,7 +141,7 @@ impl<'a> Reader<'a, '_, '_> {
         }))
     }
 
-    /// The unit disk of the plane z = 0, seen from above.
+    /// Returns the unit disk of the plane z = 0, seen from above.
     fn disk(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
         let [u, v] =
             [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
@@ -207,7 +208,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// The radiance of an area emitter.
+    /// Returns the radiance of an area emitter.
     fn area_emitter(&mut self, node: Node<'a>) -> Vec<f64> {
         let mut object = self.object(node);
         if object.kind != "area" {
@@ -220,7 +221,7 @@ impl<'a> Reader<'a, '_, '_> {
     }
 }
 
-/// Whether the faces about each vertex have one normal, which is then that of the vertex too.
+/// Whether the faces around each vertex have the same normal, which is then also the vertex normal.
 fn is_flat_at_vertices(mesh: &Mesh) -> bool {
     let mut normals: Vec<Option<Vector>> = vec![None; mesh.vertices().len()];
     mesh.faces().zip(mesh.polygons()).all(|(face, polygon)| {
@@ -232,7 +233,7 @@ fn is_flat_at_vertices(mesh: &Mesh) -> bool {
     })
 }
 
-/// The cube [−1, 1]³, seen from outside.
+/// Returns the cube [−1, 1]³, with its faces outwards.
 fn cube() -> Result<Mesh, Vec<MeshError>> {
     let corner = |i: u32| {
         let at = |axis: u32| if i >> axis & 1 == 1 { 1.0 } else { -1.0 };

@@ -1,5 +1,6 @@
-//! Surroundings: in Mitsuba every boundary says what is outside of it, and every sensor where it is; here space is
-//! divided by surfaces and the rest is the ambient medium. What was said has to be what is there.
+//! Surroundings: in Mitsuba every boundary declares its exterior medium, and every sensor its own
+//! medium. In the model, surfaces divide space and the remainder is the ambient medium. The
+//! declarations must agree with the model.
 
 use super::media::Index;
 use super::{Node, Reader};
@@ -9,30 +10,31 @@ use crate::scene::place::Place;
 use crate::scene::regions::{Filling, Front};
 use std::ops::Range;
 
-/// What a boundary says of its outside.
+/// A boundary's declaration of its exterior.
 struct Boundary {
     /// The index of its surface, and of the medium behind it.
     surface: usize,
     inside: usize,
-    /// The index outside and where it is said; without one it is the same on both sides.
+    /// The refractive index outside and the place of its declaration; `None` if the index is the
+    /// same on both sides.
     n: Option<(f64, Place)>,
-    /// The number of the element that is outside; none for a clear medium.
+    /// The number of the exterior element; `None` for a clear medium.
     exterior: Option<usize>,
     place: Place,
 }
 
-/// What a scene says of the outside of its boundaries and of its sensors.
+/// The declarations of a scene about the exterior of its boundaries and the media of its sensors.
 #[derive(Default)]
 pub(in crate::scene) struct Surroundings {
     boundaries: Vec<Boundary>,
-    /// The element that each sensor is in.
+    /// The element of the medium that contains each sensor.
     sensors: Vec<(Option<usize>, Place)>,
     /// The element of each medium.
     elements: Vec<Option<usize>>,
 }
 
 impl<'a> Reader<'a, '_, '_> {
-    /// Notes what a boundary says, before its surface is added.
+    /// Records the declaration of a boundary, before its surface is added.
     pub(super) fn boundary(
         &mut self,
         node: Node<'a>,
@@ -45,14 +47,14 @@ impl<'a> Reader<'a, '_, '_> {
         self.surroundings.boundaries.push(Boundary { surface, inside, n, exterior, place });
     }
 
-    /// Notes where a sensor is.
+    /// Records the medium of a sensor.
     pub(super) fn sensor_in(&mut self, node: Node<'a>, medium: Option<usize>) {
         let place = self.report.place(node.range());
         self.surroundings.sensors.push((medium, place));
     }
 
-    /// The ambient medium: what the first sensor is in, or else what is outside of the first boundary that names
-    /// something. Its index is not known before the regions are.
+    /// Returns the ambient medium: the medium of the first sensor, or else the exterior of the
+    /// first boundary that declares one. Its refractive index is not known until the regions are.
     pub(super) fn ambient_medium(&mut self) -> Option<usize> {
         let Surroundings { boundaries, sensors, .. } = &self.surroundings;
         if boundaries.is_empty() && sensors.iter().all(|(medium, _)| medium.is_none()) {
@@ -63,14 +65,15 @@ impl<'a> Reader<'a, '_, '_> {
         Some(self.filled(element, Index::Ambient, 0..0))
     }
 
-    /// What was noted, with the media that it speaks of.
+    /// Returns the recorded declarations, with the elements of the media.
     pub(super) fn all_surroundings(&mut self, elements: Vec<Option<usize>>) -> Surroundings {
         Surroundings { elements, ..std::mem::take(&mut self.surroundings) }
     }
 }
 
 impl Surroundings {
-    /// Compares what was said with what is in front of each boundary, and gives the media their indices.
+    /// Compares the declarations with the medium in front of each boundary, and sets the refractive
+    /// indices of the media.
     pub(in crate::scene) fn settle(self, report: &mut Report, scene: &mut Scene, fronts: &[Front]) {
         let Some(ambient) = scene.ambient.medium else { return };
         for (medium, place) in &self.sensors {
@@ -99,7 +102,7 @@ impl Surroundings {
         }
     }
 
-    /// The ambient medium has the index that the first boundary in it says.
+    /// Sets the index of the ambient medium to the exterior index of the first boundary in it.
     fn ambient_index(
         &self,
         report: &mut Report,
@@ -117,7 +120,8 @@ impl Surroundings {
         }
     }
 
-    /// A boundary without indices has the index of its front behind it, which may be another such medium.
+    /// Sets the index behind each boundary without indices to the index in front of it, which can
+    /// be behind another such boundary.
     fn indices_of_fronts(&self, scene: &mut Scene, pairs: &[(&Boundary, usize)]) {
         for _ in 0..pairs.len() {
             for (boundary, front) in pairs.iter().filter(|(boundary, _)| boundary.n.is_none()) {
@@ -141,7 +145,8 @@ impl Surroundings {
     }
 }
 
-/// Whether an index is not that of the medium in front; of the ambient one this was told before.
+/// Whether an index differs from the index of the medium in front. For the ambient medium this was
+/// reported before.
 fn front_differs(ambient: Filling, front: usize, own: f64, there: f64) -> bool {
     ambient != Some(front) && own != there
 }

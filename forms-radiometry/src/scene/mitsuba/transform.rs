@@ -1,11 +1,11 @@
-//! Transforms: the steps of a `<transform>` become one affine map.
+//! Transforms: composes the steps of a `<transform>` into one affine map.
 
 use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::Vector;
 use crate::scene::value::{ANY, COORDINATE, values};
 
-/// How far angles and lengths may be off where a map has to be a rotation with one scale.
+/// Tolerance of angles and lengths where a map must be a rotation with uniform scaling.
 const SIMILARITY: f64 = 1e-6;
 
 /// The affine map x ↦ A x + b, by the columns of A and b.
@@ -29,7 +29,7 @@ impl Transform {
         v.x * self.columns[0] + v.y * self.columns[1] + v.z * self.columns[2]
     }
 
-    /// This map after another one.
+    /// Returns the composition of this map after another one.
     fn after(&self, first: &Self) -> Self {
         Self { columns: first.columns.map(|column| self.vector(column)), shift: self.point(first.shift) }
     }
@@ -38,12 +38,13 @@ impl Transform {
         self.columns[0].cross(self.columns[1]).dot(self.columns[2])
     }
 
-    /// Whether it turns left hands into right ones.
+    /// Whether the map reverses orientation.
     pub(super) fn mirrors(&self) -> bool {
         self.determinant() < 0.0
     }
 
-    /// Its one scale, if it is a rotation or reflection with one; of a map of the plane z = 0, `axes` is 2.
+    /// Returns the scale factor, if the map is a rotation or reflection with uniform scaling. For a
+    /// map of the plane z = 0, `axes` is 2.
     pub(super) fn scale(&self, axes: usize) -> Option<f64> {
         let columns = &self.columns[..axes];
         let scale = columns[0].length();
@@ -74,7 +75,7 @@ impl Transform {
         Self { columns: Self::IDENTITY.columns.map(turned), ..Self::IDENTITY }
     }
 
-    /// z to the target, y upright, x = y × z.
+    /// Maps z to the direction of the target, y upright, x = y × z.
     fn look_at(origin: Vector, target: Vector, up: Vector) -> Option<Self> {
         let direction = (target - origin).unit()?;
         let left = up.unit()?.cross(direction);
@@ -84,7 +85,8 @@ impl Transform {
 }
 
 impl<'a> Reader<'a, '_, '_> {
-    /// The transform of an object; the identity if it has none. One that flattens space is an error.
+    /// Returns the transform of an object; the identity if it has none. A singular transform is an
+    /// error.
     pub(super) fn transform(&mut self, object: &mut Object<'a>) -> Transform {
         let Some(node) = object.take("to_world") else { return Transform::IDENTITY };
         if !node.has_tag_name("transform") {
@@ -122,7 +124,8 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// Three numbers, from `value` or from `x`, `y` and `z`; one for all three where that has a meaning.
+    /// Returns three numbers, from `value` or from `x`, `y` and `z`; with `one_for_all`, a single
+    /// number applies to all three.
     fn axes(&mut self, node: Node<'a>, default: f64, one_for_all: bool) -> Option<Vector> {
         self.attributes(node, &["value", "x", "y", "z", "angle"]);
         if let Some((text, place)) = self.attribute(node, "value") {
@@ -173,7 +176,7 @@ impl<'a> Reader<'a, '_, '_> {
         transform
     }
 
-    /// Sixteen numbers, row by row, or the nine of A.
+    /// Parses sixteen numbers, row by row, or the nine of A.
     fn matrix(&mut self, node: Node<'a>) -> Option<Transform> {
         self.attributes(node, &["value"]);
         let (text, place) = self.attribute(node, "value").unwrap_or((String::new(), node.range()));

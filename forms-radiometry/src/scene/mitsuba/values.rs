@@ -1,4 +1,4 @@
-//! Values: a property of an object becomes a number, a point, a colour or a text.
+//! Values: parses a property of an object into a number, a point, a colour or a text.
 
 use super::object::Object;
 use super::{Node, Reader};
@@ -7,7 +7,7 @@ use crate::scene::value::{COORDINATE, Domain, one_of, values, within};
 use std::ops::Range;
 
 impl<'a> Reader<'a, '_, '_> {
-    /// The value of a property of one of these tags, and its place.
+    /// Returns the value of a property with one of these tags, and its place.
     fn property(&mut self, node: Node<'a>, tags: &[&str]) -> Option<(String, Range<usize>)> {
         let tag = node.tag_name().name();
         if !tags.contains(&tag) {
@@ -43,7 +43,7 @@ impl<'a> Reader<'a, '_, '_> {
         value
     }
 
-    /// Numbers between commas or spaces; none if one of them is wrong.
+    /// Parses numbers separated by commas or spaces; returns none if one of the numbers is invalid.
     pub(super) fn numbers(
         &mut self,
         text: &str,
@@ -69,7 +69,7 @@ impl<'a> Reader<'a, '_, '_> {
         numbers
     }
 
-    /// The one number of a text.
+    /// Parses the only number of a text.
     fn one(&mut self, text: &str, place: &Range<usize>, what: &str, domain: &Domain) -> Option<f64> {
         match self.numbers(text, place, what, domain)[..] {
             [number] => Some(number),
@@ -94,7 +94,7 @@ impl<'a> Reader<'a, '_, '_> {
         self.one(&text, &place, &format!("`{name}`"), domain).unwrap_or(default)
     }
 
-    /// Whether a property says `true`; something else where it is wrong.
+    /// Whether a property is `true`; `if_wrong` where it is invalid.
     pub(super) fn boolean(
         &mut self,
         object: &mut Object<'a>,
@@ -114,20 +114,20 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// A text and its place.
+    /// Returns a text and its place.
     pub(super) fn string(&mut self, object: &mut Object<'a>, name: &str) -> Option<(String, Range<usize>)> {
         let node = object.take(name)?;
         self.property(node, &["string"])
     }
 
-    /// A point or vector.
+    /// Returns a point or vector.
     pub(super) fn vector(&mut self, object: &mut Object<'a>, name: &str) -> Option<Vector> {
         let node = object.take(name)?;
         let (text, place) = self.property(node, &["point", "vector"])?;
         self.triple(&text, &place, &format!("`{name}`"))
     }
 
-    /// Three coordinates.
+    /// Parses three coordinates.
     pub(super) fn triple(&mut self, text: &str, place: &Range<usize>, what: &str) -> Option<Vector> {
         match self.numbers(text, place, &format!("a coordinate of {what}"), &COORDINATE)[..] {
             [x, y, z] => Some(Vector::new(x, y, z)),
@@ -140,7 +140,8 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// A colour with one number a band; `None` if the object has none of this name.
+    /// Returns a colour with one number for each band; `None` if the object has no property with
+    /// this name.
     pub(super) fn colour(
         &mut self,
         object: &mut Object<'a>,
@@ -172,7 +173,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// A colour that has to be there.
+    /// Returns a required colour.
     pub(super) fn required_colour(
         &mut self,
         object: &mut Object<'a>,

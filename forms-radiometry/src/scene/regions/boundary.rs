@@ -1,15 +1,17 @@
-//! Boundaries: the outline of a polygon and those of its holes become the edges at which the polygon ends.
+//! Boundaries: computes the edges at which a polygon ends from its outline and the outlines of its
+//! holes.
 //!
 //! ```text
-//! outline, holes backwards ─ split at each other's vertices ─ stretches in opposite directions cancel ─▶ edges
+//! outline, holes backwards ─ split at each other's vertices ─ opposite segments cancel ─▶ edges
 //! ```
-//! Where a hole reaches the outline, or two holes have an edge in common, the polygon does not end.
+//! Where a hole reaches the outline, or two holes share an edge, the polygon does not end.
 
 use super::edges::vertices_on;
 use crate::geometry::{Vector, edges};
 use std::collections::HashMap;
 
-/// The edges, in their direction, of an outline with holes, all as numbers of vertices and counter-clockwise.
+/// Returns the directed edges of an outline with holes. Outline and holes are vertex numbers,
+/// counter-clockwise.
 pub(super) fn boundary(outline: &[usize], holes: &[Vec<usize>], vertices: &[Vector]) -> Vec<[usize; 2]> {
     let outer = || edges(outline);
     if holes.is_empty() {

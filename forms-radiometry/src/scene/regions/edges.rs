@@ -1,15 +1,15 @@
-//! Edges: the faces that share a stretch of a line are put in order around it, and the sides that face each
-//! other there are told.
+//! Edges: sorts the faces that share a line segment by their angle around it, and pairs the sides
+//! that face each other there.
 
 use super::sheets::{Piece, Sheet, Side};
 use crate::geometry::Vector;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// A stretch of a line along which faces end.
+/// A line segment at which faces end.
 pub(super) struct Edge {
     pub(super) ends: [Vector; 2],
-    /// The faces in the order of their angle around the line.
+    /// The faces in the order of their angle around the segment.
     around: Vec<Wing>,
 }
 
@@ -23,8 +23,9 @@ struct Wing {
 }
 
 impl Wing {
-    /// The side that looks to larger angles, and the one that looks to smaller ones. A face that runs forward has
-    /// its inside on the left, seen from its front: its normal points to larger angles.
+    /// Returns the side towards larger angles, and the side towards smaller angles. A face that
+    /// runs forward has its inside on the left, seen from its front: its normal points to larger
+    /// angles.
     fn sides(self) -> [Side; 2] {
         let sides = [Side::Front(self.sheet), Side::Back(self.sheet)];
         if self.forward { sides } else { [sides[1], sides[0]] }
@@ -32,25 +33,26 @@ impl Wing {
 }
 
 impl Edge {
-    /// Sides that bound one region here: neighbours in the order of angles.
+    /// Returns the pairs of sides that bound the same region here: neighbours in the order of
+    /// angles.
     pub(super) fn facing(&self) -> impl Iterator<Item = (Side, Side)> {
         let count = self.around.len();
         (0..count).map(move |i| (self.around[i].sides()[0], self.around[(i + 1) % count].sides()[1]))
     }
 
-    /// Two faces that go the same way from here, and so lie upon each other.
+    /// Returns two faces that extend in the same direction from this edge, and so coincide.
     pub(super) fn overlapping(&self) -> Option<(usize, usize)> {
         let mut neighbours = self.around.windows(2);
         let pair = neighbours.find(|pair| pair[1].angle - pair[0].angle < 1e-9)?;
         Some((pair[0].sheet, pair[1].sheet))
     }
 
-    /// Whether one face alone ends here.
+    /// Whether only one face ends here.
     pub(super) fn is_free(&self) -> bool {
         self.around.len() == 1
     }
 
-    /// One of its faces.
+    /// Returns one of the faces.
     pub(super) fn first(&self) -> usize {
         self.around[0].sheet
     }
@@ -60,10 +62,11 @@ impl Edge {
     }
 }
 
-/// Two vertices by number; of an edge without a direction the smaller one first.
+/// Two vertex numbers; for an undirected edge, the smaller one first.
 pub(super) type Ends = (usize, usize);
 
-/// The edges of all faces. An edge that one face alone has is split at the ends of other such edges on it.
+/// Returns the edges of all faces. An edge that belongs to a single face is split at the ends of
+/// other such edges on it.
 pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
     let mut by_ends: HashMap<Ends, Vec<(usize, bool)>> = HashMap::new();
     for (index, sheet) in sheets.iter().enumerate() {
@@ -83,7 +86,7 @@ pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
     edges.into_iter().map(|(_, edge)| edge).collect()
 }
 
-/// Splits edges of one face at the ends of others.
+/// Splits edges of a single face at the ends of others.
 fn split_free(by_ends: &mut HashMap<Ends, Vec<(usize, bool)>>, vertices: &[Vector]) {
     let free: Vec<Ends> =
         by_ends.iter().filter(|(_, faces)| faces.len() == 1).map(|(&ends, _)| ends).collect();
@@ -105,7 +108,7 @@ fn split_free(by_ends: &mut HashMap<Ends, Vec<(usize, bool)>>, vertices: &[Vecto
     }
 }
 
-/// The candidates, which are in the order of their x, inside an edge, in their order along it.
+/// Returns the candidates inside an edge, in their order along it. The candidates are sorted by x.
 pub(super) fn vertices_on((a, b): Ends, vertices: &[Vector], candidates: &[usize]) -> Vec<usize> {
     let (from, along) = (vertices[a], vertices[b] - vertices[a]);
     let length = along.length();
@@ -139,7 +142,7 @@ fn edge(sheets: &[Sheet], ends: [Vector; 2], faces: &[(usize, bool)]) -> Edge {
     let wing = |&(sheet, forward): &(usize, bool)| {
         let into = into(sheet, forward);
         let angle = into.dot(quarter).atan2(into.dot(zero));
-        // What rounding puts just below zero would come last.
+        // an angle that rounding makes slightly negative stays first
         let angle = if angle < -1e-9 { angle + TAU } else { angle };
         Wing { sheet, forward, angle }
     };

@@ -1,14 +1,15 @@
-//! Rays: bodies that share no edge with what surrounds them are joined to it along a straight line.
+//! Rays: connects bodies that share no edge with their surroundings to them along a straight line.
 
 use super::edges::Edge;
 use super::sheets::{Piece, Sheet, Side};
 use crate::geometry::{Polygon, Vector};
 
-/// A direction that no model is aligned with.
+/// A direction with which no model is aligned.
 const DIRECTION: Vector = Vector::new(0.486_204_391_7, 0.293_518_640_3, 0.823_106_872_9);
 
-/// The sides that see each other along a ray to each body that has a sheet of the kind asked for: the first side
-/// of the body that the ray meets, and what it leaves before it.
+/// Returns pairs of sides that see each other along a ray, one for each body with a sheet for which
+/// `is_asked_for` holds: the first side of the body that the ray meets, and the side that the ray
+/// leaves before it.
 pub(super) fn seen(
     sheets: &[Sheet],
     edges: &[Edge],
@@ -19,7 +20,7 @@ pub(super) fn seen(
     bodies.iter().filter(asked_for).filter_map(|body| first_sight(sheets, &bodies, body)).collect()
 }
 
-/// Sheets that are joined by edges, and a ball around them.
+/// Sheets that are connected by edges, and a bounding ball.
 struct Body {
     sheets: Vec<usize>,
     middle: Vector,
@@ -66,7 +67,7 @@ impl Body {
         Self { sheets, middle, radius }
     }
 
-    /// Whether the line through a point comes near, with a margin for rounding.
+    /// Whether the line through a point comes near the bounding ball, with a margin for rounding.
     fn is_near(&self, through: Vector) -> bool {
         let o = self.middle - through;
         let along = (o.dot(DIRECTION) / DIRECTION.dot(DIRECTION)) * DIRECTION;
@@ -74,7 +75,7 @@ impl Body {
     }
 }
 
-/// The first side of a body on a ray through one of its sheets, and the side before it.
+/// Returns the first side of a body on a ray through one of its sheets, and the side before it.
 fn first_sight(sheets: &[Sheet], bodies: &[Body], body: &Body) -> Option<(Side, Side)> {
     let through = body.middle;
     let mut hits: Vec<Hit> = Vec::new();
@@ -91,9 +92,9 @@ fn first_sight(sheets: &[Sheet], bodies: &[Body], body: &Body) -> Option<(Side, 
     Some((hits[first].met(), before))
 }
 
-/// Where a ray crosses a sheet.
+/// Crossing of a ray with a sheet.
 struct Hit {
-    /// The length along the ray.
+    /// The position along the ray.
     at: f64,
     index: usize,
     from_front: bool,
@@ -101,18 +102,18 @@ struct Hit {
 }
 
 impl Hit {
-    /// The side at which the ray arrives.
+    /// Returns the side at which the ray arrives.
     fn met(&self) -> Side {
         if self.from_front { Side::Front(self.index) } else { Side::Back(self.index) }
     }
 
-    /// The side at which it goes on.
+    /// Returns the side from which the ray continues.
     fn left(&self) -> Side {
         if self.from_front { Side::Back(self.index) } else { Side::Front(self.index) }
     }
 }
 
-/// A point within a sheet.
+/// Returns a point within a sheet, or the centre of a sphere.
 fn middle(piece: &Piece) -> Vector {
     match piece {
         Piece::Face(polygon, _) => Vector::mean(&polygon.convex_pieces()[0]),
@@ -121,7 +122,7 @@ fn middle(piece: &Piece) -> Vector {
     }
 }
 
-/// Where the line through a point crosses a sheet, and whether from its front.
+/// Returns where the line through a point crosses a sheet, and whether from its front.
 fn crossings(piece: &Piece, through: Vector) -> Vec<(f64, bool)> {
     match piece {
         Piece::Face(polygon, _) => {
@@ -130,7 +131,7 @@ fn crossings(piece: &Piece, through: Vector) -> Vec<(f64, bool)> {
             at.filter(crosses).map(|at| (at, polygon.normal().dot(DIRECTION) < 0.0)).into_iter().collect()
         }
         Piece::Sphere(sphere) => {
-            // |o + t d|² = R² with o the point seen from the centre.
+            // |o + t d|² = R² with o the point relative to the centre.
             let o = through - sphere.center;
             let d2 = DIRECTION.dot(DIRECTION);
             let half = o.dot(DIRECTION) / d2;
@@ -148,13 +149,13 @@ fn crossings(piece: &Piece, through: Vector) -> Vec<(f64, bool)> {
     }
 }
 
-/// Where the line through a point crosses a plane.
+/// Returns where the line through a point crosses a plane.
 fn plane(point: Vector, normal: Vector, through: Vector) -> Option<f64> {
     let slope = normal.dot(DIRECTION);
     (slope != 0.0).then(|| normal.dot(point - through) / slope)
 }
 
-/// Whether a point of a polygon's plane lies in it.
+/// Whether a polygon contains a point of its plane.
 fn contains(polygon: &Polygon, point: Vector) -> bool {
     polygon.convex_pieces().iter().any(|piece| {
         (0..piece.len()).all(|i| {

@@ -1,4 +1,4 @@
-//! Sheets: every surface becomes faces with two sides, whose vertices are shared where they coincide.
+//! Sheets: splits every surface into faces with two sides; coincident vertices are shared.
 
 use super::boundary::boundary;
 use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
@@ -13,13 +13,14 @@ pub(crate) struct Sheet {
 
 /// The shape of a sheet.
 pub(crate) enum Piece {
-    /// A polygon, and its edges, around its holes too, as numbers of vertices. Its inside is on the left of each.
+    /// A polygon, and its edges as vertex numbers, including those around its holes. Its inside is
+    /// on the left of each edge.
     Face(Polygon, Vec<[usize; 2]>),
     Sphere(Sphere),
     Disk(Disk),
 }
 
-/// A side of a sheet, or what is outside of all.
+/// A side of a sheet, or the outside of the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Front(usize),
@@ -28,18 +29,18 @@ pub(super) enum Side {
 }
 
 impl Sheet {
-    /// The disk that it is, whose rim no other sheet can share.
+    /// Returns the disk, if the sheet is one. No other sheet can share its rim.
     pub(super) fn disk(&self) -> Option<&Disk> {
         if let Piece::Disk(disk) = &self.shape { Some(disk) } else { None }
     }
 
-    /// Whether this disk was cut out of it.
+    /// Whether this disk was cut out of the sheet.
     pub(super) fn has_round_hole(&self, disk: &Disk) -> bool {
         matches!(&self.shape, Piece::Face(polygon, _) if polygon.round_holes().contains(disk))
     }
 }
 
-/// The sheets of a scene, and the vertices that their faces number.
+/// Returns the sheets of a scene, and the numbered vertices of their faces.
 pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
     let mut pieces = Vec::new();
     for (surface, shape) in scene.surfaces.iter().map(|surface| &surface.shape).enumerate() {

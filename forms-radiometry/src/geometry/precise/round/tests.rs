@@ -1,10 +1,11 @@
-//! A sphere is seen as the disk whose rim its tangents touch, a disk as a polygon of many edges is, and what has no closed form has none.
+//! A sphere looks like the disk bounded by its tangent circle, a disk looks like a polygon of many
+//! edges, and cases without a closed form return none.
 
 use super::*;
 use crate::geometry::precise::form_factor;
 
 const HERE: Vector = Vector::new(0.3, -0.2, 0.7);
-/// A polygon of this fineness has 6144 edges: its form factor is off by some 10⁻¹⁵.
+/// Tessellation level of a polygon with 6144 edges: its form factor has an error of about 10⁻¹⁵.
 const FINE: usize = 8;
 const AXIS: Vector = Vector::new(0.0, 0.0, 1.0);
 
@@ -20,7 +21,7 @@ fn assert_close(what: &str, found: Rounded, expected: f64) {
     assert!(error <= allowed + 1e-14, "{what}: {value} ± {error}");
 }
 
-/// Disks about the point, by the heights over them and the distances from their axes.
+/// Disks around the point, given by the point's height over them and its distance from their axes.
 fn disks() -> impl Iterator<Item = Disk> {
     let places = [(1.0, 0.0), (0.3, 0.4), (0.3, 1.3), (2.0, 5.0), (1.0, 1.0), (1e3, 10.0)];
     directions().into_iter().flat_map(move |normal| {

@@ -1,4 +1,4 @@
-//! Groups of points: what is found for many at once is what each finds alone.
+//! Groups of points: the results for many points at once equal the results for each point alone.
 
 use super::*;
 

@@ -1,11 +1,12 @@
-//! Searches leave screens out, join them into bodies and stop at the first that is met: what they find is the same as looking at all of them.
+//! Searches skip screens, join them into bodies and stop at the first intersection: their results
+//! equal those of testing all screens.
 
 use super::*;
 use crate::CORNELL_BOX;
 use crate::faces::faces;
 use crate::scene::read;
 
-/// Convex outlines: corners of a triangle or a parallelogram, or one point.
+/// A random convex outline: the corners of a triangle or a parallelogram, or one point.
 fn outline(numbers: &mut Numbers) -> Vec<Vector> {
     let o = numbers.vector();
     let [u, v] = [0.3 * numbers.direction(), 0.3 * numbers.direction()];
@@ -16,14 +17,14 @@ fn outline(numbers: &mut Numbers) -> Vec<Vector> {
     }
 }
 
-/// A point of an outline.
+/// A random point of an outline.
 fn inside(outline: &[Vector], numbers: &mut Numbers) -> Vector {
     let weights: Vec<f64> = outline.iter().map(|_| numbers.next()).collect();
     let sum: f64 = weights.iter().sum();
     weights.iter().zip(outline).fold(ORIGIN, |point, (weight, &corner)| point + (weight / sum) * corner)
 }
 
-/// A furnished room without its walls, so that it is seen from all sides.
+/// The furniture without the room's walls, so that it is seen from all sides.
 fn furniture() -> Vec<Face> {
     with_round_shapes().into_iter().filter(|face| face.surface >= 6).collect()
 }
@@ -65,7 +66,7 @@ fn what_cannot_come_between_hides_nothing() {
     assert!(counts.iter().all(|&count| count > 30), "{counts:?}");
 }
 
-/// A roof over the floor, of which neither side hides all.
+/// A roof over the floor; neither of its sides alone hides all.
 fn wedge() -> Vec<Polygon> {
     let [a, b] = [[-2.0, -1.0, 0.2], [3.0, -1.0, 0.2]];
     let [c, d] = [[3.0, 2.0, 0.2], [-2.0, 2.0, 0.2]];
@@ -191,7 +192,7 @@ fn what_is_hidden_from_a_point_is_not_visible() {
         screens.between(&[position], None, lamp.vertices(), lamp.normal(), &mut found);
         let mut pieces = screens.visible(position, None, lamp.vertices(), lamp.normal(), &found, &mut work);
         let direction = target - position;
-        // rounding leaves specks, and edges so short that no point has a side of them
+        // rounding leaves specks, and edges so short that no point is clearly on one side of them
         let holds = |piece: &[Vector]| {
             let mut edges = piece.iter().zip(piece.iter().cycle().skip(1));
             let is_speck = piece.iter().all(|&v| (v - piece[0]).length() < 1e-12);
