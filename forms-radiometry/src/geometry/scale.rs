@@ -5,6 +5,7 @@
 //! lengths do.
 
 use super::Vector;
+use super::vector::largest;
 
 /// The largest coordinate and the smallest length: the squares of both are representable, as areas
 /// require.
@@ -36,12 +37,10 @@ pub(crate) fn factor([largest, least]: [f64; 2]) -> f64 {
 }
 
 /// Returns the largest coordinate of vertices and the largest distance from the first vertex along
-/// an axis. A NaN coordinate is skipped unless it comes last.
+/// an axis; NaN if a coordinate is NaN.
 pub(crate) fn lengths(vertices: &[Vector]) -> [f64; 2] {
-    let largest = |of: &dyn Fn(&Vector) -> f64| {
-        vertices.iter().map(of).fold(0.0, |m: f64, length| if length <= m { m } else { length })
-    };
-    [largest(&|v| v.largest()), largest(&|&v| (v - vertices[0]).largest())]
+    let extent = |from: Vector| largest(vertices.iter().map(|&v| (v - from).largest()));
+    [largest(vertices.iter().map(|v| v.largest())), extent(vertices[0])]
 }
 
 /// Combines the lengths of several shapes.

@@ -53,10 +53,9 @@ impl Vector {
         [self.x, self.y, self.z]
     }
 
-    /// Returns the largest absolute value of a coordinate. It is NaN if z is NaN; a NaN in x or y
-    /// is skipped.
+    /// Returns the largest absolute value of a coordinate; NaN if a coordinate is NaN.
     pub(crate) fn largest(self) -> f64 {
-        [self.x, self.y, self.z].into_iter().fold(0.0, |m: f64, c| if c.abs() <= m { m } else { c.abs() })
+        largest([self.x, self.y, self.z].into_iter().map(f64::abs))
     }
 
     /// |v|, without intermediate overflow or underflow.
@@ -69,7 +68,7 @@ impl Vector {
         scale * v.dot(v).sqrt()
     }
 
-    /// v/|v|, or `None` where v is zero, has an infinite coordinate, or z is NaN.
+    /// v/|v|, or `None` if v is zero or a coordinate is not finite.
     pub fn unit(self) -> Option<Self> {
         let scale = self.largest();
         if scale == 0.0 || !scale.is_finite() {
@@ -81,6 +80,11 @@ impl Vector {
         let length = v.dot(v).sqrt();
         Some(Self::new(v.x / length, v.y / length, v.z / length))
     }
+}
+
+/// Returns the largest of some lengths; 0 if there are none, NaN if one is NaN.
+pub(crate) fn largest(lengths: impl Iterator<Item = f64>) -> f64 {
+    lengths.fold(0.0, |m, length| if length > m || length.is_nan() { length } else { m })
 }
 
 impl Add for Vector {
@@ -108,5 +112,21 @@ impl Mul<Vector> for f64 {
     type Output = Vector;
     fn mul(self, v: Vector) -> Vector {
         Vector::new(self * v.x, self * v.y, self * v.z)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_vector_with_a_nan_has_no_direction_and_a_nan_as_length() {
+        for place in 0..3 {
+            let mut coordinates = [1.0, 2.0, 3.0];
+            coordinates[place] = f64::NAN;
+            let [x, y, z] = coordinates;
+            assert!(Vector::new(x, y, z).length().is_nan());
+            assert_eq!(Vector::new(x, y, z).unit(), None);
+        }
     }
 }

@@ -175,8 +175,8 @@ impl Luminaires {
         self.near[wall].as_ref().is_some_and(|near| near.holds(from))
     }
 
-    /// Selects a light source by a number from 0 to 1, in proportion to its power, and returns its
-    /// surface; `None` for a beam.
+    /// Selects an emitting surface by a number from 0 to 1, in proportion to its power; `None` if there
+    /// is none.
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
         match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),

@@ -19,11 +19,13 @@ use super::warps::free_flight_sample;
 use super::world::World;
 use crate::geometry::{Met, Start, Vector, Wall};
 use crate::sampling::{Samples, key};
-use crate::scene::{Filling, LightKind, MaterialKind, SceneError};
+use crate::scene::{Filling, Light, LightKind, MaterialKind, SceneError};
 use rayon::prelude::*;
 
-/// Number of rays, and the number of events for which each is traced.
+/// Number of rays from surfaces, least number of rays from each point light, and number of events for
+/// which each ray is traced. Point lights together send at least as many rays as surfaces.
 const RAYS: u32 = 512;
+const RAYS_OF_POINT: u32 = 8;
 const TURNS: u32 = 4096;
 /// Number of rays that are allowed to survive all events by chance.
 const CHANCE: usize = 1;
@@ -71,14 +73,31 @@ impl<'w> Search<'w> {
 impl Search<'_> {
     /// Returns a surface that is hit by light that survived very many events.
     fn closed(&self) -> Option<usize> {
-        let of_ray = |ray: u32| self.caught(&mut Samples::new(key(17, 0), ray));
-        let caught: Vec<usize> = (0..RAYS).into_par_iter().filter_map(of_ray).collect();
+        let points = self.points();
+        let of_points = if points.is_empty() { 0 } else { RAYS.max(RAYS_OF_POINT * points.len() as u32) };
+        let of_ray = |ray: u32| {
+            let samples = &mut Samples::new(key(17, 0), ray);
+            let sent = match ray.checked_sub(RAYS) {
+                None => self.of_surface(samples),
+                Some(ray) => Some(self.of_point(points[ray as usize % points.len()], samples)),
+            };
+            self.caught(sent?, samples)
+        };
+        let caught: Vec<usize> = (0..RAYS + of_points).into_par_iter().filter_map(of_ray).collect();
         (caught.len() > CHANCE).then(|| caught[0])
     }
 
-    /// Returns the surface that one ray hits in the end, if the ray loses no energy.
-    fn caught(&self, samples: &mut Samples) -> Option<usize> {
-        let mut ray = self.sent(samples)?;
+    /// Returns the positions of the point lights.
+    fn points(&self) -> Vec<Vector> {
+        let position = |light: &Light| match light.kind {
+            LightKind::Point { position, .. } => Some(position),
+            _ => None,
+        };
+        self.world.scene.lights.iter().filter_map(position).collect()
+    }
+
+    /// Returns the surface that a ray hits in the end, if the ray loses no energy.
+    fn caught(&self, mut ray: Ray, samples: &mut Samples) -> Option<usize> {
         let mut last = None;
         for _ in 0..TURNS {
             last = Some(self.turn(&mut ray, samples)?);
@@ -86,25 +105,23 @@ impl Search<'_> {
         last
     }
 
-    /// Samples a ray from an emitting surface, or from the first light if that is a point light.
-    fn sent(&self, samples: &mut Samples) -> Option<Ray> {
+    /// Samples a ray from an emitting surface; `None` if there is none.
+    fn of_surface(&self, samples: &mut Samples) -> Option<Ray> {
         let world = self.world;
-        let scene = world.scene;
-        let number = samples.one();
-        let (start, direction) = match world.luminaires.emitting(number) {
-            Some(surface) => {
-                let (wall, position, normal) = world.fronts[surface].point(samples)?;
-                let direction = Law::<1>::Plane(normal).direction(1, samples);
-                (world.walls.start_before(wall, position), direction)
-            }
-            None => match scene.lights.first().map(|light| &light.kind) {
-                Some(LightKind::Point { position, .. }) => {
-                    (world.walls.start_at(*position), Law::<1>::Sphere.direction(1, samples))
-                }
-                _ => return None,
-            },
-        };
-        Some(Ray { start, direction, filling: world.medium_at(start, direction) })
+        let surface = world.luminaires.emitting(samples.one())?;
+        let (wall, position, normal) = world.fronts[surface].point(samples)?;
+        let direction = Law::<1>::Plane(normal).direction(1, samples);
+        Some(self.ray(world.walls.start_before(wall, position), direction))
+    }
+
+    /// Samples a ray from a point light.
+    fn of_point(&self, position: Vector, samples: &mut Samples) -> Ray {
+        let direction = Law::<1>::Sphere.direction(1, samples);
+        self.ray(self.world.walls.start_at(position), direction)
+    }
+
+    fn ray(&self, start: Start, direction: Vector) -> Ray {
+        Ray { start, direction, filling: self.world.medium_at(start, direction) }
     }
 
     /// Traces a ray to its next event and returns the surface; `None` if the ray loses energy or

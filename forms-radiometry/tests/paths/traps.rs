@@ -1,7 +1,7 @@
 //! Traps: a scene whose light can never leave and is never absorbed is refused, with the surface and its place; what only looks like one is not.
 
 use crate::claims::elements::{
-    basin, cuboid, filled_with, gas, glass, medium, mirror, probe, shining, sky, sphere, square,
+    basin, cuboid, filled_with, gas, glass, medium, mirror, point_light, probe, shining, sky, sphere, square,
 };
 use crate::claims::scene_text::{material, polygon, surface};
 use forms_radiometry::scene::read;
@@ -38,7 +38,7 @@ fn planned(tables: &[String]) -> Result<(), String> {
 fn light_that_can_never_leave_is_refused_with_its_place() {
     let shell = |more: &str| surface("shell", "silver", &(sphere([0.5; 3], 2.0, true) + more));
     let white = || material("white", 1) + &cuboid("room", "white", UNIT, true, "\nradiance = 1");
-    let cases: [(&str, Vec<String>, &[&str]); 5] = [
+    let cases: [(&str, Vec<String>, &[&str]); 6] = [
         (
             "two facing mirrors with a lamp between them",
             vec![facing(1.0), spark()],
@@ -47,6 +47,17 @@ fn light_that_can_never_leave_is_refused_with_its_place() {
         (
             "a closed box of reflectance 1, with fog in it",
             vec![white(), medium("fog", [&0, &1, &0, &1]), filled_with("fog")],
+            &["room_"],
+        ),
+        (
+            "a closed box of reflectance 1 around the second of two point lights, with fog in it",
+            vec![
+                material("white", 1) + &cuboid("room", "white", UNIT, true, ""),
+                point_light([3.0; 3], 1),
+                point_light([0.5; 3], 1),
+                medium("fog", [&0, &1, &0, &1]),
+                filled_with("fog"),
+            ],
             &["room_"],
         ),
         (
