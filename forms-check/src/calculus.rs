@@ -1,14 +1,15 @@
-//! Scalars, forms, fields and quadratic forms by their coefficients: d, ∧, interior products, Lie derivatives,
-//! pullbacks.
+//! Exterior calculus on coefficients of scalars, forms, fields and quadratic forms: d, ∧, interior
+//! products, Lie derivatives, pullbacks.
 
 use crate::expression::{Expr, Operation, Pool, rational};
 use std::collections::{BTreeMap, HashMap};
 
-/// A set of differentials in ascending order, bit v standing for dv. A scalar has none.
+/// Set of differentials in ascending order; bit v stands for dv. A scalar has none.
 pub(crate) type Blade = u128;
 
-/// What coefficients are by: a scalar's or form's by blades, a field's by coordinates, those of a quadratic form in
-/// the differentials by one coordinate for a square and by two for twice an entry off the diagonal.
+/// Type of a value, which determines its coefficients' keys: blades for a scalar or form,
+/// coordinates for a field. A quadratic form in the differentials has one coordinate as the key of
+/// a square, and two as the key of twice an off-diagonal entry.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Kind {
     #[default]
@@ -18,25 +19,26 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// The kind of a sum, or of a product one factor of which is a scalar.
+    /// Returns the kind of a sum, or of a product in which one factor is a scalar.
     fn with(self, other: Kind) -> Kind {
         if self == Kind::Form { other } else { self }
     }
 }
 
-/// A scalar, form, field or quadratic form; without terms it is zero of any type.
+/// Scalar, form, field or quadratic form; without terms it is the zero of any type.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Value {
     pub(crate) kind: Kind,
     pub(crate) terms: BTreeMap<Blade, Expr>,
 }
 
-/// The coordinates of a blade in order.
+/// Returns the coordinates of a blade in order.
 pub(crate) fn coordinates(blade: Blade) -> impl Iterator<Item = usize> {
     (0..128).filter(move |v| blade >> v & 1 == 1)
 }
 
-/// The sign of putting a, then b, in order; nothing if they share a differential.
+/// Returns the sign of the permutation that sorts a followed by b; `None` if they share a
+/// differential.
 pub(crate) fn order(a: Blade, b: Blade) -> Option<i64> {
     let swaps: u32 = coordinates(b).map(|v| (a >> v).count_ones()).sum();
     (a & b == 0).then_some(if swaps.is_multiple_of(2) { 1 } else { -1 })
@@ -47,18 +49,19 @@ impl Value {
         Value { kind: Kind::Form, terms: BTreeMap::from([(blade, coefficient)]) }
     }
 
-    /// dv
+    /// Returns dv.
     pub(crate) fn differential(pool: &mut Pool, v: usize) -> Self {
         Value::of(1 << v, pool.number(rational(1, 1)))
     }
 
-    /// The coefficient of a scalar, if it is one.
+    /// Returns the coefficient of a scalar; `None` for any other value.
     pub(crate) fn as_scalar(&self, pool: &mut Pool) -> Option<Expr> {
         let is_scalar = self.kind == Kind::Form && self.terms.keys().all(|blade| *blade == 0);
         is_scalar.then(|| self.terms.get(&0).copied().unwrap_or_else(|| pool.number(rational(0, 1))))
     }
 
-    /// Whether both are scalars, forms of one degree, fields or quadratic forms, or one of them has no term.
+    /// Whether both are scalars, forms of one degree, fields or quadratic forms, or one of them has
+    /// no term.
     pub(crate) fn is_alike(&self, other: &Value) -> bool {
         let degree = |value: &Value| value.terms.keys().next().map(|blade| blade.count_ones());
         match (degree(self), degree(other)) {
@@ -73,14 +76,14 @@ impl Value {
         self.terms.insert(blade, sum);
     }
 
-    /// a + b or a − b
+    /// Returns a + b or a − b.
     pub(crate) fn add(&self, pool: &mut Pool, other: &Value, sign: i64) -> Self {
         let mut sum = Value { kind: self.kind.with(other.kind), terms: self.terms.clone() };
         other.terms.iter().for_each(|(blade, c)| sum.accumulate(pool, *blade, sign, *c));
         sum
     }
 
-    /// a ∧ b, which is the product if one of them is a scalar.
+    /// Returns a ∧ b, which is the product if one factor is a scalar.
     pub(crate) fn wedge(&self, pool: &mut Pool, other: &Value) -> Self {
         let mut product = Value { kind: self.kind.with(other.kind), ..Value::default() };
         for (a, x) in &self.terms {
@@ -94,7 +97,7 @@ impl Value {
         product
     }
 
-    /// a b of 1-forms, where the product is symmetric
+    /// Returns the symmetric product a b of two 1-forms.
     pub(crate) fn symmetric(&self, pool: &mut Pool, other: &Value) -> Self {
         let mut product = Value { kind: Kind::Quadratic, ..Value::default() };
         for (a, x) in &self.terms {
@@ -106,7 +109,7 @@ impl Value {
         product
     }
 
-    /// Σ ∂c/∂v dv ∧ blade along some coordinates
+    /// Returns the exterior derivative Σ ∂c/∂v dv ∧ blade along some coordinates.
     pub(crate) fn exterior(&self, pool: &mut Pool, along: &[usize]) -> Self {
         let mut result = Value::default();
         for (blade, c) in &self.terms {
@@ -120,7 +123,7 @@ impl Value {
         result
     }
 
-    /// The field in the first slot; of a scalar it is zero.
+    /// Returns the interior product, with the field in the first slot; zero for a scalar.
     pub(crate) fn interior(&self, pool: &mut Pool, field: &Value) -> Self {
         let mut result = Value::default();
         for (blade, c) in &self.terms {
@@ -133,7 +136,8 @@ impl Value {
         result
     }
 
-    /// Cartan: L_X w = i_X dw + d i_X w; of a field the bracket [X, Y]ᵛ = X(Yᵛ) − Y(Xᵛ).
+    /// Returns the Lie derivative, L_X w = i_X dw + d i_X w (Cartan); for a field, the bracket [X,
+    /// Y]ᵛ = X(Yᵛ) − Y(Xᵛ).
     pub(crate) fn lie(&self, pool: &mut Pool, field: &Value, along: &[usize]) -> Self {
         if self.kind != Kind::Field {
             let second = self.interior(pool, field).exterior(pool, along);
@@ -149,7 +153,8 @@ impl Value {
         result
     }
 
-    /// Coefficients composed with the map; differentials of target coordinates become those of components.
+    /// Returns the pullback: coefficients are composed with the map, and differentials of target
+    /// coordinates become differentials of components.
     pub(crate) fn pullback(&self, pool: &mut Pool, images: &HashMap<usize, Expr>, source: &[usize]) -> Self {
         let mut result = Value::default();
         for (blade, c) in &self.terms {

@@ -1,17 +1,19 @@
-//! The lines of a certificate: files, and for each statement a proof, a refutation or why there is neither.
+//! Certificates: files, and for each statement a proof, a refutation or the reason why there is
+//! neither.
 
 use crate::integral::Offered;
 use crate::proof::{self, Subject};
 use crate::theory::Theory;
 use crate::{Checked, Claim, Outcome, Stop, integral, malformed, witness};
 
-/// A keyword and what follows it.
+/// Line of a certificate: a keyword and its argument.
 pub(crate) type Line = (String, String);
 
-/// The first line of every certificate.
+/// First line of every certificate.
 const HEADER: &str = "forms certificate 1";
 
-/// FNV-1a: it tells a changed file, and nothing rests on it.
+/// Computes the FNV-1a hash. It only detects a changed file; the soundness of a check does not
+/// depend on it.
 fn hash(text: &str) -> String {
     let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
     format!("{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325, step))
@@ -29,7 +31,7 @@ fn lines(text: &str) -> Result<Vec<Line>, Stop> {
     Ok(rows.map(split).collect())
 }
 
-/// Checks every entry; `read` gives the text of a file by the name in the certificate.
+/// Checks every entry; `read` returns the text of a file by its name in the certificate.
 pub(crate) fn check(
     text: &str,
     read: &mut dyn FnMut(&str) -> Result<String, String>,
@@ -99,7 +101,8 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
         let why = head.1.split_once(' ').map_or("", |(_, why)| why);
         return Ok(Outcome::NotCovered(why.to_string()));
     }
-    // the prover has read the source: what the checker cannot read there is beyond it
+    // the prover has read the source, so a source that the checker cannot read is not covered
+    // rather than malformed
     let statement = match theory.statement(name) {
         Err(Stop::Malformed(what)) => return Ok(Outcome::NotCovered(what)),
         other => other,
@@ -119,11 +122,11 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
         other => Err(malformed(format!("`{other}` begins no entry"))),
     };
     match result {
-        // where there was no room for a part, another stood for it
+        // when the pool was full, one node stood for others
         _ if theory.pool.is_full() => Ok(Outcome::NotCovered("expressions of so many parts".into())),
         Ok(()) => Ok(Outcome::Accepted),
         Err(Stop::Malformed(why)) => Err(malformed(format!("{name}: {why}"))),
-        // a proof that needs more than the checker does shows nothing
+        // a proof that needs more than the checker covers proves nothing
         Err(Stop::Uncovered(why) | Stop::Rejected(why)) => Ok(Outcome::Rejected(why)),
         Err(Stop::Undefined) => Ok(Outcome::Rejected("it divides by zero".into())),
     }

@@ -1,4 +1,5 @@
-//! Sines, cosines and tangents: of sums of multiples of units, of parts of a half turn, of inverse functions.
+//! Sines, cosines and tangents of sums of multiples of units, of rational multiples of π, and of
+//! inverse functions.
 
 use crate::element::one;
 use crate::expression::Operation::{Function, Pi};
@@ -9,10 +10,10 @@ use crate::{Stop, rejected};
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 
-/// cos and sin of an angle.
+/// Cosine and sine of an angle.
 type Point = (Fraction, Fraction);
 
-/// The largest denominator of a part of a half turn.
+/// Largest denominator q of an angle pπ/q.
 const SMALLEST_PART: i64 = 960;
 
 impl Field {
@@ -33,8 +34,9 @@ impl Field {
         Ok(point)
     }
 
-    /// The point of π/q for q = 2ᵏ, 3·2ᵏ, 5·2ᵏ and 15·2ᵏ: cos² and sin² of half an angle are (1 ± cos)/2,
-    /// cos(π/5) = (1 + √5)/4, sin(π/5) = √(√5/(2(1 + √5))), and π/(mn) = uπ/n + vπ/m for um + vn = 1.
+    /// Returns the point of π/q for q = 2ᵏ, 3·2ᵏ, 5·2ᵏ and 15·2ᵏ. It uses that cos² and sin² of
+    /// half an angle are (1 ± cos)/2, cos(π/5) = (1 + √5)/4, sin(π/5) = √(√5/(2(1 + √5))), and
+    /// π/(mn) = uπ/n + vπ/m for um + vn = 1.
     fn part_of_half_turn(&mut self, q: i64) -> Result<Point, Stop> {
         let number = |p, q| Fraction::number(rational(p, q));
         match q {
@@ -67,14 +69,16 @@ impl Field {
         Ok((self.root(&up, 1, 2)?, self.root(&down, 1, 2)?))
     }
 
-    /// cos(a + b) = cos a cos b − sin a sin b, sin(a + b) = sin a cos b + cos a sin b
+    /// Returns the point of a + b, where cos(a + b) = cos a cos b − sin a sin b and
+    /// sin(a + b) = sin a cos b + cos a sin b.
     fn turned(&mut self, a: &Point, b: &Point) -> Result<Point, Stop> {
         let (cc, ss) = (self.multiply(&a.0, &b.0)?, self.multiply(&a.1, &b.1)?);
         let (sc, cs) = (self.multiply(&a.1, &b.0)?, self.multiply(&a.0, &b.1)?);
         Ok((self.subtract(&cc, &ss)?, self.add(&sc, &cs)?))
     }
 
-    /// The point of an angle that c·quantity is a multiple of: a part of a half turn, an inverse function, a unit.
+    /// Returns the point of an angle of which c·quantity is an integer multiple, and the multiple:
+    /// the angle is π/q, an inverse function or a unit.
     fn step(&mut self, quantity: &Fraction, c: &BigRational) -> Result<(Point, i64), Stop> {
         let generator = (0..self.generators.len()).find(|g| quantity.is_generator(*g));
         match generator.and_then(|g| self.generators[g].clone()) {
@@ -107,7 +111,7 @@ impl Field {
         Ok(((cosine, sine), times))
     }
 
-    /// cos and sin of asin q and atan q
+    /// Returns the cosine and the sine of asin q or atan q.
     fn inverse_point(&mut self, name: &str, q: &Fraction) -> Result<Point, Stop> {
         let sign = rational(if name == "asin" { -1 } else { 1 }, 1);
         let square = self.multiply(q, q)?.scale(&sign);
@@ -119,7 +123,7 @@ impl Field {
         Ok((self.inverse(&root)?, self.quotient(q, &root)?))
     }
 
-    /// Declares a unit of angles or exponents, one term; its value.
+    /// Declares a unit of angles or exponents, which must be one term; returns its value.
     pub(crate) fn declare(&mut self, kind: Kind, value: &Fraction) -> Result<Fraction, Stop> {
         let value = self.expanded(value)?;
         if value.numerator.0.len() != 1 {
@@ -146,7 +150,7 @@ impl Field {
         Ok(false)
     }
 
-    /// tan a of half a unit a that is written by it.
+    /// Returns the tangent of an angle that is half of a unit represented by tan(u/2).
     pub(crate) fn half_unit(&mut self, angle: &Fraction) -> Result<Option<Fraction>, Stop> {
         for number in 0..self.units.len() {
             let unit = self.units[number].clone();
@@ -157,7 +161,8 @@ impl Field {
         Ok(None)
     }
 
-    /// tan(u/2) of a unit is its generator; any other is sine over cosine.
+    /// Returns the tangent of an angle: the generator if it is tan(u/2) of a unit, otherwise sine
+    /// over cosine.
     pub(crate) fn tangent(&mut self, angle: &Fraction) -> Result<Fraction, Stop> {
         if let Some(known) = self.half_unit(angle)? {
             return Ok(known);

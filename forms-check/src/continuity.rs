@@ -1,4 +1,4 @@
-//! Continuity over closed ranges: what a function is made of has the signs there that it needs.
+//! Continuity over closed ranges, shown by the signs that the operations of a function require.
 
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
 use crate::expression::{Expr, rational};
@@ -11,20 +11,20 @@ use crate::theory::{Condition, Relation, Theory};
 use crate::{Stop, uncovered};
 use std::collections::HashMap;
 
-/// How many boxes are looked at for one sign.
+/// Maximum number of boxes examined for one sign.
 const MOST_BOXES: usize = 32;
 
-/// How many derivatives are looked at for one that is not zero.
+/// Maximum order of the derivatives examined for a nonzero one.
 const MOST_DERIVATIVES: usize = 4;
 
-/// What is known of the points at which an antiderivative is looked at.
+/// Ranges and conditions for the points at which an antiderivative is examined.
 pub(crate) struct Region<'a> {
     pub(crate) ranges: &'a [Range],
     pub(crate) conditions: Vec<Condition>,
 }
 
 impl Theory {
-    /// That every part of an antiderivative is continuous over the closed ranges.
+    /// Checks that every operation of an antiderivative is continuous over the closed ranges.
     pub(crate) fn check_continuous(&mut self, antiderivative: Expr, region: &Region) -> Result<(), Stop> {
         for part in self.pool.parts(&[antiderivative]) {
             let needed = self.need(part)?;
@@ -38,8 +38,9 @@ impl Theory {
         Ok(())
     }
 
-    /// That an integrand is real over the range of the last variable u but for countably many values of u, and that the
-    /// formal derivative of an antiderivative is its derivative but for such.
+    /// Checks that an integrand is real over the range of the last variable u except for countably
+    /// many values of u, and that, with countably many exceptions, the formal derivative of an
+    /// antiderivative is its derivative.
     pub(crate) fn check_almost_everywhere(
         &mut self,
         needs: &[Condition],
@@ -73,8 +74,9 @@ impl Theory {
         Ok(())
     }
 
-    /// Whether q vanishes for at most countably many u of the range, whatever the other variables are: nowhere, or where
-    /// one of its factors does, or it is analytic in u and a derivative of it is not zero at either end or in the middle.
+    /// Whether q vanishes for at most countably many u of the range, whatever the other variables
+    /// are. This holds if q vanishes nowhere, if it holds for the factors of q, or if q is analytic
+    /// in u and q or a derivative of q is nonzero at either end or at the midpoint.
     fn has_few_zeros(&mut self, q: Expr, region: &Region) -> Result<bool, Stop> {
         if self.holds(q, Relation::NotZero, region)? {
             return Ok(true);
@@ -109,7 +111,7 @@ impl Theory {
         Ok(false)
     }
 
-    /// Whether every operation on something that depends on u is analytic all over the range.
+    /// Whether every operation on an operand that depends on u is analytic over the whole range.
     fn is_analytic(&mut self, q: Expr, u: usize, region: &Region) -> Result<bool, Stop> {
         for part in self.pool.parts(&[q]) {
             if !self.pool.variables(part).contains(&u) {
@@ -132,8 +134,9 @@ impl Theory {
         Ok(true)
     }
 
-    /// Of parameters it becomes a condition that a polynomial is not zero; the statement's others have to be open, so
-    /// that its points are dense among those that it had.
+    /// Whether q ≠ 0 can become a condition of the statement: q must be a nonzero polynomial in
+    /// parameters. The other conditions of the statement must be open, so that the remaining points
+    /// are dense among the original ones.
     fn leaves_out_zeros(&mut self, q: Expr, region: &Region) -> Result<bool, Stop> {
         let is_bound =
             |v: &usize| self.bound.contains(v) || region.ranges.iter().any(|range| range.variable == *v);
@@ -154,7 +157,7 @@ impl Theory {
         Ok(true)
     }
 
-    /// Whether something has a sign all over the closed ranges.
+    /// Whether an expression has a sign over the whole closed ranges.
     pub(crate) fn holds(&mut self, q: Expr, relation: Relation, region: &Region) -> Result<bool, Stop> {
         if relation == Relation::NotZero {
             let negated = self.pool.negate(q);
@@ -167,8 +170,9 @@ impl Theory {
             || self.is_enclosed(q, relation, region))
     }
 
-    /// Of q of degree 2 in u: Σ cₖ Bₖ with c₀ = q(a), c₁ = q(a) + q′(a)(b − a)/2, c₂ = q(b), and what keeps above no
-    /// negative cₖ and is not zero at either end has no zero between.
+    /// Decides the sign of q of degree 2 in u by its Bernstein form Σ cₖ Bₖ with c₀ = q(a),
+    /// c₁ = q(a) + q′(a)(b − a)/2, c₂ = q(b): if no cₖ is negative and q is nonzero at both ends, q has
+    /// no zero between.
     fn is_between(&mut self, q: Expr, relation: Relation, region: &Region) -> Result<bool, Stop> {
         let Some((range, outer)) = region.ranges.split_last() else { return Ok(false) };
         let u = range.variable;
@@ -197,7 +201,7 @@ impl Theory {
             && self.holds(middle, Relation::NotNegative, &outer)?)
     }
 
-    /// Whether an expression is polynomial in a variable, as it is written.
+    /// Whether an expression is polynomial in a variable, as written.
     fn is_polynomial(&self, q: Expr, u: usize) -> bool {
         self.pool.parts(&[q]).into_iter().all(|part| {
             let (operation, a) = self.pool.node(part);
@@ -211,7 +215,8 @@ impl Theory {
         })
     }
 
-    /// The same by enclosures on boxes, where all variables run between numbers.
+    /// Decides the sign by enclosures on boxes, where the range of every variable has numeric
+    /// bounds.
     fn is_enclosed(&self, q: Expr, relation: Relation, region: &Region) -> bool {
         let mut start: HashMap<usize, Interval> = HashMap::new();
         for v in self.pool.variables(q) {

@@ -1,7 +1,9 @@
-//! Where expressions are real: what each operation needs, and whether it holds near points that a proof leaves out.
+//! Domains of expressions: the condition under which each operation is real, and whether it holds
+//! near points that a proof omits.
 //!
-//! An operation whose need is met is continuous there, in all its operands. A need with `>` or `≠` is open: it holds
-//! all around a point at which it holds. One with `≥`, of a root or an arc sine, need not.
+//! An operation whose condition holds is continuous there, in all its operands. A condition with
+//! `>` or `≠` is open: it holds in a neighbourhood of every point at which it holds. A condition
+//! with `≥`, of a root or an arc sine, can fail arbitrarily near such a point.
 
 use crate::expression::Expr;
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
@@ -13,7 +15,8 @@ use crate::{Stop, rejected, uncovered};
 use std::collections::BTreeSet;
 
 impl Theory {
-    /// What an operation needs of its operands to be real, if it is not real for all.
+    /// Returns the condition on its operands under which an operation is real; `None` if it is real
+    /// for all.
     pub(crate) fn need(&mut self, part: Expr) -> Result<Option<Condition>, Stop> {
         let (operation, a) = (self.pool.node(part).0.clone(), self.pool.node(part).1.to_vec());
         Ok(match operation {
@@ -30,7 +33,7 @@ impl Theory {
                     (self.pool.number(rational(1, 1)), self.pool.make(Power(2, 1), vec![a[0]]));
                 Some((self.difference(one, square), Relation::NotNegative))
             }
-            // smooth where it is declared, which may not be everywhere
+            // smooth where it is declared, which need not be everywhere
             Jet(f, _) if !self.functions[f].1.is_empty() => {
                 return uncovered("a function with a condition where the statement does not have it");
             }
@@ -38,8 +41,8 @@ impl Theory {
         })
     }
 
-    /// Whether a condition that holds at a point holds all around it: it is strict, and what it is written with is defined
-    /// all around.
+    /// Whether a condition that holds at a point holds in a neighbourhood: it is strict, and its
+    /// expression is defined in a neighbourhood.
     pub(crate) fn is_open(&mut self, (q, relation): Condition) -> Result<bool, Stop> {
         if relation == Relation::NotNegative {
             return Ok(false);
@@ -54,13 +57,15 @@ impl Theory {
         Ok(true)
     }
 
-    /// Whether every point of the statement is a limit of points of it at which no cosine of the units is −1.
+    /// Checks that every point of the statement is a limit of its points at which no cosine of the
+    /// units is −1.
     ///
-    /// Each unit is a number times a product of powers of variables. Those variables are moved a little, the others
-    /// stand still. What is open goes on holding. So does what is not negative and does not depend on them, or is
-    /// seen not to be negative from conditions that go on holding. The points at which a cosine is −1 are zeros of an
-    /// analytic function that is not zero everywhere, so others are as near as one likes; there both sides are
-    /// continuous.
+    /// Each unit is a number times a product of powers of variables. Those variables are perturbed,
+    /// the others are fixed. Open conditions continue to hold. A non-strict condition also
+    /// continues to hold if it does not depend on the perturbed variables, or if it is shown by
+    /// conditions that continue to hold. The points at which a cosine is −1 are zeros of an
+    /// analytic function that is not identically zero, so other points are arbitrarily near; both
+    /// sides are continuous there.
     pub(crate) fn check_dense(&mut self, statement: &Statement, units: &[Expr]) -> Result<(), Stop> {
         let moved: BTreeSet<usize> = units.iter().flat_map(|unit| self.pool.variables(*unit)).collect();
         let stands = |theory: &Theory, q: Expr| theory.pool.variables(q).is_disjoint(&moved);

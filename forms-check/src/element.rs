@@ -1,4 +1,5 @@
-//! Expressions as fractions: roots by bases, sines and exponentials by units, the rest as generators.
+//! Expressions as fractions: roots in terms of bases, sines and exponentials in terms of units,
+//! other functions as generators.
 
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
 use crate::expression::{Expr, Operation, Pool, rational};
@@ -9,10 +10,11 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use std::collections::BTreeMap;
 
-/// The largest numerator and denominator of an exponent.
+/// Largest numerator and denominator of an exponent.
 const LARGEST_ROOT: i64 = 4096;
 
-/// c ∏ gᵉ ∏ exp(u)ᵏ over the bases g and the units u of exponents; with g stands whether g itself, apart from its roots, occurs to an odd power.
+/// Product c ∏ gᵉ ∏ exp(u)ᵏ over the bases g and the units u of exponents. Each g is stored with
+/// whether g itself, apart from its roots, occurs to an odd power.
 pub(crate) struct Factored {
     pub(crate) constant: BigRational,
     pub(crate) powers: BTreeMap<usize, (Ratio<i64>, bool)>,
@@ -23,7 +25,7 @@ pub(crate) fn one() -> Fraction {
     Fraction::number(rational(1, 1))
 }
 
-/// cⁿ of a number that is not zero, unless it is too long to be computed with
+/// Returns cⁿ of a nonzero number, unless the result would be too long.
 fn number_power(c: &BigRational, n: i64) -> Result<BigRational, Stop> {
     let bits = c.numer().bits().max(c.denom().bits()).saturating_mul(n.unsigned_abs());
     match i32::try_from(n).ok().filter(|_| bits <= MOST_BITS) {
@@ -37,7 +39,7 @@ fn gcd(a: i64, b: i64) -> i64 {
 }
 
 impl Field {
-    /// The element an expression stands for.
+    /// Returns the element that represents an expression.
     pub(crate) fn element(&mut self, pool: &Pool, expr: Expr) -> Result<Fraction, Stop> {
         for part in pool.parts(&[expr]) {
             if !self.elements.contains_key(&part) {
@@ -64,7 +66,8 @@ impl Field {
         Ok(self.elements[&expr].clone())
     }
 
-    /// The generator of an operation at arguments: the one known for equal arguments, or another.
+    /// Returns the generator of an operation at arguments: the known generator for equal arguments,
+    /// or a new one.
     fn generator(&mut self, operation: &Operation, a: &[Fraction]) -> Result<Fraction, Stop> {
         for number in 0..self.generators.len() {
             let known = self.generators[number].clone().filter(|known| known.0 == *operation);
@@ -80,7 +83,7 @@ impl Field {
         Ok(Polynomial::generator(self.new_generator(Some((operation.clone(), a.to_vec())))?, 1).into())
     }
 
-    /// a^(p/q) by the bases, or else by a root of its own
+    /// Returns a^(p/q) in terms of the bases, or else in terms of a new root.
     pub(crate) fn root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
         match self.magnitude(a, Ratio::new(p, q)) {
             Err(Stop::Rejected(_)) => self.free_root(a, p, q),
@@ -88,7 +91,7 @@ impl Field {
         }
     }
 
-    /// a^(p/q) = ρᵖ with ρ^q = a
+    /// Returns a^(p/q) = ρᵖ with ρ^q = a.
     fn free_root(&mut self, a: &Fraction, p: i64, q: i64) -> Result<Fraction, Stop> {
         let count = self.generators.len();
         let root = self.generator(&Power(1, q), std::slice::from_ref(a))?;
@@ -108,7 +111,7 @@ impl Field {
             "abs" => self.magnitude(&a[0], Ratio::from_integer(1)),
             "asin" | "atan" if a[0].numerator.is_zero() => Ok(Fraction::default()),
             "log" => {
-                // log |q| asks for no sign of q
+                // log |q| does not depend on the sign of q
                 let magnitude = self.generators.iter().enumerate().find_map(|(g, known)| match known {
                     Some((Function("abs"), q)) if a[0].is_generator(g) => Some(q[0].clone()),
                     _ => None,
@@ -119,7 +122,7 @@ impl Field {
         }
     }
 
-    /// |q|^r = |c|^r ∏ |g|^(e r)
+    /// Returns |q|^r = |c|^r ∏ |g|^(e r).
     pub(crate) fn magnitude(&mut self, q: &Fraction, r: Ratio<i64>) -> Result<Fraction, Stop> {
         if q.numerator.is_zero() {
             return if r > Ratio::from_integer(0) { Ok(Fraction::default()) } else { Err(Stop::Undefined) };
@@ -148,7 +151,7 @@ impl Field {
         Ok(result)
     }
 
-    /// log |q| = Σ e log |g| + Σ k u
+    /// Returns log |q| = Σ e log |g| + Σ k u.
     fn logarithm(&mut self, q: &Fraction) -> Result<Fraction, Stop> {
         if q.numerator.is_zero() {
             return Err(Stop::Undefined);
@@ -170,7 +173,7 @@ impl Field {
         Ok(sum)
     }
 
-    /// An element over the bases, which has to leave nothing but a number.
+    /// Factors an element over the bases; the cofactor must be a number.
     pub(crate) fn factored(&mut self, q: &Fraction) -> Result<Factored, Stop> {
         if q.numerator.is_zero() {
             return rejected("zero has no factors");
@@ -209,7 +212,7 @@ impl Field {
         Ok(found)
     }
 
-    /// |c| over the bases that are numbers
+    /// Factors |c| over the bases that are numbers.
     fn number_powers(&mut self, c: &BigRational) -> Result<BTreeMap<usize, Ratio<i64>>, Stop> {
         let mut parts = [BigInt::from(c.numer().magnitude().clone()), c.denom().clone()];
         let mut powers = BTreeMap::new();
@@ -229,7 +232,7 @@ impl Field {
         rejected("a number is no product of the bases")
     }
 
-    /// |g|ᵉ: by g itself for integers, by its root otherwise
+    /// Returns |g|ᵉ: in terms of g itself for an integer e, of its root otherwise.
     fn base_power(&mut self, number: usize, exponent: Ratio<i64>) -> Result<Fraction, Stop> {
         let base = &mut self.bases[number];
         let itself: Fraction = base.polynomial.clone().into();
@@ -261,7 +264,7 @@ impl Field {
         self.integer_power(&Polynomial::generator(root, 1).into(), times.to_integer())
     }
 
-    /// The terms of an angle or exponent, each a number times a quantity.
+    /// Returns the terms of an angle or exponent, each as a quantity and a numeric coefficient.
     pub(crate) fn terms(&mut self, a: &Fraction) -> Result<Vec<(Fraction, BigRational)>, Stop> {
         let a = self.expanded(a)?;
         let term = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
@@ -271,7 +274,8 @@ impl Field {
         Ok(a.numerator.0.iter().map(term).collect())
     }
 
-    /// The unit that c·quantity is an integer multiple of, and the multiple; with halves if asked for.
+    /// Returns the unit of which c·quantity is an integer multiple, and the multiple; `exponent`
+    /// selects units of exponents instead of units of angles.
     pub(crate) fn multiple(
         &mut self,
         quantity: &Fraction,
@@ -298,7 +302,7 @@ impl Field {
         rejected("an angle or exponent has no unit")
     }
 
-    /// exp of Σ nₖ uₖ + Σ rₖ log qₖ is ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.
+    /// Returns exp(Σ nₖ uₖ + Σ rₖ log qₖ) = ∏ exp(uₖ)^nₖ ∏ qₖ^rₖ.
     fn exponential(&mut self, exponent: &Fraction) -> Result<Fraction, Stop> {
         let mut product = one();
         for (quantity, c) in self.terms(exponent)? {

@@ -1,4 +1,5 @@
-//! Expressions of the language, evaluated as they are read: scalars, forms and fields, and what they need.
+//! Evaluation of expressions while they are read: scalars, forms and fields, and the conditions
+//! they require.
 
 use crate::calculus::{Kind, Value, order};
 use crate::expression::Operation::{Divide, Function, Jet, Multiply, Pi, Power, Variable};
@@ -9,11 +10,11 @@ use crate::tokens::{Reader, Token};
 use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeSet, HashMap};
 
-/// Brackets and signs within one another: more is refused.
+/// Maximum nesting of brackets and signs.
 const DEEPEST: usize = 120;
 
 impl Theory {
-    /// `a < b <= c` as conditions on differences
+    /// Reads `a < b <= c` as conditions on differences.
     pub(crate) fn relations(&mut self, reader: &mut Reader) -> Result<Vec<Condition>, Stop> {
         let mut all = Vec::new();
         let mut left = self.sum(reader)?;
@@ -107,7 +108,8 @@ impl Theory {
         Ok(left)
     }
 
-    /// A sign binds less tightly than a power: `-x**2` is −(x²), and `x**-2` is allowed.
+    /// Reads a signed expression. A sign binds less tightly than a power: `-x**2` is −(x²), and
+    /// `x**-2` is allowed.
     fn signed(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
         reader.depth += 1;
         if reader.depth > DEEPEST {
@@ -141,10 +143,10 @@ impl Theory {
         Ok(Value::of(0, self.raised(base, exponent)?))
     }
 
-    /// qʳ for a number r, exp(e log q) otherwise
+    /// Returns qʳ for a number r, exp(e log q) otherwise.
     fn raised(&mut self, base: Expr, exponent: Expr) -> Result<Expr, Stop> {
         let Some(value) = self.pool.as_number(exponent).cloned() else {
-            // a number in disguise is a number to whoever sees through it, and asks less of q
+            // a prover that recognises this exponent as a number requires less of q
             if self.is_constant(exponent)? {
                 return uncovered("an exponent that is a number and is not written as one");
             }
@@ -166,7 +168,7 @@ impl Theory {
         Ok(self.pool.make(Power(p, q), vec![base]))
     }
 
-    /// Whether an expression is the same number everywhere, as far as that is seen.
+    /// Whether an expression is visibly the same number everywhere.
     fn is_constant(&self, q: Expr) -> Result<bool, Stop> {
         let depends = |part: Expr| matches!(self.pool.node(part).0, Variable(_) | Jet(..));
         if !self.pool.parts(&[q]).into_iter().any(depends) {
@@ -239,7 +241,8 @@ impl Theory {
         self.pool.make(Variable(v), vec![])
     }
 
-    /// An unknown function at its arguments, with the conditions it was declared with.
+    /// Returns an unknown function at its arguments, and requires the conditions it was declared
+    /// with.
     fn unknown(&mut self, f: usize, arguments: Vec<Expr>) -> Expr {
         let (own, conditions) = self.functions[f].clone();
         self.require_at(&conditions, &own.into_iter().zip(arguments.iter().copied()).collect());
@@ -258,7 +261,7 @@ impl Theory {
         Ok(values)
     }
 
-    /// A function whose bracket is open.
+    /// Reads the arguments of a function after its opening bracket.
     fn call(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
         if let Some(Named::Function(f)) = self.names.get(name) {
             let f = *f;
@@ -300,7 +303,8 @@ impl Theory {
         };
         reader.expect(")")?;
         if name == "diff" && reader.take("(") {
-            // `diff(f, x)(a)` is a derivative of an unknown function at other arguments, in certificates
+            // in certificates, `diff(f, x)(a)` is a derivative of an unknown function at other
+            // arguments
             if !self.is_sealed {
                 return uncovered("a derivative of a function at other arguments");
             }
@@ -314,7 +318,7 @@ impl Theory {
         Ok(value)
     }
 
-    /// Values separated by commas.
+    /// Reads values separated by commas.
     pub(crate) fn values(&mut self, reader: &mut Reader) -> Result<Vec<Value>, Stop> {
         let mut values = vec![self.sum(reader)?];
         while reader.take(",") {
@@ -348,8 +352,9 @@ impl Theory {
         }
     }
 
-    /// A form pulled back, and the source of the map.
-    /// What the form needs is needed at the image points, and the target chart's conditions hold there.
+    /// Reads a form and returns its pullback, with the source coordinates of the map. The
+    /// conditions of the form are required at the image points, and so are the target chart's
+    /// conditions.
     pub(crate) fn pulled_back(&mut self, reader: &mut Reader) -> Result<(Value, Vec<usize>), Stop> {
         let name = reader.name()?;
         let (source, images, bound, scope) = match self.names.get(&name).cloned() {
@@ -358,7 +363,7 @@ impl Theory {
             _ => return Err(malformed(format!("`{name}` is no map"))),
         };
         reader.expect(",")?;
-        // what a statement says of its points says nothing of their images
+        // conditions that a statement places on its points do not hold for their images
         let given = std::mem::take(&mut self.given);
         let read = self.apart(|theory| theory.sum(reader));
         self.given = given;
@@ -377,7 +382,7 @@ impl Theory {
         Ok((value.pullback(&mut self.pool, &images, &source), source))
     }
 
-    /// `w[dx^dy]`, `X[x]` after the bracket
+    /// Reads the index of `w[dx^dy]` or `X[x]` after its opening bracket.
     fn coefficient(&mut self, value: &Value, reader: &mut Reader) -> Result<Value, Stop> {
         let (mut blade, mut sign) = (0, 1);
         while blade == 0 || reader.take("^") {

@@ -1,42 +1,42 @@
-//! Scalar expressions, each part once: operands come before what is made of them.
+//! Scalar expressions with shared nodes; operands precede the operations that use them.
 
 use crate::polynomial::{MOST_BITS, is_long};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::{BTreeSet, HashMap};
 
-/// The most parts that are made for one file.
+/// Maximum number of nodes for one file.
 const MOST_PARTS: usize = 200_000;
 
-/// A part of an expression, by its number.
+/// Node of an expression, by its index.
 pub(crate) type Expr = usize;
 
-/// What a part is; its operands stand beside it.
+/// Operation of a node; its operands are stored separately.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Operation {
     Number(BigRational),
     Pi,
-    /// A coordinate or param.
+    /// Coordinate or param.
     Variable(usize),
     Add,
     Multiply,
     Divide,
     /// a^(p/q) in lowest terms, q > 0
     Power(i64, i64),
-    /// A function by its name in the language.
+    /// Function, by its name in the language.
     Function(&'static str),
-    /// An unknown function, differentiated so often by each argument.
+    /// Derivative of an unknown function, with its order in each argument.
     Jet(usize, Vec<u32>),
 }
 
 use Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
 
-/// The owner of expressions.
+/// Owner of expressions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pool {
     nodes: Vec<(Operation, Vec<Expr>)>,
     numbers: HashMap<(Operation, Vec<Expr>), Expr>,
-    /// The derivative of each function, or what it is, in its arguments as the variables 0 and 1.
+    /// Derivative, or definition, of each function; its arguments are the variables 0 and 1.
     pub(crate) templates: HashMap<&'static str, Expr>,
 }
 
@@ -44,7 +44,7 @@ pub(crate) fn rational(p: i64, q: i64) -> BigRational {
     BigRational::new(BigInt::from(p), BigInt::from(q))
 }
 
-/// cⁿ, if it is a number and not too long to be computed with
+/// Returns cⁿ, if it is a number and not too long.
 fn small_power(c: &BigRational, n: i64) -> Option<BigRational> {
     let bits = c.numer().bits().max(c.denom().bits()).saturating_mul(n.unsigned_abs());
     let exponent = i32::try_from(n).ok().filter(|_| bits <= MOST_BITS)?;
@@ -56,8 +56,8 @@ impl Pool {
         (&self.nodes[expr].0, &self.nodes[expr].1)
     }
 
-    /// Whether there is room for no other part: then the last one stands for others too, and nothing that is found
-    /// out afterwards means anything.
+    /// Whether there is no room for another node. The last node then also stands for others, and
+    /// all later results are meaningless.
     pub(crate) fn is_full(&self) -> bool {
         self.nodes.len() >= MOST_PARTS
     }
@@ -70,7 +70,7 @@ impl Pool {
         self.as_number(expr).is_some_and(|number| *number == rational(value, 1))
     }
 
-    /// An operation on operands; sums and products with 0 and 1 are not kept.
+    /// Makes an operation on operands; sums and products with 0 and 1 are simplified.
     pub(crate) fn make(&mut self, operation: Operation, operands: Vec<Expr>) -> Expr {
         let is = |place: usize, value| self.is(operands[place], value);
         match operation {
@@ -119,7 +119,7 @@ impl Pool {
         self.make(Multiply, vec![minus, a])
     }
 
-    /// All parts of some expressions, operands first.
+    /// Returns all nodes of some expressions, operands first.
     pub(crate) fn parts(&self, roots: &[Expr]) -> BTreeSet<Expr> {
         let (mut open, mut parts) = (roots.to_vec(), BTreeSet::new());
         while let Some(expr) = open.pop() {
@@ -130,13 +130,13 @@ impl Pool {
         parts
     }
 
-    /// The variables an expression depends on.
+    /// Returns the variables on which an expression depends.
     pub(crate) fn variables(&self, root: Expr) -> BTreeSet<usize> {
         let variable = |part: Expr| if let Variable(v) = self.nodes[part].0 { Some(v) } else { None };
         self.parts(&[root]).into_iter().filter_map(variable).collect()
     }
 
-    /// The expression with variables replaced.
+    /// Replaces variables of an expression.
     pub(crate) fn substitute(&mut self, root: Expr, images: &HashMap<usize, Expr>) -> Expr {
         let mut done: HashMap<Expr, Expr> = HashMap::new();
         for part in self.parts(&[root]) {
@@ -150,7 +150,7 @@ impl Pool {
         done[&root]
     }
 
-    /// ∂root/∂x = Σ ∂root/∂aₖ ∂aₖ/∂x over the operands
+    /// Returns ∂root/∂x = Σ ∂root/∂aₖ ∂aₖ/∂x over the operands.
     pub(crate) fn derivative(&mut self, root: Expr, x: usize) -> Expr {
         let mut done: HashMap<Expr, Expr> = HashMap::new();
         for part in self.parts(&[root]) {
@@ -168,7 +168,7 @@ impl Pool {
         done[&root]
     }
 
-    /// The derivative of an operation by its operand of that place.
+    /// Returns the derivative of an operation by the operand at `place`.
     fn partial(&mut self, part: Expr, operation: &Operation, a: &[Expr], place: usize) -> Expr {
         let one = self.number(rational(1, 1));
         match operation {

@@ -1,7 +1,9 @@
-//! Fractions over the generators of one proof: polynomials over products of known factors, reduced by relations.
+//! Fractions over the generators of one proof: polynomials over products of known factors, reduced
+//! by relations.
 //!
-//! That a numerator reduces to zero is a proof wherever no factor below vanishes, and a factor comes below only
-//! from a quotient of the statement. Nothing rests on relations being complete or factors irreducible.
+//! A numerator that reduces to zero is a proof wherever no factor of the denominator vanishes, and
+//! denominators contain only factors from quotients of the statement. Soundness requires neither
+//! complete relations nor irreducible factors.
 
 use crate::expression::{Expr, Operation, rational};
 use crate::polynomial::{MOST_GENERATORS, Polynomial};
@@ -9,47 +11,50 @@ use crate::{Stop, uncovered};
 use num_rational::BigRational;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// Products of terms that one node of a proof may cost.
+/// Maximum number of products of terms for one step of a proof.
 const MOST_WORK: usize = 5_000_000;
 
-/// What a proof is not covered for that would cost more.
+/// Reason why a proof that would cost more is not covered.
 const TOO_MANY_TERMS: &str = "polynomials with more terms than the checker multiplies";
 
-/// A factor of more terms is not looked for in numerators.
+/// Maximum number of terms of a factor that is divided out of numerators.
 const MOST_TERMS: usize = 40;
 
-/// The largest exponent of a generator.
+/// Largest exponent of a generator.
 const LARGEST_EXPONENT: u8 = 120;
 
-/// The largest exponent of a factor: roots of high order come below with that order.
+/// Largest exponent of a factor: a root of high order occurs in denominators with that order as its
+/// exponent.
 const LARGEST_FACTOR_EXPONENT: u64 = 1 << 15;
 
-/// numerator / ∏ factorᵉ; a factor above (e < 0) stays one until a sum needs it multiplied out.
+/// Fraction numerator / ∏ factorᵉ; a factor of the numerator (e < 0) is kept factored until a sum
+/// requires its expansion.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Fraction {
     pub(crate) numerator: Polynomial,
     pub(crate) factors: BTreeMap<usize, i64>,
 }
 
-/// What a generator stands for: a variable, π, an unknown function or one of which only the arguments are known,
-/// a root that no base provides; nothing for what the certificate declares.
+/// Meaning of a generator: a variable, π, an unknown function, a function of which only the
+/// arguments are known, or a root that no base provides; `None` for generators that the certificate
+/// declares.
 pub(crate) type Generator = Option<(Operation, Vec<Fraction>)>;
 
-/// A factor of radicands that the certificate declares.
+/// Factor of radicands that the certificate declares.
 #[derive(Clone, Debug)]
 pub(crate) struct Base {
     pub(crate) polynomial: Polynomial,
-    /// n of its root, and the least common multiple of those used.
+    /// Declared order n of its root, and the least common multiple of the orders used.
     pub(crate) order: i64,
     pub(crate) used: i64,
-    /// σ with σ·polynomial ≥ 0, once it is shown
+    /// Sign σ with σ·polynomial ≥ 0, once it is shown.
     pub(crate) sign: Option<i64>,
     pub(crate) root: Option<usize>,
-    /// log |g|
+    /// Generator of log |g|.
     pub(crate) logarithm: Option<usize>,
 }
 
-/// How the functions of a unit are written.
+/// Representation of the functions of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// cos u, sin u with sin² = 1 − cos²
@@ -60,18 +65,18 @@ pub(crate) enum Kind {
     Exponent,
 }
 
-/// What angles or exponents are integer multiples of.
+/// Unit of angles or exponents, which are integer multiples of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Unit {
     pub(crate) kind: Kind,
     pub(crate) value: Fraction,
-    /// Its generator; that of the sine is the next one.
+    /// Its generator; the generator of the sine is the next one.
     pub(crate) generator: usize,
-    /// The greatest common divisor of the multiples used.
+    /// Greatest common divisor of the multiples used.
     pub(crate) used: i64,
 }
 
-/// The generators with their relations, and the elements known so far.
+/// Generators with their relations, and the elements known so far.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Field {
     pub(crate) generators: Vec<Generator>,
@@ -115,12 +120,12 @@ impl Field {
         Ok(self.generators.len() - 1)
     }
 
-    /// Binds a generator by gⁿ = value in generators before it.
+    /// Adds the relation gⁿ = value, where the value contains only earlier generators.
     pub(crate) fn bind(&mut self, generator: usize, order: u8, value: Polynomial) {
         self.relations.push((generator, order, value));
     }
 
-    /// The generators that occur in a polynomial.
+    /// Returns the generators that occur in a polynomial.
     pub(crate) fn generators_of(&self, polynomial: &Polynomial) -> Vec<usize> {
         (0..self.generators.len()).filter(|g| polynomial.degree(Some(*g)) > 0).collect()
     }
@@ -159,7 +164,7 @@ impl Field {
         self.reduce(product)
     }
 
-    /// N / ∏ Fᵉ with every factor taken out that divides N; for a root also by ρⁿ = f.
+    /// Returns N / ∏ Fᵉ with every factor that divides N cancelled; for a root also by ρⁿ = f.
     fn cancel(&mut self, mut numerator: Polynomial, mut factors: BTreeMap<usize, i64>) -> Fraction {
         for (number, exponent) in &mut factors {
             while *exponent > 0 && self.factors[*number].0.len() <= MOST_TERMS {
@@ -182,7 +187,7 @@ impl Field {
         let all: BTreeSet<usize> = a.factors.keys().chain(b.factors.keys()).copied().collect();
         let mut common: Vec<(usize, i64)> =
             all.into_iter().map(|factor| (factor, exponent(a, &factor).max(exponent(b, &factor)))).collect();
-        // the longest first, while the numerator is short
+        // the longest factors first, while the numerator is short
         common.sort_by_key(|(factor, _)| std::cmp::Reverse(self.factors[*factor].0.len()));
         let mut sum = Polynomial::default();
         for side in [a, b].into_iter().filter(|side| !side.numerator.is_zero()) {
@@ -197,7 +202,7 @@ impl Field {
         Ok(self.cancel(sum, common.into_iter().collect()))
     }
 
-    /// The same with no factor above.
+    /// Returns the same fraction with the factors of the numerator multiplied out.
     pub(crate) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Stop> {
         let mut numerator = a.numerator.clone();
         for (factor, exponent) in &a.factors {
@@ -232,7 +237,8 @@ impl Field {
         Ok(self.cancel(product, factors))
     }
 
-    /// 1/a: generators, radicands and known factors of the numerator come below, each under one name.
+    /// Returns 1/a: generators, radicands and known factors of the numerator become factors of the
+    /// denominator, each under one name.
     pub(crate) fn inverse(&mut self, a: &Fraction) -> Result<Fraction, Stop> {
         if a.numerator.is_zero() {
             return Err(Stop::Undefined);
@@ -280,7 +286,7 @@ impl Field {
         self.multiply(a, &inverse)
     }
 
-    /// aⁿ
+    /// Returns aⁿ.
     pub(crate) fn integer_power(&mut self, a: &Fraction, n: i64) -> Result<Fraction, Stop> {
         let base = if n < 0 { self.inverse(a)? } else { a.clone() };
         if n.unsigned_abs() > u64::from(LARGEST_EXPONENT) {

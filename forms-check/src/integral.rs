@@ -3,11 +3,12 @@
 //! ```text
 //! f, u = a..b ─▶ offered F ─ F′ = f between the bounds? ─ F continuous on [a, b]? ─▶ F(b) − F(a)
 //! ```
-//! That F′ = f is shown by a proof like that of a statement. Continuity is seen from the parts of F: what is divided by,
-//! raised or taken the logarithm of has a sign all over the closed range, whichever of a and b is larger. Only
-//! conditions that hold in a whole neighbourhood are used, so that the value may be differentiated; a condition on a
-//! variable that is integrated over, here or further out, says nothing of it. What the value of an integral was found
-//! under has to hold all over the ranges of another one around it.
+//! F′ = f is shown by a proof like that of a statement. Continuity is shown from the operations of
+//! F: every divisor, every base of a power and every argument of a logarithm has a sign over the
+//! whole closed range, whichever of a and b is larger. Only conditions that hold in a whole
+//! neighbourhood are used, so that the value can be differentiated. A condition on a variable of
+//! integration, of this integral or an outer one, is not used. The conditions under which an inner
+//! integral was found must hold over the whole ranges of the outer integral.
 
 use crate::calculus::{Value, order};
 use crate::certificate::Line;
@@ -22,11 +23,11 @@ use crate::tokens::Reader;
 use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeMap, HashMap};
 
-/// For the place of each variable of a range, the antiderivatives in the order in which they are wanted, each with
-/// the lines that show its derivative.
+/// Antiderivatives by the place of each range's variable, in the order in which they are needed,
+/// each with the lines that prove its derivative.
 pub(crate) type Offered = HashMap<usize, Vec<(String, Vec<Line>)>>;
 
-/// One range of an integral, and where its variable stands in the source.
+/// Range of an integral, with the place of its variable in the source.
 #[derive(Clone)]
 pub(crate) struct Range {
     pub(crate) variable: usize,
@@ -36,7 +37,7 @@ pub(crate) struct Range {
 }
 
 impl Theory {
-    /// Reads with a scope of its own, which is given back.
+    /// Reads in a new scope, and returns that scope with the value.
     pub(crate) fn apart<T>(
         &mut self,
         body: impl FnOnce(&mut Self) -> Result<T, Stop>,
@@ -47,7 +48,8 @@ impl Theory {
         Ok((value?, inner))
     }
 
-    /// `integral(w, u = a..b, v = c..e)` after its bracket: the innermost range is the last.
+    /// Reads `integral(w, u = a..b, v = c..e)` after its opening bracket; the last range is the
+    /// innermost.
     pub(crate) fn integral(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
         let ((value, ranges), inner) = self.within_ranges(reader, |theory, reader| theory.sum(reader))?;
         self.keep_outside(&inner, &ranges)?;
@@ -55,7 +57,8 @@ impl Theory {
         Ok(Value::of(0, integral))
     }
 
-    /// `boundary_integral(F, w, u = a..b, v = c..e)`: Σᵢ (−1)^(i−1) (∫ over uᵢ = bᵢ minus ∫ over uᵢ = aᵢ).
+    /// Reads `boundary_integral(F, w, u = a..b, v = c..e)`: Σᵢ (−1)^(i−1) (∫ over uᵢ = bᵢ minus ∫
+    /// over uᵢ = aᵢ).
     pub(crate) fn boundary_integral(&mut self, reader: &mut Reader) -> Result<Value, Stop> {
         let (((value, source), ranges), inner) =
             self.within_ranges(reader, |theory, reader| theory.pulled_back(reader))?;
@@ -83,7 +86,8 @@ impl Theory {
         Ok(sum)
     }
 
-    /// Reads what is integrated, with the variables of the ranges behind it bound, and the ranges.
+    /// Reads an integrand, with the variables of the ranges that follow it bound, and then the
+    /// ranges.
     fn within_ranges<T>(
         &mut self,
         reader: &mut Reader,
@@ -121,8 +125,9 @@ impl Theory {
         Ok(ranges)
     }
 
-    /// What was needed inside, as far as it does not speak of the variables of the ranges. Where it does, and an
-    /// integral was found under it, it has to hold all over them.
+    /// Keeps the conditions and variables of an inner scope that do not involve the variables of
+    /// the ranges. If an inner integral was found under a condition that does, the condition must
+    /// hold over the whole ranges.
     fn keep_outside(&mut self, inner: &Scope, ranges: &[Range]) -> Result<(), Stop> {
         let is_bound = |v: &usize| ranges.iter().any(|range| range.variable == *v);
         for (expr, relation) in &inner.conditions {
@@ -170,7 +175,7 @@ impl Theory {
         Ok(integral)
     }
 
-    /// The domains of charts bind what uses their coordinates, as far as they speak of free ones only.
+    /// Requires the chart domains whose coordinates all occur free in the integrand or the bounds.
     fn require_domains(&mut self, integrand: Expr, ranges: &[Range]) {
         let mut free = self.pool.variables(integrand);
         ranges.iter().for_each(|range| {
@@ -187,7 +192,8 @@ impl Theory {
         }
     }
 
-    /// The integral over the last range; over the later ones it is found already.
+    /// Integrates over the last range of `ranges`; the integrals over the later ranges are already
+    /// computed.
     fn over(
         &mut self,
         f: Expr,
@@ -204,7 +210,8 @@ impl Theory {
         };
         let region = Region { ranges, conditions: self.conditions_of(ranges)? };
         let mut conditions = region.conditions.clone();
-        // what the integrand and the bounds within need; the value of an inner range is defined wherever it is used
+        // conditions of the integrand and the inner bounds; the value of an inner integral is
+        // defined wherever it is used
         let mut needs: Vec<Condition> = defined.to_vec();
         if is_innermost {
             for part in self.pool.parts(&[f]) {
@@ -236,7 +243,8 @@ impl Theory {
         Ok(self.pool.make(Add, vec![upper, negated]))
     }
 
-    /// The strict conditions outside, and that each variable lies between its bounds.
+    /// Returns the strict conditions on other variables, and the conditions that each variable of
+    /// the ranges lies between its bounds.
     fn conditions_of(&mut self, ranges: &[Range]) -> Result<Vec<Condition>, Stop> {
         let mut known: Vec<Condition> = Vec::new();
         for condition in [&self.scope.conditions[..], &self.given].concat() {
@@ -262,7 +270,8 @@ impl Theory {
                 known.push((self.pool.make(Multiply, vec![above, below]), Relation::NotNegative));
                 continue;
             }
-            // u itself has the sign of the lower bound if that is not negative, of the upper one if not positive
+            // u has the sign of the lower bound if that is not negative, and of the upper bound if
+            // that is not positive
             let minus = [self.pool.negate(bounds[1]), self.pool.negate(u)];
             for (bound, side) in [(bounds[0], u), (minus[0], minus[1])] {
                 match self.seen(bound, &known)? {
@@ -288,7 +297,7 @@ impl Theory {
                 field.elements.clear();
                 let angle = field.element(&self.pool, *angle)?;
                 if !field.has_unit(&angle)? {
-                    // an angle of several terms stays what it is
+                    // an angle of several terms is not declared as a unit
                     let _ = field.declare(Kind::Circle, &angle);
                 }
             }
@@ -298,7 +307,7 @@ impl Theory {
     }
 }
 
-/// The entry `integral PLACE F` and the lines below it.
+/// Reads the entry `integral PLACE F` and the lines below it.
 pub(crate) fn offer(offered: &mut Offered, rest: &str, lines: &[Line]) -> Result<(), Stop> {
     let (place, text) = rest.split_once(' ').unwrap_or((rest, ""));
     let place = place.parse().map_err(|_| malformed(format!("the place `{place}` of an integral")))?;

@@ -1,23 +1,23 @@
-//! Intervals with rational ends, rounded outwards: enclosures of real functions.
+//! Interval arithmetic with rational endpoints, rounded outward: enclosures of real functions.
 
 use crate::expression::rational;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::sync::OnceLock;
 
-/// Ends are multiples of 2^−BITS.
+/// Precision: endpoints are multiples of 2^−BITS.
 const BITS: u32 = 160;
 
-/// Terms of a series whose ratio is at most a half.
+/// Number of terms of a series whose ratio is at most a half.
 const TERMS: i64 = 170;
 
-/// The largest angle, and the largest logarithm, that are enclosed.
+/// Largest angle, and largest logarithm, for which functions are enclosed.
 const LARGEST: i64 = 4096;
 
-/// Numerators of more bits are not computed with.
+/// Maximum number of bits of a numerator.
 const LARGEST_BITS: u64 = 1 << 16;
 
-/// All numbers from `low` to `high`.
+/// Closed interval from `low` to `high`.
 #[derive(Clone, Debug)]
 pub(crate) struct Interval {
     pub(crate) low: BigRational,
@@ -56,17 +56,17 @@ impl Interval {
         Interval { low, high: products.into_iter().fold(last, Ord::max) }.rounded()
     }
 
-    /// Whether its ends are too long to be computed with.
+    /// Whether its endpoints are too long for further computation.
     pub(crate) fn is_long(&self) -> bool {
         [&self.low, &self.high].iter().any(|end| end.numer().bits().max(end.denom().bits()) > LARGEST_BITS)
     }
 
-    /// The largest absolute value.
+    /// Returns the largest absolute value.
     fn magnitude(&self) -> BigRational {
         self.high.clone().max(-self.low.clone())
     }
 
-    /// 1, −1 or 0 for an interval of one sign, nothing for any other.
+    /// Returns 1, −1 or 0 for an interval of one sign, `None` for any other.
     pub(crate) fn sign(&self) -> Option<i64> {
         let zero = rational(0, 1);
         match (self.low > zero, self.high < zero) {
@@ -93,7 +93,7 @@ impl Interval {
         if n < 0 { Interval::number(rational(1, 1)).divide(&power) } else { Some(power) }
     }
 
-    /// x^(p/q) = exp((p/q) log x) for x > 0; 0 for x = 0 and p > 0.
+    /// Returns x^(p/q) = exp((p/q) log x) for x > 0; 0 for x = 0 and p > 0.
     pub(crate) fn power(&self, p: i64, q: i64) -> Option<Self> {
         match self.sign() {
             _ if q == 1 => self.integer_power(p),
@@ -103,7 +103,8 @@ impl Interval {
         }
     }
 
-    /// Σ xⁿ/n!, Σ (−1)ⁿ x²ⁿ/(2n)!, Σ (−1)ⁿ x²ⁿ⁺¹/(2n+1)!; the rest is at most twice the next term where terms halve.
+    /// Sums Σ xⁿ/n!, Σ (−1)ⁿ x²ⁿ/(2n)!, Σ (−1)ⁿ x²ⁿ⁺¹/(2n+1)!. The remainder is at most twice the
+    /// next term if each term is at most half the previous one.
     fn taylor(&self) -> [Self; 3] {
         let (x, mut term) = (Fixed::of(self), Fixed::one());
         let mut sums = [Fixed::default(), Fixed::default(), Fixed::default()];
@@ -118,7 +119,7 @@ impl Interval {
         sums.map(|sum| sum.widened(&term).into_interval())
     }
 
-    /// exp x = exp(x/2ᵏ)^(2ᵏ)
+    /// Returns exp x = exp(x/2ᵏ)^(2ᵏ).
     pub(crate) fn exponential(&self) -> Option<Self> {
         if self.magnitude() > rational(LARGEST, 1) {
             return None;
@@ -135,7 +136,7 @@ impl Interval {
         Some((0..squarings).fold(start, |power, _| power.multiply(&power)))
     }
 
-    /// cos x and sin x
+    /// Returns cos x and sin x.
     pub(crate) fn circular(&self) -> Option<[Self; 2]> {
         let [_, cosine, sine] = self.taylor_within(64)?;
         Some([cosine, sine])
@@ -145,7 +146,7 @@ impl Interval {
         (self.magnitude() <= rational(largest, 1)).then(|| self.taylor())
     }
 
-    /// Σ sⁿ w²ⁿ⁺¹/(2n+1) for |w| ≤ 1/2: atan w for s = −1, artanh w for s = 1
+    /// Sums Σ sⁿ w²ⁿ⁺¹/(2n+1) for |w| ≤ 1/2: atan w for s = −1, artanh w for s = 1.
     fn odd_series(&self, s: i64) -> Self {
         let w = Fixed::of(self);
         let (square, mut sum, mut power) = (w.multiply(&w), Fixed::default(), w);
@@ -156,27 +157,28 @@ impl Interval {
         sum.widened(&power).into_interval()
     }
 
-    /// The logarithm increases: its enclosures at both ends enclose it.
+    /// Returns log x from enclosures at both endpoints: the logarithm increases.
     pub(crate) fn logarithm(&self) -> Option<Self> {
         self.sign().filter(|sign| *sign > 0)?;
         Some(Interval { low: logarithm_of(&self.low)?.low, high: logarithm_of(&self.high)?.high })
     }
 
-    /// π = 4 (atan ½ + atan ⅓)
+    /// Returns π = 4 (atan ½ + atan ⅓).
     pub(crate) fn pi() -> Self {
         static PI: OnceLock<Interval> = OnceLock::new();
         let part = |q| Interval::number(rational(1, q)).odd_series(-1);
         PI.get_or_init(|| part(2).add(&part(3)).scale(&rational(4, 1))).clone()
     }
 
-    /// log 2 = 2 artanh ⅓
+    /// Returns log 2 = 2 artanh ⅓.
     fn logarithm_of_two() -> Self {
         static LOGARITHM: OnceLock<Interval> = OnceLock::new();
         let third = || Interval::number(rational(1, 3));
         LOGARITHM.get_or_init(|| third().odd_series(1).scale(&rational(2, 1))).clone()
     }
 
-    /// atan x = π/2 − atan(1/x) for x > 1, atan x = atan ½ + atan((x − ½)/(1 + x/2)) for ½ < x ≤ 1
+    /// Returns atan x, by atan x = π/2 − atan(1/x) for x > 1 and
+    /// atan x = atan ½ + atan((x − ½)/(1 + x/2)) for ½ < x ≤ 1.
     pub(crate) fn arctangent(&self) -> Option<Self> {
         let (half, one) = (Interval::number(rational(1, 2)), Interval::number(rational(1, 1)));
         if self.magnitude() <= rational(1, 2) {
@@ -193,7 +195,8 @@ impl Interval {
         Some(half.odd_series(-1).add(&w.odd_series(-1)))
     }
 
-    /// A function of the language at arguments, where it is certain.
+    /// Encloses a function of the language at an argument; `None` where it is not certainly
+    /// defined.
     pub(crate) fn function(name: &str, x: &Interval) -> Option<Self> {
         let one = Interval::number(rational(1, 1));
         match name {
@@ -214,7 +217,7 @@ impl Interval {
     }
 }
 
-/// log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z > 0 with ½ < z < 2
+/// Returns log x = k log 2 + 2 artanh((z − 1)/(z + 1)) for x = 2ᵏ z > 0, with ½ < z < 2.
 fn logarithm_of(x: &BigRational) -> Option<Interval> {
     let k = i64::try_from(x.numer().bits()).ok()? - i64::try_from(x.denom().bits()).ok()?;
     if k.abs() > LARGEST {
@@ -226,7 +229,7 @@ fn logarithm_of(x: &BigRational) -> Option<Interval> {
     Some(two.add(&Interval::number(w).odd_series(1).scale(&rational(2, 1))))
 }
 
-/// An interval whose ends are so many units of 2^−BITS: what series are summed in.
+/// Fixed-point interval, whose endpoints are integer multiples of 2^−BITS; used to sum series.
 #[derive(Clone, Default)]
 struct Fixed {
     low: BigInt,
@@ -257,7 +260,7 @@ impl Fixed {
         self.high += high;
     }
 
-    /// The product, its ends rounded outwards: a shift to the right rounds down.
+    /// Returns the product with its endpoints rounded outward: a right shift rounds down.
     fn multiply(&self, other: &Fixed) -> Self {
         let products = [
             &self.low * &other.low,
@@ -270,9 +273,9 @@ impl Fixed {
         Fixed { low, high: -(-high >> BITS) }
     }
 
-    /// The quotient by a positive integer.
+    /// Returns the quotient by a positive integer.
     fn over(&self, n: i64) -> Self {
-        // division cuts towards zero, which is up for what is negative
+        // integer division truncates towards zero, which rounds negative numbers up
         let down = |end: &BigInt| {
             let quotient = end / n;
             if &quotient * n > *end { quotient - 1 } else { quotient }
@@ -280,7 +283,7 @@ impl Fixed {
         Fixed { low: down(&self.low), high: -down(&-&self.high) }
     }
 
-    /// Wider at both ends by twice the largest magnitude of a rest.
+    /// Widens both ends by twice the largest magnitude of a remainder.
     fn widened(mut self, rest: &Fixed) -> Self {
         let magnitude = rest.high.clone().max(-rest.low.clone()) * 2;
         self.low -= &magnitude;

@@ -1,14 +1,16 @@
-//! A checker of certificates, independent of the prover: it shares the file format with it and nothing else.
+//! A checker of certificates, independent of the prover: the two share the file format and nothing
+//! else.
 //!
 //! ```text
 //! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus, metric)
 //! antiderivatives ─▶ F′ = f, continuity ─▶ values of integrals              (integral, continuity)
 //! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, circle, sign, polynomial)
-//!             └▶ witness ─▶ a point             ─▶ are left and right apart? (interval)
+//!             └▶ witness ─▶ a point             ─▶ do left and right differ? (interval)
 //! ```
-//! A certificate chooses: which polynomials have roots, what angles are multiples of, which signs are told apart
-//! and why, at which point sides differ. The checker derives everything else, so a wrong choice is rejected and
-//! no choice makes it accept what does not follow from the source.
+//! A certificate makes choices: which polynomials have roots, of which units the angles are
+//! multiples, which cases of signs are distinguished and why, and at which point the sides differ.
+//! The checker derives everything else, so a wrong choice is rejected and no choice makes it accept
+//! a claim that does not follow from the source.
 
 mod calculus;
 mod certificate;
@@ -30,52 +32,53 @@ mod theory;
 mod tokens;
 mod witness;
 
-/// What became of one entry of a certificate.
+/// Outcome of the check of one entry of a certificate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// The verdict follows from the source.
     Accepted,
-    /// The entry does not show what it claims.
+    /// The entry does not prove its claim.
     Rejected(String),
-    /// It rests on something that the checker does not know.
+    /// The entry depends on something outside the checker's coverage.
     NotCovered(String),
 }
 
-/// What a statement is claimed to be, and what an entry shows of it: true, or false.
+/// Claim of a statement, and the result that an entry shows for it: true, or false.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claim {
-    /// `prove`: it holds at every point it speaks of, and it speaks of some.
+    /// `prove`: the equation holds at every point that satisfies the conditions, and there is such
+    /// a point.
     Prove,
-    /// `refute`: it fails at one of them.
+    /// `refute`: the equation fails at such a point.
     Refute,
 }
 
-/// One statement of one file.
+/// Check result for one statement of one file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// The file as the certificate names it.
+    /// File name, as in the certificate.
     pub file: String,
-    /// The statement's name.
+    /// Name of the statement.
     pub name: String,
-    /// What the file says of it.
+    /// Claim of the file about the statement.
     pub claim: Claim,
-    /// What an accepted entry shows of it.
+    /// Claim that an accepted entry shows.
     pub shown: Option<Claim>,
-    /// What was found.
+    /// Outcome of the check.
     pub outcome: Outcome,
 }
 
 impl Checked {
-    /// Whether it is shown to be as the file says.
+    /// Whether the claim of the file is shown.
     pub fn is_as_stated(&self) -> bool {
         self.shown == Some(self.claim)
     }
 }
 
-/// Checks a certificate. `read` gives the text of a file that it names.
+/// Checks a certificate. `read` returns the text of a file that the certificate names.
 ///
 /// # Errors
-/// What is malformed: the certificate, or a file that cannot be read or is not the one that was certified.
+/// If the certificate is malformed, or if a file cannot be read or is not the certified one.
 pub fn check(
     certificate: &str,
     mut read: impl FnMut(&str) -> Result<String, String>,
@@ -83,13 +86,13 @@ pub fn check(
     certificate::check(certificate, &mut read).map_err(Stop::into_text)
 }
 
-/// Why a check ends early.
+/// Reason why a check ends early.
 #[derive(Clone, Debug)]
 pub(crate) enum Stop {
     Malformed(String),
     Rejected(String),
     Uncovered(String),
-    /// Something divides by zero everywhere.
+    /// An expression divides by zero everywhere.
     Undefined,
 }
 

@@ -1,13 +1,15 @@
-//! Metrics and what is defined by one: stars, codifferentials, Laplacians, lowered and raised indices, products.
+//! Metrics and the operations defined by them: Hodge stars, codifferentials, Laplacians, lowered
+//! and raised indices, inner products.
 //!
-//! Everything is made of minors of g. By Jacobi's formula the product ⟨dx_I, dx_J⟩, the determinant of the gⁱʲ with
-//! i in I and j in J, is σ_I σ_J det g[Jᶜ, Iᶜ]/det g, where σ_I is the sign of dx_I ∧ dx_Iᶜ. So the star is
+//! Everything is computed from minors of g. By Jacobi's formula the product ⟨dx_I, dx_J⟩, the
+//! determinant of the gⁱʲ with i in I and j in J, is σ_I σ_J det g[Jᶜ, Iᶜ]/det g, where σ_I is the
+//! sign of dx_I ∧ dx_Iᶜ. So the star is
 //!
 //! ```text
 //! ⋆dx_J = √|det g|/det g · σ_J Σ_K det g[Jᶜ, K] dx_K
 //! ```
-//! up to the orientation. With s = det g/|det g|, s⋆ has the factor 1/√|det g| instead; with 1/det g the products
-//! themselves are left.
+//! up to the orientation. With s = det g/|det g|, s⋆ has the factor 1/√|det g| instead; the factor
+//! 1/det g gives the products themselves.
 
 use crate::calculus::{Blade, Kind, Value, coordinates, order};
 use crate::expression::Operation::{Add, Divide, Function, Multiply, Power};
@@ -17,8 +19,8 @@ use crate::tokens::Reader;
 use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeMap, HashMap};
 
-/// gᵢⱼ for i ≤ j, and the determinant. The coordinates of its chart are in ascending order; that of the chart is an
-/// odd permutation of it where `orientation` is −1.
+/// Entries gᵢⱼ for i ≤ j, and the determinant. The coordinates are in ascending order; where
+/// `orientation` is −1, the chart's order is an odd permutation of it.
 #[derive(Clone, Debug)]
 pub(crate) struct Metric {
     coordinates: Vec<usize>,
@@ -27,10 +29,10 @@ pub(crate) struct Metric {
     determinant: Expr,
 }
 
-/// A star has as many terms as there are sets of coordinates.
+/// Maximum number of coordinates: a star has as many terms as there are sets of coordinates.
 const MOST_COORDINATES: usize = 10;
 
-/// Which star: ⋆, s⋆, or that without √|det g|.
+/// Variant of the star: ⋆, s⋆, or the star without √|det g|.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Star {
     Plain,
@@ -70,7 +72,7 @@ impl Metric {
         self.entries.get(&(i.min(j), i.max(j))).copied()
     }
 
-    /// The quadratic form, which other metrics may be written with.
+    /// Returns the quadratic form, which can be used in the declaration of other metrics.
     pub(crate) fn quadratic(&self, pool: &mut Pool) -> Value {
         let mut quadratic = Value { kind: Kind::Quadratic, ..Value::default() };
         for ((i, j), c) in &self.entries {
@@ -80,7 +82,7 @@ impl Metric {
         quadratic
     }
 
-    /// The determinant of some rows and columns, by its first row.
+    /// Returns the determinant of some rows and columns by expansion along its first row.
     fn minor(
         &self,
         pool: &mut Pool,
@@ -105,7 +107,7 @@ impl Metric {
         sum
     }
 
-    /// √|det g|
+    /// Returns √|det g|.
     fn density(&self, pool: &mut Pool) -> Expr {
         let magnitude = pool.make(Function("abs"), vec![self.determinant]);
         pool.make(Power(1, 2), vec![magnitude])
@@ -118,7 +120,7 @@ impl Metric {
         volume
     }
 
-    /// A star of a form that has no differentials but those of the chart.
+    /// Returns a star of a form, whose differentials must belong to the chart.
     fn star(&self, pool: &mut Pool, w: &Value, star: Star) -> Result<Value, Stop> {
         let (one, density, top) = (pool.number(rational(1, 1)), self.density(pool), self.top());
         let weight = match star {
@@ -146,7 +148,8 @@ impl Metric {
         Ok(result)
     }
 
-    /// (−1)ᵏ times the inverse star of d of the star is s (−1)^(n(k+1)+1) ⋆d⋆.
+    /// Returns the codifferential: (−1)ᵏ times the inverse star of d of the star is s
+    /// (−1)^(n(k+1)+1) ⋆d⋆.
     fn codifferential(&self, pool: &mut Pool, w: &Value) -> Result<Value, Stop> {
         let star = self.star(pool, w, Star::Plain)?.exterior(pool, &self.coordinates);
         let degree = w.terms.keys().next().map_or(0, |blade| blade.count_ones()) as usize;
@@ -155,7 +158,7 @@ impl Metric {
         Ok(Value::default().add(pool, &result, sign))
     }
 
-    /// Σ gᵢⱼ Xⁱ dxʲ
+    /// Returns Σ gᵢⱼ Xⁱ dxʲ.
     fn flat(&self, pool: &mut Pool, field: &Value) -> Result<Value, Stop> {
         let mut result = Value::default();
         for (v, c) in &field.terms {
@@ -172,7 +175,7 @@ impl Metric {
         Ok(result)
     }
 
-    /// The field X with i_X volume = ⋆w
+    /// Returns the field X with i_X volume = ⋆w.
     fn sharp(&self, pool: &mut Pool, w: &Value) -> Result<Value, Stop> {
         let mut field = Value { kind: Kind::Field, ..Value::default() };
         for (blade, c) in self.star(pool, w, Star::Bare)?.terms {
@@ -184,7 +187,7 @@ impl Metric {
         Ok(field)
     }
 
-    /// a ∧ ⋆b = inner(a, b) volume
+    /// Returns inner(a, b), where a ∧ ⋆b = inner(a, b) volume.
     fn inner(&self, pool: &mut Pool, a: &Value, b: &Value) -> Result<Value, Stop> {
         if a.kind == Kind::Field || b.kind == Kind::Field {
             return Ok(self.flat(pool, b)?.interior(pool, a));
@@ -196,7 +199,7 @@ impl Metric {
         Ok(product)
     }
 
-    /// div X volume = d i_X volume
+    /// Returns div X, where div X volume = d i_X volume.
     fn divergence(&self, pool: &mut Pool, field: &Value) -> Result<Value, Stop> {
         self.flat(pool, field)?;
         let flux = self.volume(pool).interior(pool, field).exterior(pool, &self.coordinates);
@@ -204,7 +207,7 @@ impl Metric {
     }
 }
 
-/// The sets of so many coordinates among those of a blade.
+/// Returns all subsets of a blade with `size` coordinates.
 fn subsets(top: Blade, size: u32) -> Vec<Blade> {
     let mut sets = vec![0];
     for v in coordinates(top) {
@@ -217,7 +220,8 @@ fn subsets(top: Blade, size: u32) -> Vec<Blade> {
 }
 
 impl Theory {
-    /// `metric g on C = …;` after its name. Statements leave out where its determinant vanishes.
+    /// Reads `metric g on C = …;` after its name. Statements that use it require a nonzero
+    /// determinant.
     pub(crate) fn metric(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
         let chart = if reader.word("on") { Some(self.chart_named(&reader.name()?)?.0) } else { None };
         reader.expect("=")?;
@@ -240,7 +244,7 @@ impl Theory {
         Ok(Named::Metric(metric, std::mem::take(&mut self.scope)))
     }
 
-    /// `hodge[g](w)` and its like, after the bracket.
+    /// Reads `hodge[g](w)` and the other operations with a metric, after the opening bracket.
     pub(crate) fn with_metric(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
         let metric = match self.names.get(&reader.name()?).cloned() {
             Some(Named::Metric(metric, scope)) => {

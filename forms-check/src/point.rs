@@ -1,4 +1,5 @@
-//! Points: exact values of variables, values of unknown functions at places, and enclosures of expressions there.
+//! Points: exact values of variables, values of unknown functions at places, and enclosures of
+//! expressions there.
 
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Pi, Power, Variable};
 use crate::expression::{Expr, Pool, rational};
@@ -7,14 +8,15 @@ use crate::{Stop, malformed, rejected};
 use num_rational::BigRational;
 use std::collections::HashMap;
 
-/// Places of an unknown function are enclosed within 10⁻¹², and one that is within twice that of a listed place is
-/// that place. Listed places are farther apart than any two places that are taken for one.
+/// Maximum width of the enclosure of a place of an unknown function: 10⁻¹². A place within twice
+/// this distance of a listed place is identified with it. Listed places are farther apart than any
+/// two places that are identified.
 const PLACE: (i64, u32) = (1, 12);
 
-/// The distance within which two listed places are one, in units of the width of a place.
+/// Distance within which two listed places count as equal, in units of the width of a place.
 const APART: i64 = 10;
 
-/// A value of an unknown function or of one of its derivatives.
+/// Listed value of an unknown function or of one of its derivatives.
 struct ListedJet {
     function: usize,
     orders: Vec<u32>,
@@ -22,16 +24,16 @@ struct ListedJet {
     value: BigRational,
 }
 
-/// Values of variables, or where they lie, and of unknown functions with their derivatives at places.
+/// Values or ranges of variables, and values of unknown functions and their derivatives at places.
 #[derive(Default)]
 pub(crate) struct Point {
     variables: HashMap<usize, Interval>,
     jets: Vec<ListedJet>,
-    /// With n, functions without a listed value are exponentials of 2⁻ⁿ times their arguments.
+    /// If set to n, functions without a listed value are exponentials of 2⁻ⁿ times their arguments.
     exponentials: Option<u32>,
 }
 
-/// 10⁻¹² times a number
+/// Returns 10⁻¹² times a number.
 fn tolerance(times: i64) -> BigRational {
     rational(times * PLACE.0, 1) / rational(10, 1).pow(PLACE.1 as i32)
 }
@@ -41,18 +43,20 @@ fn is_near(a: &[Interval], b: &[Interval], limit: &BigRational) -> bool {
 }
 
 impl Point {
-    /// All numbers that variables may be.
+    /// Creates a point that stands for all values of variables in these intervals.
     pub(crate) fn within(variables: HashMap<usize, Interval>) -> Self {
         Point { variables, ..Point::default() }
     }
 
-    /// Takes every function f(x, y, …) without a listed value for exp((αx + βy + …)/2ⁿ), with factors of its own.
+    /// Defines every function f(x, y, …) without a listed value as exp((αx + βy + …)/2ⁿ), with
+    /// factors specific to the function.
     pub(crate) fn completed(mut self, n: u32) -> Self {
         self.exponentials = Some(n);
         self
     }
 
-    /// Lists a value of a variable, or of an unknown function at a place that the variables listed before determine.
+    /// Lists the value of a variable, or of an unknown function at a place determined by the
+    /// variables listed before.
     pub(crate) fn set(&mut self, pool: &Pool, place: Expr, value: BigRational) -> Result<(), Stop> {
         let is_new = match pool.node(place) {
             (Variable(v), _) => self.variables.insert(*v, Interval::number(value)).is_none(),
@@ -76,7 +80,8 @@ impl Point {
         if is_new { Ok(()) } else { rejected("two values at one place") }
     }
 
-    /// The value of an unknown function or derivative at a place: the listed one, if one alone can be meant.
+    /// Returns the value of an unknown function or derivative at a place: the listed value, if
+    /// exactly one listed place is near.
     fn jet(&self, function: usize, orders: &[u32], place: &[Interval]) -> Option<Interval> {
         if let Some(n) = self.exponentials
             && !self.jets.iter().any(|jet| jet.function == function)
@@ -91,12 +96,12 @@ impl Point {
         near.next().is_none().then(|| Interval::number(found.value.clone()))
     }
 
-    /// An enclosure of a value.
+    /// Encloses a value.
     pub(crate) fn value(&self, pool: &Pool, expr: Expr) -> Result<Interval, Stop> {
         self.enclosed(pool, expr, &mut HashMap::new())
     }
 
-    /// The same, with the parts that are known.
+    /// Encloses a value, and caches the values of its nodes in `known`.
     pub(crate) fn enclosed(
         &self,
         pool: &Pool,
@@ -133,7 +138,7 @@ fn is_narrow(place: &[Interval]) -> bool {
     place.iter().all(|side| &side.high - &side.low <= tolerance(1))
 }
 
-/// ∏ αₖ^nₖ exp(Σ αₖ xₖ) with αₖ = (k + 2)/(k + 3 + f)/2ⁿ
+/// Returns ∏ αₖ^nₖ exp(Σ αₖ xₖ) with αₖ = (k + 2)/(k + 3 + f)/2ⁿ.
 fn exponential_jet(function: usize, orders: &[u32], place: &[Interval], n: u32) -> Option<Interval> {
     let (mut factor, mut exponent) = (rational(1, 1), Interval::number(rational(0, 1)));
     for (k, (order, x)) in orders.iter().zip(place).enumerate() {

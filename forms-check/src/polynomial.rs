@@ -4,16 +4,16 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::collections::{BTreeMap, HashMap};
 
-/// The most generators of one proof.
+/// Maximum number of generators of one proof.
 pub(crate) const MOST_GENERATORS: usize = 32;
 
-/// Coefficients of more bits are not computed with.
+/// Maximum number of bits of a coefficient.
 pub(crate) const MOST_BITS: u64 = 1 << 15;
 
-/// The exponent of each generator. Products respect the lexicographic order.
+/// Exponent of each generator. Products respect the lexicographic order.
 type Monomial = [u8; MOST_GENERATORS];
 
-/// Σ c m without zero coefficients; the last term leads.
+/// Polynomial Σ c m without zero coefficients; the last term is the leading term.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Polynomial(pub(crate) BTreeMap<Monomial, BigRational>);
 
@@ -21,7 +21,7 @@ fn zero() -> BigRational {
     BigRational::from_integer(BigInt::from(0))
 }
 
-/// sum + a b, for integers without a common divisor to look for
+/// Returns sum + a b; integers need no common divisor.
 fn plus_product(sum: &BigRational, a: &BigRational, b: &BigRational) -> BigRational {
     if [sum, a, b].iter().all(|c| c.is_integer()) {
         return BigRational::from_integer(sum.numer() + a.numer() * b.numer());
@@ -29,7 +29,7 @@ fn plus_product(sum: &BigRational, a: &BigRational, b: &BigRational) -> BigRatio
     sum + a * b
 }
 
-/// The product, unless an exponent is too large for its type.
+/// Returns the product; `None` if an exponent is too large for its type.
 fn product_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
     let mut product = *a;
     for (exponent, more) in product.iter_mut().zip(b) {
@@ -38,7 +38,7 @@ fn product_of(a: &Monomial, b: &Monomial) -> Option<Monomial> {
     Some(product)
 }
 
-/// Whether a number is too long to be computed with.
+/// Whether a number is too long for further computation.
 pub(crate) fn is_long(c: &BigRational) -> bool {
     c.numer().bits().max(c.denom().bits()) > MOST_BITS
 }
@@ -61,7 +61,7 @@ impl Polynomial {
         Polynomial::constant(BigRational::from_integer(value.into()))
     }
 
-    /// gᵉ
+    /// Returns gᵉ.
     pub(crate) fn generator(number: usize, exponent: u8) -> Self {
         let mut monomial = [0; MOST_GENERATORS];
         monomial[number] = exponent;
@@ -79,13 +79,13 @@ impl Polynomial {
         }
     }
 
-    /// The largest exponent of a generator, or of all.
+    /// Returns the largest exponent of a generator, or of all.
     pub(crate) fn degree(&self, generator: Option<usize>) -> u8 {
         let of = |m: &Monomial| generator.map_or(m.iter().max().copied(), |g| Some(m[g]));
         self.0.keys().filter_map(of).max().unwrap_or(0)
     }
 
-    /// The leading coefficient; zero has none but 1 serves.
+    /// Returns the leading coefficient, and 1 for the zero polynomial, which has none.
     pub(crate) fn leading(&self) -> BigRational {
         self.0.last_key_value().map_or(BigRational::from_integer(1.into()), |term| term.1.clone())
     }
@@ -105,7 +105,7 @@ impl Polynomial {
         self
     }
 
-    /// The product; nothing where an exponent or a coefficient would be too large.
+    /// Returns the product; `None` where an exponent or a coefficient would be too large.
     pub(crate) fn multiply(&self, other: &Polynomial) -> Option<Self> {
         let mut sums: HashMap<Monomial, BigRational> = HashMap::new();
         for (m, a) in &self.0 {
@@ -118,11 +118,11 @@ impl Polynomial {
         (!product.values().any(is_long)).then_some(Polynomial(product))
     }
 
-    /// The quotient, if the division leaves no rest and needs no exponent that is too large.
+    /// Returns the quotient, if the division is exact and needs no exponent that is too large.
     pub(crate) fn divide(&self, by: &Polynomial) -> Option<Self> {
         let (leading, coefficient) = by.0.last_key_value()?;
         if let (Some(own), Some(least)) = (self.0.first_key_value(), by.0.first_key_value()) {
-            // the last terms divide each other too, which is quickly seen
+            // quick rejection: the smallest terms must divide each other too
             quotient_of(own.0, least.0)?;
         }
         let (mut rest, mut quotient) = (self.clone(), Polynomial::default());
@@ -134,7 +134,8 @@ impl Polynomial {
         Some(quotient.scale(&-BigRational::from_integer(1.into())))
     }
 
-    /// The remainder by gⁿ = value: gᵏ becomes value^⌊k/n⌋ g^(k mod n); nothing where it would be too large.
+    /// Returns the remainder by gⁿ = value, in which gᵏ becomes value^⌊k/n⌋ g^(k mod n); `None`
+    /// where it would be too large.
     pub(crate) fn reduce(&self, generator: usize, order: u8, value: &Polynomial) -> Option<Self> {
         let (mut sum, mut parts) = (Polynomial::default(), BTreeMap::<u8, Polynomial>::new());
         for (monomial, c) in &self.0 {

@@ -1,7 +1,8 @@
-//! A proof replayed: declarations of bases and units, then zero, or cases of signs with a proof each.
+//! Replay of a proof: declarations of bases and units, followed by `zero`, or by cases of signs
+//! with a proof each.
 //!
-//! Every expression that the certificate writes has to be defined wherever what is proved is: it is made of parts of
-//! the statement, or the needs of its operations are shown.
+//! Every expression in the certificate must be defined wherever the statement to be proved is
+//! defined: it is made of nodes of the statement, or the conditions of its operations are shown.
 
 use crate::certificate::Line;
 use crate::expression::Operation::{Function, Multiply, Pi, Variable};
@@ -12,32 +13,32 @@ use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected};
 use std::collections::BTreeSet;
 
-/// Cases within cases.
+/// Maximum nesting of cases.
 const DEEPEST: usize = 16;
 
-/// The largest order of a base's root.
+/// Largest order of a base's root.
 const LARGEST_ORDER: i64 = 64;
 
-/// What is proved.
+/// Subject of a proof.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Subject {
-    /// That both sides agree wherever they are defined and the conditions hold.
+    /// Both sides agree wherever they are defined and the conditions hold.
     Statement,
-    /// That they agree so, but for countably many values of a variable.
+    /// Both sides agree there except for countably many values of a variable.
     AlmostEverywhere(usize),
 }
 
-/// The lines of one proof, and what it is about.
+/// Lines of one proof, with its subject.
 pub(crate) struct Proof<'a> {
     theory: &'a mut Theory,
     statement: &'a Statement,
     lines: &'a [Line],
     subject: Subject,
-    /// The units that are written by the tangents of their halves.
+    /// Units represented by the tangents of their halves.
     half_angles: Vec<Expr>,
 }
 
-/// The sign conditions of the cases around a step, and the parts of their expressions.
+/// Sign conditions of the cases around a step, and the nodes of their expressions.
 #[derive(Clone, Default)]
 struct Cases {
     given: Vec<Condition>,
@@ -63,12 +64,12 @@ pub(crate) fn check(
     theory.check_dense(statement, &half_angles)
 }
 
-/// One step while it is read.
+/// State of a step while it is read.
 struct Step<'a> {
     field: Field,
     bases: Vec<Expr>,
     cases: &'a Cases,
-    /// Those of the statement and of the cases.
+    /// Conditions of the statement and of the cases.
     conditions: Vec<Condition>,
     depth: usize,
 }
@@ -80,18 +81,18 @@ impl<'a> Proof<'a> {
         Some((keyword, rest))
     }
 
-    /// What follows a keyword, if that is the next.
+    /// Takes the next line if it begins with one of these keywords.
     fn next_if(&mut self, wanted: &[&str]) -> Option<(&'a str, &'a str)> {
         let (keyword, _) = self.lines.first()?;
         if wanted.contains(&keyword.as_str()) { self.next() } else { None }
     }
 
-    /// Checks one step: in the given cases both sides agree.
+    /// Checks one step: both sides agree in the given cases.
     fn step(&mut self, cases: &Cases, depth: usize) -> Result<(), Stop> {
         let conditions = [&self.statement.conditions[..], &cases.given].concat();
         let mut step = Step { field: Field::default(), bases: Vec::new(), cases, conditions, depth };
         while let Some((keyword, rest)) = self.next() {
-            // what was opaque may be known by the next declaration
+            // the next declaration can determine functions that were opaque before
             step.field.elements.clear();
             match keyword {
                 "base" => self.base(&mut step, rest)?,
@@ -107,7 +108,8 @@ impl<'a> Proof<'a> {
         Err(malformed("a proof without an end"))
     }
 
-    /// An expression that the certificate writes, and the element it stands for.
+    /// Reads an expression of the certificate, checks that it is defined, and returns it with its
+    /// element.
     fn declared(&mut self, step: &mut Step, text: &str) -> Result<(Expr, Fraction), Stop> {
         let expr = self.theory.expression(text)?;
         for part in self.theory.pool.parts(&[expr]) {
@@ -127,14 +129,15 @@ impl<'a> Proof<'a> {
         Ok((expr, element))
     }
 
-    /// Whether it is the tangent of half a declared unit, which the points that are looked at do have.
+    /// Whether a node is the tangent of half a declared unit, which is defined at the points under
+    /// consideration.
     fn is_half_angle(&mut self, step: &mut Step, part: Expr) -> Result<bool, Stop> {
         let (Function("tan"), [angle]) = self.theory.pool.node(part) else { return Ok(false) };
         let angle = step.field.element(&self.theory.pool, *angle)?;
         Ok(step.field.half_unit(&angle)?.is_some())
     }
 
-    /// `base g` with the lines that belong to it: its root, its logarithm, its sign.
+    /// Reads `base g` with the lines that belong to it: its root, its logarithm, its sign.
     fn base(&mut self, step: &mut Step, text: &str) -> Result<(), Stop> {
         let (expr, element) = self.declared(step, text)?;
         let element = step.field.expanded(&element)?;
@@ -164,7 +167,8 @@ impl<'a> Proof<'a> {
         Ok(())
     }
 
-    /// The reason is the base, or minus the base, written so that it is visibly not negative.
+    /// Checks the sign of a base. The reason is the base, or minus the base, in a form that is
+    /// visibly not negative.
     fn sign(
         &mut self,
         step: &mut Step,
@@ -189,7 +193,7 @@ impl<'a> Proof<'a> {
         if kind != Kind::Tangent {
             return Ok(());
         }
-        // where the half angle has no tangent, the variables are moved
+        // where the half angle has no tangent, the variables are perturbed
         let (mut is_product, mut moves) = (value.factors.is_empty(), false);
         for g in step.field.generators_of(&value.numerator) {
             match step.field.generators[g] {
@@ -231,7 +235,7 @@ impl<'a> Proof<'a> {
         }
     }
 
-    /// In this case a side divides by zero everywhere.
+    /// Checks that a side divides by zero everywhere in this case.
     fn undefined(&mut self, field: &mut Field) -> Result<(), Stop> {
         for expr in self.statement.components.values().flatten() {
             match field.element(&self.theory.pool, *expr) {

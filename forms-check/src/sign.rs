@@ -1,4 +1,5 @@
-//! Signs: what is visibly positive or not negative, and cases of signs that leave no point out.
+//! Signs: expressions that are visibly positive or not negative, and cases of signs that cover
+//! every point.
 
 use crate::expression::Operation::{Add, Divide, Function, Multiply, Number, Pi, Power};
 use crate::expression::{Expr, Pool, rational};
@@ -9,10 +10,10 @@ use crate::{Stop, rejected, uncovered};
 use num_rational::BigRational;
 use std::collections::HashMap;
 
-/// More bases than this are not told apart at once.
+/// Maximum number of bases that are split into cases at once.
 const MOST_SPLIT: usize = 8;
 
-/// What is seen of a sign.
+/// Visible sign of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Seen {
     Nothing,
@@ -20,7 +21,7 @@ pub(crate) enum Seen {
     Positive,
 }
 
-/// What is seen of a polynomial all of whose terms are positive numbers times squares.
+/// Returns the sign of a polynomial in which all terms are positive numbers times squares.
 fn squares(polynomial: &Polynomial) -> Seen {
     let is_square = |(monomial, c): (&[u8; MOST_GENERATORS], &BigRational)| {
         *c > rational(0, 1) && monomial.iter().all(|exponent| exponent % 2 == 0)
@@ -33,7 +34,7 @@ fn squares(polynomial: &Polynomial) -> Seen {
     }
 }
 
-/// What is seen of a product of facts.
+/// Returns the sign of a product of facts.
 fn product_of(facts: &[(Polynomial, Seen)], mut rest: Polynomial) -> Seen {
     let mut least = Seen::Positive;
     for (fact, seen) in facts.iter().filter(|fact| fact.0.as_constant().is_none()) {
@@ -45,7 +46,7 @@ fn product_of(facts: &[(Polynomial, Seen)], mut rest: Polynomial) -> Seen {
     least.min(squares(&rest))
 }
 
-/// What a condition says of bases: the sign of a product of odd powers, where none of `all` vanishes.
+/// Condition in terms of bases: the sign of a product of odd powers, where none of `all` vanishes.
 struct Constraint {
     relation: Relation,
     front: i64,
@@ -54,7 +55,7 @@ struct Constraint {
 }
 
 impl Field {
-    /// N ∏ F^odd, which has the sign of N / ∏ Fᵉ, up to a positive number.
+    /// Returns N ∏ F^odd, which has the sign of N / ∏ Fᵉ, up to a positive number.
     fn signed(&mut self, q: &Fraction) -> Result<Polynomial, Stop> {
         let mut product = q.numerator.clone();
         for (factor, exponent) in &q.factors {
@@ -66,7 +67,8 @@ impl Field {
         Ok(product.scale(&(rational(1, 1) / if leading < rational(0, 1) { -leading } else { leading })))
     }
 
-    /// What is not negative: conditions, bounds of π, sines and cosines, bases with their signs.
+    /// Returns expressions that are not negative: conditions, bounds of π, sines and cosines, bases
+    /// with their signs.
     fn facts(&mut self, pool: &Pool, conditions: &[Condition]) -> Result<Vec<(Polynomial, Seen)>, Stop> {
         let mut facts: Vec<(Fraction, Seen)> = Vec::new();
         for (expr, relation) in conditions.iter().filter(|condition| condition.1 != Relation::NotZero) {
@@ -95,7 +97,8 @@ impl Field {
         facts.iter().map(|(fact, seen)| Ok((self.signed(fact)?, *seen))).collect()
     }
 
-    /// The sign of an expression as it is written: of sums, products and even powers, and by facts.
+    /// Returns the visible sign of an expression as written, from its sums, products and even
+    /// powers, and from facts.
     pub(crate) fn seen(
         &mut self,
         pool: &mut Pool,
@@ -120,7 +123,8 @@ impl Field {
                 Power(p, q) if p % 2 == 0 || *q > 1 => of(0).max(Seen::NotNegative),
                 Power(..) => of(0),
                 Function(name @ ("sin" | "cos" | "tan")) => {
-                    // 0 ≤ a ≤ π, −π/2 ≤ a ≤ π/2 and 0 ≤ a ≤ π/2 in quarter turns
+                    // bounds of the angle a in quarter turns: 0 ≤ a ≤ π, −π/2 ≤ a ≤ π/2 and 0 ≤ a ≤
+                    // π/2
                     let (from, to) = match *name {
                         "sin" => (0, 2),
                         "cos" => (-1, 1),
@@ -144,7 +148,8 @@ impl Field {
         Ok(visible[&root])
     }
 
-    /// Whether a relation is seen: of q as it is written, or since q is a product of what is not zero.
+    /// Whether a relation is visible, from q as written or because q is a product of nonzero
+    /// factors.
     pub(crate) fn shows(
         &mut self,
         pool: &mut Pool,
@@ -163,7 +168,8 @@ impl Field {
         }
     }
 
-    /// Whether the factors of what conditions say is not zero divide q until a number is left.
+    /// Whether q reduces to a nonzero number when it is divided by the factors of expressions that
+    /// conditions state to be nonzero.
     fn is_product_of_nonzero(&mut self, pool: &Pool, q: Expr, known: &[Condition]) -> Result<bool, Stop> {
         let mut rest = self.element(pool, q)?.numerator;
         for (expr, _) in known.iter().filter(|condition| condition.1 != Relation::NotNegative) {
@@ -179,7 +185,7 @@ impl Field {
         Ok(rest.as_constant().is_some_and(|c| c != rational(0, 1)))
     }
 
-    /// ±a and so many quarter turns
+    /// Returns ±a plus `quarters` quarter turns.
     fn beyond(&mut self, pool: &mut Pool, a: Expr, sign: i64, quarters: i64) -> Result<Polynomial, Stop> {
         let (share, pi) = (pool.number(rational(quarters, 2)), pool.make(Pi, vec![]));
         let turn = pool.make(Multiply, vec![share, pi]);
@@ -192,7 +198,7 @@ impl Field {
     fn constraints(&mut self, pool: &Pool, conditions: &[Condition]) -> Vec<Constraint> {
         let mut found = Vec::new();
         for (expr, relation) in conditions {
-            // a condition that says nothing about bases leaves only more cases
+            // a condition without information about bases only leaves more cases
             let Ok(element) = self.element(pool, *expr) else { continue };
             let Ok(mut factored) = self.factored(&element) else { continue };
             let front = if factored.constant < rational(0, 1) { -1 } else { 1 };
@@ -208,8 +214,8 @@ impl Field {
         found
     }
 
-    /// Every choice of signs −, 0, + for the split bases that the conditions allow has to lie in a case, on its
-    /// border perhaps: the cases then cover every point.
+    /// Checks that the cases cover every point: every combination of signs −, 0, + of the split
+    /// bases that the conditions allow must lie in a case or on its boundary.
     pub(crate) fn check_cover(
         &mut self,
         pool: &Pool,
@@ -245,7 +251,7 @@ impl Field {
         }
         let mut product = constraint.front;
         for base in &constraint.odd {
-            // a base that is not split may vanish, which only a strict relation excludes
+            // a base that is not split can vanish, which only a strict relation excludes
             match at(base).or(self.bases[*base].sign.filter(|_| strict)) {
                 Some(sign) => product *= sign,
                 None => return true,

@@ -1,4 +1,5 @@
-//! What a file declares: charts, params, unknown functions, maps and named values, and where its statements are.
+//! Declarations of a file: charts, params, unknown functions, maps and named values, and the places
+//! of its statements.
 
 mod declaration;
 
@@ -10,10 +11,10 @@ use crate::tokens::{Reader, Token};
 use crate::{Claim, Stop, malformed, rejected, uncovered};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// The most coordinates and params of a file: each coordinate is a bit of a blade.
+/// Maximum number of coordinates and params of a file: each coordinate is a bit of a blade.
 const MOST_VARIABLES: usize = 128;
 
-/// What is required of a condition's expression.
+/// Required sign of a condition's expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Relation {
     Positive,
@@ -21,24 +22,24 @@ pub(crate) enum Relation {
     NotZero,
 }
 
-/// A condition on the points a statement speaks of.
+/// Condition on the points of a statement.
 pub(crate) type Condition = (Expr, Relation);
 
-/// What a value needs: where it is defined, and the variables it is written with.
+/// Conditions under which a value is defined, and the variables it uses.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scope {
     pub(crate) conditions: Vec<Condition>,
     pub(crate) used: BTreeSet<usize>,
     /// Whether an integral was found under these conditions.
     pub(crate) integrates: bool,
-    /// Whether zeros of parameters are left out for an antiderivative.
+    /// Whether zeros of parameters are excluded for an antiderivative.
     pub(crate) is_narrowed: bool,
 }
 
-/// A chart: its coordinates and its domain.
+/// Chart: its coordinates and its domain.
 type Chart = (Vec<usize>, Vec<Condition>);
 
-/// What a name stands for.
+/// Meaning of a name.
 #[derive(Clone, Debug)]
 pub(crate) enum Named {
     Chart(Chart),
@@ -47,19 +48,19 @@ pub(crate) enum Named {
     Function(usize),
     Object(Value, Scope),
     Metric(Metric, Scope),
-    /// The source's coordinates, the image of each target coordinate, the target's conditions.
+    /// Map: the source's coordinates, the image of each target coordinate, the target's conditions.
     Map(Vec<usize>, HashMap<usize, Expr>, Vec<Condition>, Scope),
-    /// A declaration that uses what the checker does not know.
+    /// Declaration that uses something outside the checker's coverage.
     Uncovered(String),
 }
 
-/// Both sides of a statement by component, and the points it speaks of: those at which every condition holds and every
-/// part of the sides and conditions is real.
+/// Both sides of a statement by component, and the conditions on its points. These are the points
+/// at which every condition holds and every node of the sides and conditions is real.
 #[derive(Clone, Debug)]
 pub(crate) struct Statement {
     pub(crate) components: BTreeMap<String, [Expr; 2]>,
     pub(crate) conditions: Vec<Condition>,
-    /// All parts of the sides and conditions.
+    /// All nodes of the sides and conditions.
     pub(crate) nodes: BTreeSet<Expr>,
 }
 
@@ -106,7 +107,8 @@ const WORDS: [&str; 26] = [
     "pub",
 ];
 
-/// The functions of the language of the arguments a and b: the derivative, and where it is real.
+/// Functions of the language with the argument a: name, derivative, and the condition under which
+/// the function is real.
 pub(crate) const FUNCTIONS: [(&str, &str, &str); 8] = [
     ("sin", "cos(a)", ""),
     ("cos", "-sin(a)", ""),
@@ -118,7 +120,8 @@ pub(crate) const FUNCTIONS: [(&str, &str, &str); 8] = [
     ("abs", "abs(a)/a", ""),
 ];
 
-/// Functions written with those: how many arguments, what it is, and where it is real.
+/// Functions defined by those, with the arguments a and b: name, number of arguments, definition,
+/// and the condition under which the function is real.
 pub(crate) const DERIVED: [(&str, usize, &str, &str); 5] = [
     ("acos", 1, "pi/2 - asin(a)", "1 - a**2 >= 0"),
     ("atan2", 2, "2*atan(a/(sqrt(a**2 + b**2) + b))", "sqrt(a**2 + b**2) + b > 0"),
@@ -127,36 +130,38 @@ pub(crate) const DERIVED: [(&str, usize, &str, &str); 5] = [
     ("tanh", 1, "(exp(a) - exp(-a))/(exp(a) + exp(-a))", ""),
 ];
 
-/// A file.
+/// File that was read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Theory {
     pub(crate) pool: Pool,
     pub(crate) names: HashMap<String, Named>,
     /// Names of variables, and whether each is a coordinate.
     pub(crate) variables: Vec<(String, bool)>,
-    /// The arguments of unknown functions, and the conditions on their values.
+    /// Arguments of unknown functions, and the conditions on their values.
     pub(crate) functions: Vec<(Vec<usize>, Vec<Condition>)>,
     pub(crate) params: HashMap<usize, Vec<Condition>>,
-    /// Where each function of the language is real.
+    /// Conditions under which each function of the language is real.
     pub(crate) domains: HashMap<&'static str, Vec<Condition>>,
     pub(crate) charts: Vec<Chart>,
-    /// What each statement is claimed to be, and where its sides stand; nowhere for those that follow from warps.
+    /// Claim of each statement, and the place of its sides; `None` for statements that follow from
+    /// warps.
     statements: HashMap<String, (Claim, Option<Reader>)>,
-    /// Why the file is none that can be proved.
+    /// Reason why no statement of the file can be decided.
     fault: Option<String>,
-    /// An item that is not understood and may bind any statement.
+    /// Item that is not understood and could affect any statement.
     obstacle: Option<String>,
     pub(crate) scope: Scope,
     /// Whether `*` between 1-forms is the symmetric product.
     pub(crate) in_metric: bool,
-    /// Antiderivatives that the certificate offers, and how many were taken for each place since the item began.
+    /// Antiderivatives that the certificate offers, and the number used for each place since the
+    /// item began.
     pub(crate) offered: Offered,
     pub(crate) integrated: HashMap<usize, usize>,
-    /// What the statement that is derived says of its points.
+    /// Conditions that the current statement places on its points.
     pub(crate) given: Vec<Condition>,
-    /// The variables that are integrated over around what is read.
+    /// Variables of the integrals around the expression being read.
     pub(crate) bound: Vec<usize>,
-    /// Whether what is read comes from the certificate, which integrates nothing.
+    /// Whether the text being read comes from the certificate, where integrals are not allowed.
     pub(crate) is_sealed: bool,
 }
 
@@ -218,7 +223,8 @@ impl Theory {
         reader.expect(";")?;
         conditions.append(&mut self.scope.conditions);
         let is_narrowed = self.scope.is_narrowed;
-        // a chart binds what uses its coordinates, if all that its condition mentions are among them
+        // a chart's condition applies if the chart is used and all coordinates of the condition are
+        // used
         let used = &self.scope.used;
         for (_, bound) in self.charts.iter().filter(|chart| chart.0.iter().any(|v| used.contains(v))) {
             let is_used = |v: &usize| !self.variables[*v].1 || used.contains(v);
@@ -240,7 +246,7 @@ impl Theory {
         Ok(Statement::new(&self.pool, components, conditions))
     }
 
-    /// What a statement says after `where`.
+    /// Reads the conditions of a statement after `where`.
     fn stated(&mut self, mut reader: Reader) -> Result<Vec<Condition>, Stop> {
         while !matches!(reader.peek(), Some(Token::Sign(";")) | None) {
             if matches!(reader.peek(), Some(Token::Name(word)) if word == "where") {
@@ -257,7 +263,7 @@ impl Theory {
         names
     }
 
-    /// What a statement is claimed to be.
+    /// Returns the claim of a statement.
     pub(crate) fn claim(&self, name: &str) -> Option<Claim> {
         self.statements.get(name).map(|statement| statement.0)
     }
@@ -269,7 +275,7 @@ impl Theory {
         self.statements.insert(name, (claim, reader));
     }
 
-    /// Gives a name its meaning, which it keeps.
+    /// Declares a name; its meaning cannot change afterwards.
     fn declare(&mut self, name: &str, meaning: Named) {
         let is_word = WORDS.contains(&name)
             || FUNCTIONS
@@ -285,7 +291,7 @@ impl Theory {
         }
     }
 
-    /// A scalar that the certificate writes; what it needs is no condition of the statement.
+    /// Reads a scalar of the certificate; its conditions do not become conditions of the statement.
     pub(crate) fn expression(&mut self, text: &str) -> Result<Expr, Stop> {
         let mut reader = Reader::new(text)?;
         let outer = std::mem::replace(&mut self.is_sealed, true);

@@ -1,21 +1,21 @@
-//! A text as numbers, names and signs, and a reader that goes along them.
+//! Lexer and reader: a text as numbers, names and signs, and a cursor over them.
 
 use crate::{Stop, malformed};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use std::rc::Rc;
 
-/// A number, name or sign.
+/// Number, name or sign.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Token {
     Number(BigRational),
     Name(String),
     Sign(&'static str),
-    /// A character that the checker does not know: what it belongs to is not covered.
+    /// Character unknown to the checker: an item that contains it is not covered.
     Unknown(char),
 }
 
-/// Digits of a number, and the magnitude of its power of ten.
+/// Maximum number of digits of a number, and of the magnitude of its power of ten.
 const LONGEST_NUMBER: usize = 10_000;
 
 const SIGNS: [&str; 25] = [
@@ -23,17 +23,17 @@ const SIGNS: [&str; 25] = [
     ";", ":", "=", "<", ">", "@",
 ];
 
-/// A place in a text.
+/// Cursor in a text.
 #[derive(Clone, Debug)]
 pub(crate) struct Reader {
-    /// Each with its place in the text.
+    /// Tokens with their places in the text.
     tokens: Rc<Vec<(Token, usize)>>,
     pub(crate) place: usize,
-    /// How many brackets and signs are open.
+    /// Number of open brackets and signs.
     pub(crate) depth: usize,
 }
 
-/// Characters that end a line, and with it a comment, somewhere.
+/// Characters that end a line, and with it a comment, in at least one editor.
 const LINE_ENDS: [char; 7] = ['\n', '\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
 
 impl Reader {
@@ -69,12 +69,12 @@ impl Reader {
         self.tokens.get(self.place).map(|token| &token.0)
     }
 
-    /// Where the next token stands in the text.
+    /// Returns the place of the next token in the text.
     pub(crate) fn offset(&self) -> usize {
         self.tokens.get(self.place).map_or(0, |token| token.1)
     }
 
-    /// The variables of the ranges `, u = a..b` before the bracket that closes.
+    /// Returns the variables of the ranges `, u = a..b` before the closing bracket.
     pub(crate) fn ranged_names(&self) -> Vec<String> {
         let (mut open, mut names) = (0_usize, Vec::new());
         for (place, (token, _)) in self.tokens.iter().enumerate().skip(self.place) {
@@ -107,7 +107,7 @@ impl Reader {
         if self.take(sign) { Ok(()) } else { Err(self.wrong(sign)) }
     }
 
-    /// That a sign stands next, which is not passed.
+    /// Checks that a sign is next, without taking it.
     pub(crate) fn following(&self, sign: &str) -> Result<(), Stop> {
         self.clone().expect(sign)
     }
@@ -128,14 +128,14 @@ impl Reader {
         Ok(name)
     }
 
-    /// Whether a name occurs after the first equals sign of the tokens from a place to the present one.
+    /// Whether a name occurs after the first equals sign between a place and the current one.
     pub(crate) fn defines_by(&self, name: &str, from: usize) -> bool {
         let body = self.tokens[from..self.place].iter().map(|token| &token.0);
         let mut body = body.skip_while(|token| **token != Token::Sign("="));
         body.any(|token| matches!(token, Token::Name(own) if own == name))
     }
 
-    /// The names of a declaration, separated by a sign, units passed over.
+    /// Takes the names of a declaration, separated by a sign; units are skipped.
     pub(crate) fn names(&mut self, separator: &str) -> Result<Vec<String>, Stop> {
         let mut names = Vec::new();
         while names.is_empty() || self.take(separator) {
@@ -145,7 +145,7 @@ impl Reader {
         Ok(names)
     }
 
-    /// Goes past `: unit`, which may have an exponent in brackets.
+    /// Skips `: unit`, which can have an exponent in brackets.
     pub(crate) fn pass_unit(&mut self) {
         if !self.take(":") {
             return;
@@ -165,7 +165,7 @@ impl Reader {
         }
     }
 
-    /// Goes past the end of an item, semicolons within brackets passed over.
+    /// Skips past the end of an item; semicolons in brackets do not end it.
     pub(crate) fn pass_item(&mut self) {
         let mut open = 0_usize;
         while let Some(token) = self.peek() {
@@ -180,7 +180,8 @@ impl Reader {
     }
 }
 
-/// Digits, a fraction, an exponent; the dots of a range belong to no number.
+/// Returns the length of a number: digits, a fraction, an exponent. The dots of a range are not
+/// part of it.
 fn number_length(text: &[u8]) -> usize {
     let is_digit = |at: usize| text.get(at).is_some_and(u8::is_ascii_digit);
     let digits = |from: usize| (from..).find(|at| !is_digit(*at)).unwrap_or(from);

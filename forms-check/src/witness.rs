@@ -1,4 +1,5 @@
-//! Points that a certificate names or the checker finds: where two sides differ, and that a statement speaks of any.
+//! Witness points, named by a certificate or found by the checker: points where two sides differ,
+//! and points that show that a statement is not vacuous.
 
 use crate::certificate::Line;
 use crate::expression::Expr;
@@ -10,13 +11,14 @@ use crate::{Stop, malformed, rejected, uncovered};
 use num_rational::BigRational;
 use std::collections::{BTreeSet, HashMap};
 
-/// How many points are looked at for one that a statement speaks of.
+/// Maximum number of points tried to show that a statement is not vacuous.
 const MOST_POINTS: u64 = 400;
 
-/// Some points have flat functions, which are enclosed for arguments that are physical constants.
+/// Exponent n of the nearly constant functions exp(2⁻ⁿ…) at some of the points, which can be
+/// enclosed for arguments that are physical constants.
 const FLAT: u32 = 60;
 
-/// The values that variables are given.
+/// Values tried for variables.
 const VALUES: [(i64, i64); 30] = [
     (1, 2),
     (1, 1),
@@ -50,7 +52,8 @@ const VALUES: [(i64, i64); 30] = [
     (1000, 1),
 ];
 
-/// Checks a point of a refutation: it meets every condition, and the sides are enclosed apart there.
+/// Checks the point of a refutation: every condition holds there, and the enclosures of the two
+/// sides are disjoint.
 pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) -> Result<(), Stop> {
     let count = lines.iter().position(|line| line.0 != "at").unwrap_or(lines.len());
     let (at, rest) = lines.split_at(count);
@@ -66,7 +69,7 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     if !meets(theory, &point, &statement.conditions, &mut known) {
         return rejected("a condition is not certain at the point");
     }
-    // both sides are defined in every component
+    // both sides must be defined in every component
     for side in statement.components.values().flatten() {
         point.enclosed(&theory.pool, *side, &mut known)?;
     }
@@ -81,7 +84,8 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     }
 }
 
-/// Checks that a statement speaks of some point: the one that the certificate names, or one that is found.
+/// Checks that a statement is not vacuous, by the point that the certificate names, or else by one
+/// that is found.
 pub(crate) fn check_inhabited(theory: &mut Theory, statement: &Statement, at: &[Line]) -> Result<(), Stop> {
     if at.is_empty() {
         return find(theory, statement);
@@ -120,7 +124,7 @@ fn meets(
     })
 }
 
-/// Whether every condition holds and both sides are defined.
+/// Whether every condition holds and both sides are defined at a point.
 fn is_of(theory: &Theory, point: &Point, statement: &Statement) -> bool {
     let mut known = HashMap::new();
     meets(theory, point, &statement.conditions, &mut known)
@@ -131,7 +135,7 @@ fn is_of(theory: &Theory, point: &Point, statement: &Statement) -> bool {
             .all(|side| point.enclosed(&theory.pool, *side, &mut known).is_ok())
 }
 
-/// Looks for a point among values that meet the conditions on one variable alone.
+/// Searches for a point among values that satisfy the conditions on each single variable.
 fn find(theory: &mut Theory, statement: &Statement) -> Result<(), Stop> {
     let mut variables: BTreeSet<usize> = BTreeSet::new();
     for part in &statement.nodes {
@@ -174,10 +178,10 @@ fn number(theory: &mut Theory, text: &str) -> Result<BigRational, Stop> {
     theory.pool.as_number(expr).cloned().ok_or_else(|| malformed(format!("`{text}` is no number")))
 }
 
-/// Whether a decimal is the value to its last place; a fraction has to be the value.
+/// Whether a decimal equals the value to its last digit; a fraction must equal the value.
 fn is_rounded(value: &Interval, number: &BigRational, text: &str) -> bool {
     let places = text.split_once('.').map_or(0, |(_, digits)| digits.len());
-    // enclosures are not wider than 10⁻³⁶
+    // tolerance for the width of the enclosure: 10⁻³⁶
     let width = rational(1, 1) / rational(10, 1).pow(36);
     let unit = if places == 0 { rational(0, 1) } else { rational(1, 10).pow(places.min(4096) as i32) };
     let half = unit / rational(2, 1) + width;

@@ -1,12 +1,12 @@
-//! The polynomial engine at its three sizes: one large product, tiny everyday operations, and powers of the
-//! generic 2-form ω = Σ aᵢⱼ dxᵢ∧dxⱼ, whose top power is m! times the Pfaffian.
+//! Polynomial arithmetic at three sizes: one large product, tiny everyday operations, and powers of
+//! the generic 2-form ω = Σ aᵢⱼ dxᵢ∧dxⱼ, whose top power is m! times the Pfaffian.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use forms_core::polynomial::Polynomial;
 use std::collections::BTreeMap;
 use std::hint::black_box;
 
-/// Basis form as the set of its factors dxᵢ ↦ its coefficient.
+/// Form, as a map from a basis form, given by the set of its factors dxᵢ, to its coefficient.
 type Form = BTreeMap<u128, Polynomial>;
 
 fn large_products(criterion: &mut Criterion) {
@@ -50,7 +50,7 @@ fn tiny_operations(criterion: &mut Criterion) {
     });
 }
 
-/// The generic 2-form on R²ᵐ: a variable for each pair of axes.
+/// Returns the generic 2-form on R²ᵐ, with a variable for each pair of axes.
 fn generic_two_form(axes: u32) -> Form {
     let mut form = Form::new();
     for i in 0..axes {
@@ -61,7 +61,7 @@ fn generic_two_form(axes: u32) -> Form {
     form
 }
 
-/// The sign that sorts the factors of two basis forms: −1 for each pair out of order.
+/// Returns the sign that sorts the factors of two basis forms: −1 for each pair out of order.
 fn sign(left: u128, right: u128) -> i64 {
     let mut inversions = 0;
     let mut rest = left >> 1;
@@ -72,7 +72,7 @@ fn sign(left: u128, right: u128) -> i64 {
     if inversions % 2 == 0 { 1 } else { -1 }
 }
 
-/// α∧β, the products grouped by output blade.
+/// Returns α∧β, with the products grouped by output blade.
 fn wedge(left: &Form, right: &Form) -> Form {
     let mut groups: BTreeMap<u128, Vec<(i64, &Polynomial, &Polynomial)>> = BTreeMap::new();
     for (&a, f) in left {
@@ -85,7 +85,7 @@ fn wedge(left: &Form, right: &Form) -> Form {
     collect(groups)
 }
 
-/// α∧α for α of even degree: its components commute, so each unordered pair counts twice.
+/// Returns α∧α for α of even degree: its components commute, so each unordered pair counts twice.
 fn square(form: &Form) -> Form {
     let blades: Vec<_> = form.iter().collect();
     let mut groups: BTreeMap<u128, Vec<(i64, &Polynomial, &Polynomial)>> = BTreeMap::new();

@@ -1,6 +1,6 @@
-//! The symbolic core at work: closed forms, d², stars, Lie derivatives, pullbacks, integrals, powers of a 2-form, one
-//! large product. Times are of the work named; what is called built was built beforehand, everything else but powers,
-//! products and d² starts from text.
+//! Benchmarks of the symbolic core: closed forms, d², stars, Lie derivatives, pullbacks, integrals,
+//! powers of a 2-form, one large product. Each time covers the named work only. Workloads called
+//! "built" use forms built beforehand; all others except powers, products and d² start from text.
 
 #[allow(dead_code, reason = "this bench writes no page")]
 mod page;

@@ -1,4 +1,5 @@
-//! Decides every statement and generates every kernel of the files given, and prints how long each took.
+//! Decides every statement and generates every kernel of the given files, and prints the time for
+//! each.
 
 use forms_core::{check::read_theory, compile::compile_kernel, decide::decide, syntax};
 use std::time::Instant;

@@ -1,4 +1,5 @@
-//! A whole source checked: what it declares, and everything its author has to be told.
+//! Checks a whole source: its declarations, the verdicts on its statements, and all diagnostics for
+//! its author.
 //!
 //! ```text
 //! tokens ─ parse ─ resolve ─ units ─▶ Theory ─ decide ─▶ verdicts
@@ -16,8 +17,8 @@ use crate::syntax::{Source, end_of, lex, parse_text};
 use crate::units;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Resolves what was parsed from `tokens`. Names that only an unreadable item may have declared are not reported
-/// as unknown: that one mistake has been reported.
+/// Resolves a file that was parsed from `tokens`. A name that an unreadable item could have
+/// declared is not reported as unknown, since the unreadable item has been reported.
 pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>) {
     let (theory, mut diagnostics) = resolve_with_units(file);
     let unread = unread_names(tokens, file);
@@ -38,8 +39,9 @@ pub fn resolve_parsed(tokens: &[Token], file: &File) -> (Theory, Vec<Diagnostic>
     (theory, diagnostics)
 }
 
-/// The first item that claims something and has no part in the theory. There is none, unless resolution has a fault: a
-/// claim that is not decided must not pass for one that holds.
+/// Returns an error for the first claim that is missing from the theory. Only a defect of
+/// resolution can cause one; the check ensures that a claim that was never decided cannot pass for
+/// one that holds.
 fn lost_item(file: &File, theory: &Theory) -> Option<Diagnostic> {
     let statements: FxHashSet<&str> =
         theory.statements.iter().map(|statement| statement.name.as_str()).collect();
@@ -62,7 +64,7 @@ fn lost_item(file: &File, theory: &Theory) -> Option<Diagnostic> {
     Some(Diagnostic::new(lost.span, message).with_help("please report the file"))
 }
 
-/// Resolves, and where units are stated checks them.
+/// Resolves a file and, if it states units, checks them.
 fn resolve_with_units(file: &File) -> (Theory, Vec<Diagnostic>) {
     if !units::are_stated(file) {
         return resolve(file);
@@ -79,7 +81,7 @@ fn name(token: &Token) -> Option<&str> {
     }
 }
 
-/// The names between the items that could be parsed.
+/// Returns the names that occur outside the items that could be parsed.
 fn unread_names<'a>(tokens: &'a [Token], file: &File) -> FxHashSet<&'a str> {
     let mut items = file.items.iter().map(|item| item.span).peekable();
     let mut unread = FxHashSet::default();
@@ -92,8 +94,8 @@ fn unread_names<'a>(tokens: &'a [Token], file: &File) -> FxHashSet<&'a str> {
     unread
 }
 
-/// Parses and resolves a text: what it says and what it means. Of two mistakes found at one place the first, which
-/// is of the parser, is told.
+/// Parses and resolves a text; returns its syntax tree, its theory and the diagnostics. Of two
+/// errors at one place only the first is reported, which is the parser's.
 pub fn read_file(text: &str) -> (File, Theory, Vec<Diagnostic>) {
     let (tokens, mut diagnostics) = lex(text);
     let (file, found) = parse_text(&tokens, end_of(text));
@@ -108,7 +110,8 @@ pub fn read_file(text: &str) -> (File, Theory, Vec<Diagnostic>) {
     (file, theory, limited(diagnostics))
 }
 
-/// The first `prove` or `refute` that is in no item. There is none, unless the parser has a fault.
+/// Returns an error for the first `prove` or `refute` that is in no item. Only a defect of the
+/// parser can cause one.
 fn unread_claim(tokens: &[Token], file: &File) -> Option<Diagnostic> {
     let is_claim = |token: &&Token| matches!(name(token), Some("prove" | "refute"));
     let is_read = |token: &Token| {
@@ -134,7 +137,7 @@ pub fn decide_all(theory: &mut Theory) -> Vec<Verdict> {
     statements.iter().map(|statement| decide(theory, statement)).collect()
 }
 
-/// What is to be said of a statement that is not as it claims.
+/// Returns the diagnostic for a statement whose verdict does not match its claim.
 pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic> {
     if verdict.bears_out(statement.claim) {
         return None;
@@ -159,12 +162,13 @@ pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic>
     }
 }
 
-/// A statement's name; a description, which is no name as it has a space in it, stands without quotes.
+/// Formats a statement's name: in quotes, unless it contains a space and is therefore a
+/// description.
 fn subject(name: &str) -> String {
     if name.contains(' ') { name.to_owned() } else { format!("`{name}`") }
 }
 
-/// left − right, then the point and both values there, a line each.
+/// Formats a witness: left − right on one line, then the point and both values there.
 fn contradiction(witness: &Witness) -> String {
     let component = match witness.component.as_str() {
         "" => String::new(),
@@ -179,10 +183,11 @@ fn contradiction(witness: &Witness) -> String {
     )
 }
 
-/// Decides what one kernel of a source claims of itself, by the kernel's name; the error is a text to be read.
+/// Decides the claims of one kernel of a source, by the kernel's name; the error is a message for
+/// the user.
 ///
 /// # Errors
-/// If the source has an error or no such kernel, or if a claim is false or was not shown.
+/// If the source has an error or no such kernel, or if a claim is false or was not proved.
 pub fn check_kernel(source: &Source, name: &str) -> Result<(), String> {
     let (mut theory, diagnostics) = read_theory(&source.text);
     if !diagnostics.is_empty() {
@@ -198,10 +203,11 @@ pub fn check_kernel(source: &Source, name: &str) -> Result<(), String> {
     Err(faults.iter().map(|fault| source.render(&fault.diagnostic)).collect())
 }
 
-/// Decides one statement of a source by its name; the error is a text to be read.
+/// Decides one statement of a source by its name; the error is a message for the user.
 ///
 /// # Errors
-/// If the source has an error or no such statement, or if the statement is not as it claims.
+/// If the source has an error or no such statement, or if the verdict does not match the
+/// statement's claim.
 pub fn check_statement(source: &Source, name: &str) -> Result<Verdict, String> {
     let (mut theory, diagnostics) = read_theory(&source.text);
     if !diagnostics.is_empty() {

@@ -1,12 +1,13 @@
-//! Compilation: the one way from a text to decided statements and compiled kernels.
+//! Compilation: the only pipeline from a text to decided statements and compiled kernels.
 //!
 //! ```text
 //! text ─ read ─▶ Theory ─┬─ statements ─ decide ─────────────────────────────▶ verdicts ──┐
 //!                        └─ kernels ─ chosen form │ rules ─ generate ─▶ CompiledKernel ───┴─▶ Compiled
 //! ```
-//! A kernel is computed by its stable form: the one behind `by`, the one chosen in a file of forms, or the one that
-//! rules give. Choosing it is a stage of this pipeline, so that no front end can leave it out, and what is chosen is
-//! proved to have the value of the formula wherever the formula has one.
+//! A kernel is computed by its stable form: the form given by `by`, the form chosen in a file of
+//! forms, or the result of the rewriting rules. The choice is a stage of this pipeline, so that no
+//! front end can omit it, and the chosen form is proved to have the value of the formula wherever
+//! the formula is defined.
 
 use crate::check::{decide_all, objection, read_theory};
 use crate::decide::Verdict;
@@ -18,30 +19,30 @@ use crate::resolve::{Kernel, Statement, Theory};
 use crate::rounding::{ErrorBound, Unbounded};
 use crate::stability::{Choices, by_rules};
 
-/// What a compilation is to do beside reading.
+/// Options of a compilation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options<'a> {
-    /// The text of a file of forms chosen for the kernels ([`crate::stability::written`]).
+    /// Text of a file of forms chosen for the kernels ([`crate::stability::written`]).
     pub choices: Option<&'a str>,
-    /// Whether the statements are left undecided, where kernels alone are wanted.
+    /// Whether the statements are left undecided, where only kernels are needed.
     pub kernels_only: bool,
 }
 
-/// A compiled text.
+/// Compiled text.
 #[derive(Clone, Debug, Default)]
 pub struct Compiled {
-    /// Everything its author has to be told: mistakes, statements that are not as claimed, claims of kernels that
-    /// were not shown.
+    /// Diagnostics for the author: errors, statements whose verdict does not match their claim,
+    /// claims of kernels that were not proved.
     pub diagnostics: Vec<Diagnostic>,
-    /// The statements in order, each with its verdict; none where they were not to be decided.
+    /// Statements in order, each with its verdict; empty where they were not decided.
     pub statements: Vec<(Statement, Verdict)>,
-    /// The kernels in order, those with faults left out.
+    /// Kernels in order, without those that have faults.
     pub kernels: Vec<CompiledKernel>,
-    /// What the text declares.
+    /// Declarations of the text.
     pub theory: Theory,
 }
 
-/// A kernel that is proved to compute its formula by a stable form, as programs.
+/// Kernel as programs, computed by a stable form that is proved to have the value of its formula.
 #[derive(Clone, Debug)]
 pub struct CompiledKernel {
     kernel: Kernel,
@@ -71,7 +72,7 @@ pub fn compile(text: &str, options: &Options<'_>) -> Compiled {
     compile_theory(theory, diagnostics, options)
 }
 
-/// Compiles what was read, beside the mistakes that were found in it.
+/// Compiles a theory that was read; the given diagnostics of reading come first in the result.
 pub fn compile_theory(
     mut theory: Theory,
     mut diagnostics: Vec<Diagnostic>,
@@ -93,49 +94,51 @@ pub fn compile_theory(
 /// Compiles one kernel, whose expressions belong to this pool.
 ///
 /// # Errors
-/// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not
-/// proved to have the value of the formula wherever the formula has one, or if the optimised program does not compute
-/// that form, which is a fault of this crate and not of the kernel.
+/// If its expressions cannot be lowered, if two of its pieces are not proved to agree on their
+/// common boundary, if the form given by `by` is not proved to have the value of the formula
+/// wherever the formula is defined, or if the optimised program is not proved to compute that form,
+/// which is a defect of this crate and not of the kernel.
 pub fn compile_kernel(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagnostic>> {
     let rewritten = by_rules(pool, kernel);
     generation::generate(pool, kernel, &rewritten)
 }
 
-/// What the kernels of a theory claim of themselves and was not shown, in order.
+/// Returns the claims of the kernels of a theory that were not proved, in order.
 pub fn kernel_faults(theory: &mut Theory) -> Vec<Fault> {
     let kernels = theory.kernels.clone();
     kernels.iter().flat_map(|kernel| generation::faults(&mut theory.pool, kernel)).collect()
 }
 
 impl Compiled {
-    /// The kernel of that name.
+    /// Returns the kernel with this name.
     pub fn kernel(&self, name: &str) -> Option<&CompiledKernel> {
         self.kernels.iter().find(|compiled| compiled.kernel.name == name)
     }
 }
 
 impl CompiledKernel {
-    /// The kernel as it was declared.
+    /// Returns the kernel as it was declared.
     pub fn kernel(&self) -> &Kernel {
         &self.kernel
     }
 
-    /// Its programs, and what is known of their agreement with the formula.
+    /// Returns its programs, with the evidence that they agree with the formula.
     pub fn generated(&self) -> &Generated {
         &self.generated
     }
 
-    /// The program it is computed by.
+    /// Returns the program that computes it.
     pub fn program(&self) -> &Program {
         &self.generated.optimised
     }
 
-    /// Its values in `f64`, within what it promises.
+    /// Computes its values in `f64`, within the bound that it promises.
     pub fn values(&self, arguments: &[f64]) -> Vec<f64> {
         self.generated.values(arguments)
     }
 
-    /// Bounds of the rounding error of each value over the whole domain, from at most so many boxes.
+    /// Bounds the rounding error of each value over the whole domain, with at most `boxes`
+    /// subdivisions.
     ///
     /// # Errors
     /// If the domain leaves an argument unbounded, or if no finite bound was found.

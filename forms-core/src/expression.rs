@@ -5,10 +5,11 @@
 //!                        │  derivative        kernel (lowering)
 //!                        └─ substitution      text, LaTeX
 //! ```
-//! Equal nodes are one node, so a subexpression written once or arrived at twice is computed once. Building
-//! folds constants and drops neutral elements and nothing else: simplification belongs to the normal form,
-//! and a kernel is lowered from what was written. A node's operands always come before it in the pool, so
-//! every walk is a loop over ascending indices and no depth of nesting can exhaust the stack.
+//! Equal nodes are one node, so a subexpression that occurs or arises several times is computed
+//! once. Construction folds constants, drops neutral elements and normalises signs and nested
+//! powers; simplification belongs to the normal form, and a kernel is lowered from the expression
+//! as written. A node's operands always precede it in the pool, so a traversal of the graph is a
+//! loop over ascending indices, and deep nesting cannot exhaust the stack.
 
 mod build;
 mod condition;

@@ -1,12 +1,14 @@
-//! Generation: a kernel of a source becomes a program that is proved to compute what was written.
+//! Generation: turns a kernel of a source into a program that is proved to compute the formula as
+//! written.
 //!
 //! ```text
 //! Kernel ─┬─ seams ─▶ the pieces of every `if` agree where they meet, or an error
 //!         ├─ `by` ──▶ the form it is computed by is proved equal to the formula, or an error
-//!         └─ lower ─▶ Program ─ optimise ─▶ Program ─ raise ─▶ proved equal to what it was lowered from (translation)
+//!         └─ lower ─▶ Program ─ optimise ─▶ Program ─ raise ─▶ proved equal to the lowered expressions (translation)
 //! ```
-//! Whoever makes a kernel into source or numbers makes it here, so that no kernel goes unchecked. What could not
-//! be proved is said beside the kernel, and never passed off as a proof.
+//! All source text and all numbers of a kernel are made by this module, so that no kernel goes
+//! unchecked. A claim that could not be proved is reported with the kernel, and never presented as
+//! a proof.
 
 mod boundary;
 mod cuts;
@@ -37,27 +39,29 @@ use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::notation::results;
 use crate::resolve::Kernel;
 
-/// A kernel as programs.
+/// Programs of a kernel.
 #[derive(Clone, Debug)]
 pub struct Generated {
-    /// One instruction for each operation of the formula as it was written.
+    /// One instruction for each operation of the formula as written.
     pub written: Program,
-    /// The form behind `by`, or the one that rules give, or the formula where there is none, at least cost; with products
-    /// that cancel computed without loss where there is such a form, or a bound behind `within`.
+    /// The form given after `by`, or the form that rewriting rules give, or the formula if there is
+    /// neither, at least cost. If there is such a form, or a `within` bound, products that cancel
+    /// are computed without loss.
     pub optimised: Program,
-    /// What is known of their agreement.
+    /// Verdict on their agreement.
     pub translation: Translation,
-    /// The form that rules gave each output, where it is what the kernel is computed by.
+    /// The form that rewriting rules gave each output, if the kernel is computed by it.
     pub rewritten: Vec<String>,
-    /// How far the kernel's `f64` value may be from the exact one, in units of 2⁻⁵³; none where nothing is promised.
+    /// Promised largest error of the kernel's `f64` value, in units of 2⁻⁵³; `None` if nothing is
+    /// promised.
     pub within: Option<f64>,
 }
 
-/// Longer forms are not quoted.
+/// Length of the longest form that is quoted.
 const LONGEST_FORM: usize = 200;
 
 impl Generated {
-    /// The kernel's values in `f64`, within what it promises.
+    /// Evaluates the kernel in `f64`, within the promised error.
     pub fn values(&self, arguments: &[f64]) -> Vec<f64> {
         match self.within {
             Some(within) => self.optimised.interpret_within(arguments, within),
@@ -65,7 +69,7 @@ impl Generated {
         }
     }
 
-    /// What the program is beside the formula, in sentences.
+    /// Describes in sentences how the program relates to the formula.
     pub fn account(&self) -> String {
         if self.rewritten.is_empty() {
             return self.translation.to_string();
@@ -76,13 +80,14 @@ impl Generated {
     }
 }
 
-/// Generates a kernel whose expressions belong to this pool. What rules made of its outputs, each step proved, is
-/// what it is computed by where it has no form of its own; it may be empty.
+/// Generates a kernel whose expressions belong to this pool. `rewritten` holds the form that
+/// rewriting rules gave its outputs, each step proved. The kernel is computed by it if it has no
+/// form of its own. `rewritten` can be empty.
 ///
 /// # Errors
-/// If it is no kernel, if two of its pieces are not shown to agree where they meet, if the form behind `by` is not proved
-/// equal to the formula, or if the optimised program does not compute that form, which is a fault of this crate and not of
-/// the kernel.
+/// If the kernel cannot be lowered, if two of its pieces are not shown to agree where they meet, if
+/// the form given after `by` is not proved equal to the formula, or if the optimised program does
+/// not compute that form, which is a fault of this crate and not of the kernel.
 pub(crate) fn generate(
     pool: &mut Pool,
     kernel: &Kernel,
@@ -107,9 +112,10 @@ pub(crate) fn generate(
     let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, rewritten));
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
-    // a form that was chosen keeps the order of its sums and products, on which its rounding depends
+    // a chosen form keeps the order of its sums and products, because its rounding depends on that
+    // order
     let optimised = if form.is_some() { program.in_order() } else { program.optimise() };
-    // whoever gives a form to compute by, or a bound to keep to, wants accuracy first
+    // a form to compute by, or an error bound, asks for accuracy first
     let is_stable = form.is_some() || kernel.within.is_some();
     let optimised = if is_stable { optimised.compensate() } else { optimised };
     let translation = translation::validate(pool, computed, &optimised);
@@ -122,9 +128,9 @@ pub(crate) fn generate(
     }
 }
 
-/// What a kernel claims of itself and was not shown: that its pieces agree where they meet, that the form behind `by`
-/// has the value of the formula wherever the formula has one, and that it has a value where each of its effects
-/// vanishes.
+/// Returns the claims of a kernel about itself that were not proved: that its pieces agree where
+/// they meet, that the form given after `by` has the value of the formula wherever the formula has
+/// one, and that the kernel has a value where each of its effects vanishes.
 pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let mut faults = own_faults(pool, kernel);
     if faults.is_empty()
@@ -137,8 +143,8 @@ pub fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     faults
 }
 
-/// Whether a kernel claims anything of itself: that a form behind `by` is its formula, that pieces agree where they
-/// meet, or that it has a value where an effect vanishes.
+/// Whether a kernel makes a claim about itself: that a form given after `by` is its formula, that
+/// pieces agree where they meet, or that it has a value where an effect vanishes.
 pub fn makes_claims(pool: &Pool, kernel: &Kernel) -> bool {
     let expressions: Vec<Expr> = kernel.outputs.iter().chain(&kernel.computed).copied().collect();
     let is_claim = |part: &Expr| matches!(pool.node(*part), Node::Select { seam: Seam::Agrees, .. });
@@ -147,14 +153,15 @@ pub fn makes_claims(pool: &Pool, kernel: &Kernel) -> bool {
         || pool.reachable(&expressions).iter().any(is_claim)
 }
 
-/// The same without its effects.
+/// Returns the faults of a kernel apart from its effects.
 fn own_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let faults = seam::faults(pool, kernel);
     if faults.is_empty() { form_faults(pool, kernel) } else { faults }
 }
 
-/// What is to be said of the form that a kernel is computed by. Where it has the value of the formula wherever there
-/// is one, its pieces agree where those of the formula do. Nothing where there is no form.
+/// Returns the faults of the form that a kernel is computed by. If the form has the value of the
+/// formula wherever the formula has one, its pieces agree where the pieces of the formula do. Empty
+/// if there is no form.
 pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let Some(form) = with_form(kernel, &kernel.computed) else { return Vec::new() };
     match form_claim::fault(pool, kernel) {
@@ -163,7 +170,7 @@ pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     }
 }
 
-/// The kernel with this form for its formula, if there is one.
+/// Returns the kernel with this form as its formula, if there is a form.
 fn with_form(kernel: &Kernel, form: &[Expr]) -> Option<Kernel> {
     let mut with_form = (!form.is_empty()).then(|| kernel.clone())?;
     with_form.outputs = form.to_vec();

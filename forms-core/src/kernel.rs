@@ -1,13 +1,14 @@
-//! Kernels: structured expressions become instructions, cheaper instructions, and source text or values.
+//! Kernels: structured expressions become instructions, cheaper instructions, and source text or
+//! values.
 //!
 //! ```text
 //! expressions ─ lower ─▶ Program ─ optimise ─▶ Program ─┬─ emit_rust ─▶ source
 //!       ▲                                               ├─ interpret ─▶ values
 //!       └───────────────────── raise ───────────────────┘
 //! ```
-//! A kernel is lowered from the structure its author wrote, never from an expanded normal form, and emission
-//! never simplifies: what is printed is the program as it stands. Raising closes the circle, so that an optimised
-//! kernel can be proved equal to the formula it came from.
+//! A kernel is lowered from the structure its author wrote, never from an expanded normal form, and
+//! emission never simplifies: it prints the program as it stands. Raising closes the circle, so
+//! that an optimised kernel can be proved equal to its formula.
 //!
 //! ```
 //! use forms_core::expression::{Pool, SymbolKind};

@@ -4,12 +4,12 @@
 //! structured expressions ── normalise ──▶ Fraction = polynomial / known factors
 //!                              │  tower of generators: variables, jets, roots, circle or half-angle
 //!                              │  functions, exponentials, logarithms, opaque atoms
-//!                              └─ filter: the same walk modulo a prime, at random points
+//!                              └─ filter: the same conversion modulo a prime, at random points
 //! ```
-//! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An expression is
-//! zero if its reduced numerator is the zero polynomial; every relation used is an identity of real functions,
-//! so a zero found here is a proof. Denominators are products of known factors and stay factored: a test for
-//! zero needs no greatest common divisor.
+//! A generator is either free or bound by one relation ρⁿ = f with f in earlier generators. An
+//! expression is zero if its reduced numerator is the zero polynomial; every relation used is an
+//! identity of real functions, so a zero found here is a proof. Denominators are products of known
+//! factors and stay factored: a test for zero needs no greatest common divisor.
 
 mod angle;
 mod arc;

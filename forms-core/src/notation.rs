@@ -1,12 +1,14 @@
-//! Values of the language as people write them: simplified first, then as text or as LaTeX.
+//! Values of the language in mathematical notation: simplified first, then written as text or as
+//! LaTeX.
 //!
 //! ```text
 //! Value ── simplify (normal form and back) ──▶ Value ─┬─ text  ──▶ the language itself
 //!                                                     └─ latex ──▶ typeset mathematics
-//! Theory, name ── named ──▶ what the name stands for, in either
+//! Theory, name ── named ──▶ the object with that name, in either
 //! ast::Expr ─ written ─▶ typeset mathematics, as its author wrote it
 //! ```
-//! Notation only shows: nothing is decided here, and no kernel is lowered from what has been simplified.
+//! This module only displays: it decides nothing, and no kernel is lowered from a simplified
+//! expression.
 
 mod latex;
 mod name;

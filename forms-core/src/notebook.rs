@@ -1,14 +1,14 @@
-//! Notebooks: what a cell shows of a theory, as typeset mathematics.
+//! Notebooks: display of a theory in cells, as typeset mathematics.
 //!
 //! ```text
-//! text ─ read ─▶ Sheet ─┬─ show ───▶ Shown       a name with what it stands for
+//! text ─ read ─▶ Sheet ─┬─ show ───▶ Shown       a name with the object it denotes
 //!                       ├─ decide ─▶ Decided     every claim with its verdict
 //!                       └─ derive ─▶ Derivation  the steps that decide one claim
 //! numbers ─────────────────────────▶ Table
 //! ```
-//! The kernel [evcxr](https://github.com/evcxr/evcxr) calls `evcxr_display` of the value at the end of a cell and takes
-//! what is printed between two marks as content of one MIME type. Formulas are LaTeX, which Jupyter typesets; beside it
-//! stands a plain text for terminals.
+//! The kernel [evcxr](https://github.com/evcxr/evcxr) calls `evcxr_display` of the value at the end
+//! of a cell, and reads the output between two marks as content of one MIME type. Formulas are
+//! LaTeX, which Jupyter typesets, with a plain-text version for terminals.
 
 mod sheet;
 mod table;
@@ -19,7 +19,8 @@ pub use table::Table;
 
 use crate::derivation::{Derivation, Line};
 
-/// Prints content of a MIME type between the marks that evcxr looks for. A cell has one content of each type.
+/// Prints content of a MIME type between the marks that evcxr looks for. A cell has one content of
+/// each type.
 ///
 /// ```
 /// // prints three lines
@@ -29,14 +30,14 @@ pub fn print_content(mime: &str, content: &str) {
     println!("EVCXR_BEGIN_CONTENT {mime}\n{}\nEVCXR_END_CONTENT", content.trim_end());
 }
 
-/// Markdown for those who can read it, plain text for the others.
+/// Prints Markdown, and plain text for front ends that cannot display Markdown.
 fn print_markdown(markdown: &str, plain: &str) {
     print_content("text/markdown", markdown);
     print_content("text/plain", plain);
 }
 
 impl Derivation {
-    /// The steps in Markdown: titles in bold, formulas in LaTeX on lines of their own.
+    /// Returns the steps in Markdown: titles in bold, formulas in LaTeX on lines of their own.
     pub fn markdown(&self) -> String {
         let mut markdown = String::new();
         for (number, step) in self.steps.iter().enumerate() {
@@ -57,7 +58,7 @@ impl Derivation {
     }
 }
 
-/// Words with the characters that Markdown or HTML give a meaning to written as themselves.
+/// Escapes the characters that have a meaning in Markdown or HTML.
 fn escaped(words: &str) -> String {
     let mut text = String::new();
     for c in words.chars() {

@@ -1,11 +1,11 @@
-//! A fixed sequence of well-mixed numbers, for points that are tried: the same input takes the same path.
+//! Deterministic pseudorandom numbers for test points: the same input always takes the same path.
 
 /// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators").
 #[derive(Clone, Debug)]
 pub(crate) struct SplitMix(pub(crate) u64);
 
 impl SplitMix {
-    /// The next number, any of 64 bits.
+    /// Returns the next 64-bit number.
     pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

@@ -1,14 +1,15 @@
-//! From the syntax tree to typed objects: charts, maps, forms, statements, kernels.
+//! Name resolution and evaluation, from the syntax tree to typed objects: charts, maps, forms,
+//! statements, kernels.
 //!
 //! ```text
 //! ast::File ─ names ─▶ items ─ evaluation ─▶ Theory
 //!                                 │
-//!                                 └─ value + where it is defined + what it uses
+//!                                 └─ value + domain + variables used
 //! ```
-//! Every expression is evaluated as it is met: calculus happens here, on structured expressions. Beside each
-//! value travels its domain, the conditions under which what was written is defined, so that nothing is lost
-//! when 0·log x becomes 0. All errors of a file are collected; an item that fails is known but poisoned, so
-//! that one mistake is reported once.
+//! Every expression is evaluated when it is read: calculus happens here, on structured expressions.
+//! Each value carries its domain, the conditions under which the source expression is defined. The
+//! domain is therefore kept even where 0·log x becomes 0. All errors of a file are collected. An
+//! item that fails is known but poisoned, so that one mistake is reported once.
 
 mod arithmetic;
 mod boundary;

@@ -1,18 +1,19 @@
-//! Rounding: how far a kernel's value in `f64`, or in the arithmetic of another target, can be from the true one, anywhere on
-//! its domain.
+//! Rounding analysis: a bound on the difference between a kernel's value in `f64`, or in the
+//! arithmetic of another target, and the exact value, over the whole domain.
 //!
 //! ```text
-//! domain ─▶ boxes ─┬─ ranges: every value that rounding can make of each instruction   (forward)
-//!    ▲             └─ sensitivities: how the output answers a change of each            (backward)
+//! domain ─▶ boxes ─┬─ ranges: all values of each instruction, with rounding            (forward)
+//!    ▲             └─ sensitivities: derivatives of the output by each value           (backward)
 //!    └── split the worst ◀── Σ |∂output/∂vᵢ|·|vᵢ|·εᵢ
 //! ```
-//! Rounding makes vᵢ(1 + δᵢ) + ηᵢ of each instruction's value vᵢ, with |δᵢ| ≤ εᵢ and |ηᵢ| at most half the least
-//! subnormal number. The output is a differentiable function of all δᵢ and ηᵢ, so that by the mean value theorem its
-//! error is Σ ∂output/∂vᵢ · (vᵢδᵢ + ηᵢ) at some perturbed values, all of which lie in the ranges. No term of second
-//! order is left out.
+//! Rounding turns each instruction's value vᵢ into vᵢ(1 + δᵢ) + ηᵢ, with |δᵢ| ≤ εᵢ and |ηᵢ| at most
+//! half the smallest subnormal number. The output is a differentiable function of all δᵢ and ηᵢ, so
+//! that by the mean value theorem its error is Σ ∂output/∂vᵢ · (vᵢδᵢ + ηᵢ) at some perturbed
+//! values, all of which lie in the ranges. No second-order term is omitted.
 //!
-//! Source: the sum is that of A. Solovyev et al., Rigorous estimation of floating-point round-off errors with symbolic
-//! Taylor expansions, ACM TOPLAS 41 (2018), without its remainder, which the perturbed ranges contain.
+//! Source: the sum is the first-order term of A. Solovyev et al., Rigorous estimation of
+//! floating-point round-off errors with symbolic Taylor expansions, ACM TOPLAS 41 (2018), without
+//! the remainder term, which the perturbed ranges cover.
 
 mod arithmetic;
 mod domain;
@@ -25,17 +26,17 @@ pub use arithmetic::Arithmetic;
 use crate::kernel::Program;
 use std::fmt;
 
-/// Bounds of the error of one output, wherever the kernel is defined.
+/// Error bounds of one output, valid wherever the kernel is defined.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBound {
-    /// Of |computed − true|.
+    /// Bound of |computed − true|.
     pub absolute: f64,
-    /// Of |computed − true|/|true|, if the output is kept away from 0.
+    /// Bound of |computed − true|/|true|, if the output is bounded away from 0.
     pub relative: Option<f64>,
 }
 
 impl ErrorBound {
-    /// The relative bound in units of 2⁻⁵³, half an ulp.
+    /// Returns the relative bound in units of 2⁻⁵³, half an ulp.
     pub fn units(&self) -> Option<f64> {
         self.relative.map(|relative| relative * (1u64 << 53) as f64)
     }
@@ -50,14 +51,14 @@ impl fmt::Display for ErrorBound {
     }
 }
 
-/// Why there is no bound.
+/// Reason why there is no bound.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unbounded {
-    /// The domain leaves this argument without an end.
+    /// The domain does not bound this argument on both sides.
     Argument(String),
-    /// Within the boxes that were tried, an operation may overflow or is not defined, or a choice is not decided.
+    /// On one of the boxes, an operation can overflow or is undefined, or a condition is undecided.
     Undecided,
-    /// It contains an operation that is not followed: a numerical integral.
+    /// The kernel contains an operation that the analysis does not cover: a numerical integral.
     NotStraight,
 }
 
@@ -71,10 +72,12 @@ impl fmt::Display for Unbounded {
     }
 }
 
-/// Boxes for what is said beside a kernel, which is generated inside the compiler of whoever uses it.
+/// Maximum number of boxes for the bound in a kernel's documentation. It is small because the bound
+/// is computed at compile time of the user's crate.
 const BOXES_OF_DOCUMENTATION: usize = 64;
 
-/// What is said beside a kernel of its rounding: a bound for each output, or nothing where there is none.
+/// Returns the sentence on rounding in a kernel's documentation: a bound for each output, or `None`
+/// where there is none.
 pub fn sentence(program: &Program) -> Option<String> {
     let bounds = program.error_bound(BOXES_OF_DOCUMENTATION).ok()?;
     let bounds: Vec<String> = bounds.iter().map(ErrorBound::to_string).collect();
@@ -83,9 +86,10 @@ pub fn sentence(program: &Program) -> Option<String> {
 }
 
 impl Program {
-    /// Bounds of the rounding error of each output over the whole domain, from at most so many boxes.
+    /// Bounds the rounding error of each output over the whole domain, with at most `boxes`
+    /// subdivisions.
     ///
-    /// Functions of the op table are taken to be within 2 ulp. More boxes make the bound sharper.
+    /// Functions of the op table are assumed accurate to 2 ulp. More boxes make the bound sharper.
     ///
     /// ```
     /// use forms_core::compile::{Options, compile};
@@ -102,12 +106,14 @@ impl Program {
         self.error_bound_in(Arithmetic::DOUBLE, boxes)
     }
 
-    /// [`Program::error_bound`] where operations round so.
+    /// Bounds the rounding errors as [`Program::error_bound`] does, for operations that round as in
+    /// `arithmetic`.
     ///
     /// # Errors
     /// If the domain leaves an argument unbounded, or if no finite bound was found.
     pub fn error_bound_in(&self, arithmetic: Arithmetic, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
-        // two roundings instead of one, and products whose roundings cancel, bound those of fused instructions
+        // the bound with two roundings instead of one, and with products whose roundings cancel,
+        // also covers fused instructions
         search::error_bound(&self.unfused(), arithmetic, boxes)
     }
 }

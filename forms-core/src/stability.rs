@@ -1,17 +1,18 @@
-//! Stability: equal forms of a kernel, of which those that lose the fewest bits are kept.
+//! Stability: equal forms of a kernel, and the selection of the most accurate ones.
 //!
 //! ```text
 //! formula ─ locate ─▶ operations that lose bits ─ rules ─▶ forms ─ score ─▶ the best few ─┐
 //!              ▲                                                                         │
-//!              └─────────────────────────────── again ───────────────────────────────────┤
+//!              └────────────────────────────── repeat ───────────────────────────────────┤
 //!                                            regimes, proof ─▶ forms by error and cost ◀─┘
 //! ```
-//! The rules propose, exact algebra proves: a form is kept only if it is proved to have the value of the formula
-//! wherever the formula has one, on the kernel's domain; where it is not shown to have one, the formula takes its
-//! place. Where no form is best everywhere, two are joined at a number where the bounds of their errors cross at
-//! every scale. What is kept is compared with the formula at points that the search has not seen, and goes if it
-//! loses more there. The search is bounded, and the same for the same kernel. A kernel that nobody chose a form for
-//! is computed by what rules alone give, without a search.
+//! The rewriting rules propose, exact algebra proves: a form is kept only if it is proved to have
+//! the value of the formula wherever the formula is defined, on the kernel's domain. Where the form
+//! is not proved to have a value, the formula is used instead. Where no form is best everywhere,
+//! two are joined at a number where their error bounds cross at every scale. The result is compared
+//! with the formula at points that the search has not seen, and is rejected if it loses more there.
+//! The search is bounded and deterministic. A kernel for which no form was chosen is computed by
+//! the result of the rules alone, without a search.
 
 mod choice;
 mod crossing;

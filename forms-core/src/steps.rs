@@ -1,26 +1,27 @@
-//! Steps: what a statement may cost, counted where the work is done and not by a clock, so that the same input gives the
-//! same answer on every machine.
+//! Step budgets: the cost limit of a statement, counted where the work is done and not by a clock,
+//! so that the same input gives the same answer on every machine.
 //!
-//! A step is about what one product of two terms costs. [`limited`] grants some to what runs in it; enclosures, images of
-//! polynomials and normal forms [`spend`] them. When they are spent, enclosures are undecided, common divisors are no
-//! longer looked for and normal forms are too large: each of these is an answer that is always allowed, so what is proved
-//! or refuted is right whatever is granted. Outside of a grant nothing is limited.
+//! A step costs about as much as one product of two terms. [`limited`] grants a number of steps to
+//! a closure; enclosures, images of polynomials and normal forms [`spend`] them. When they are
+//! spent, enclosures are undecided, common divisors are no longer searched for and normal forms are
+//! too large. Each such answer is always valid, so every proof and refutation is right whatever the
+//! budget. Outside of a grant nothing is limited.
 
 use std::cell::Cell;
 
-/// The steps of a statement, or of an item that is resolved: about a second.
+/// Steps for a statement, or for resolving an item: about a second.
 pub(crate) const STATEMENT: u64 = 100_000_000;
 
 /// No limit.
 const UNLIMITED: u64 = u64::MAX;
 
 thread_local! {
-    /// The steps that are left of the grant that this thread works in.
+    /// Steps left of this thread's current grant.
     static LEFT: Cell<u64> = const { Cell::new(UNLIMITED) };
 }
 
-/// Runs some work with so many steps. A grant within another counts apart from it: on a thread that helps others, work
-/// of one statement may run in the middle of another.
+/// Runs a closure with a budget of `steps`. A nested grant is counted separately: on a thread that
+/// helps others, work of one statement can run in the middle of another.
 pub(crate) fn limited<T>(steps: u64, work: impl FnOnce() -> T) -> T {
     struct Restored(u64);
     impl Drop for Restored {
@@ -32,7 +33,7 @@ pub(crate) fn limited<T>(steps: u64, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// Spends steps; whether there were so many.
+/// Spends steps; returns whether more than this number were left.
 pub(crate) fn spend(steps: u64) -> bool {
     let left = LEFT.get();
     if left == UNLIMITED {
@@ -42,7 +43,7 @@ pub(crate) fn spend(steps: u64) -> bool {
     left > steps
 }
 
-/// Whether so many steps are left.
+/// Whether more than this number of steps are left.
 pub(crate) fn are_left(steps: u64) -> bool {
     LEFT.get() > steps
 }
@@ -52,17 +53,18 @@ pub(crate) fn are_spent() -> bool {
     LEFT.get() == 0
 }
 
-/// The steps of arithmetic with numbers of so many binary places, memory and rounding included.
+/// Returns the steps of one arithmetic operation on numbers of `places` binary places, including
+/// memory and rounding.
 pub(crate) fn of_arithmetic(places: u32) -> u64 {
     96 + u64::from(places) * u64::from(places) / (1 << 17)
 }
 
-/// The steps of a function of such numbers, which is a root or a series of some terms.
+/// Returns the steps of a function of such numbers: a root, or a series of some terms.
 pub(crate) fn of_function(places: u32) -> u64 {
     of_arithmetic(places) * (4 + u64::from(places.min(MOST_TERMS)) / 16)
 }
 
-/// Sixteen times the terms that a series is taken to have at most.
+/// Sixteen times the maximum number of terms assumed for a series.
 const MOST_TERMS: u32 = 4096;
 
 #[cfg(test)]

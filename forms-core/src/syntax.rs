@@ -1,11 +1,11 @@
-//! From characters or macro tokens to a syntax tree.
+//! Syntax: from characters or macro tokens to a syntax tree.
 //!
 //! ```text
 //! text ── lexer ──┐
 //!                 ├─▶ tokens ── parser ──▶ ast::File + diagnostics
 //! macro tokens ───┘
 //! ```
-//! The parser knows tokens only, so a `.forms` file and a macro body mean the same.
+//! The parser sees tokens only, so a `.forms` file and a macro body have the same meaning.
 
 pub mod ast;
 mod claims;
@@ -24,7 +24,7 @@ pub use source::{Excerpt, Source};
 
 use crate::diagnostic::{Diagnostic, Span};
 
-/// Reads a whole text: its items, and everything that is wrong with it in the order of the text.
+/// Reads a whole text; returns its items, and all errors in the order of the text.
 pub fn read(text: &str) -> (ast::File, Vec<Diagnostic>) {
     let (tokens, mut diagnostics) = lex(text);
     let (file, found) = parse_text(&tokens, end_of(text));
@@ -33,7 +33,7 @@ pub fn read(text: &str) -> (ast::File, Vec<Diagnostic>) {
     (file, diagnostics)
 }
 
-/// The place just behind a text's last character.
+/// Returns the empty place directly after a text's last character.
 pub fn end_of(text: &str) -> Span {
     let end = u32::try_from(text.len()).unwrap_or(u32::MAX);
     Span::new(end, end)

@@ -1,12 +1,13 @@
-//! Units: what every expression of a source is measured in, and where unlike units meet.
+//! Units: the unit of every expression of a source, and errors where different units meet.
 //!
 //! ```text
 //! ast::File ─ reading ─▶ Unit of each declared name
 //!    │                        │
 //!    └─ inference ─▶ Quantity of each expression ─ agreement ─▶ diagnostics, units of kernels
 //! ```
-//! The pass runs beside resolution, over the syntax tree, and only where a source states a unit. A name without a unit
-//! is unchecked; a number has the unit 1. The conventions, those about angles among them, are in docs/conventions.md.
+//! The pass runs after resolution, over the syntax tree, and only if a source states a unit. A name
+//! without a unit is unchecked; a number has the unit 1. The conventions, including those for
+//! angles, are in docs/conventions.md.
 
 mod agreement;
 mod calls;
@@ -39,18 +40,19 @@ pub(crate) fn are_stated(file: &File) -> bool {
     })
 }
 
-/// What is found out about a source.
+/// Units inferred for a source.
 struct Inferred {
     errors: Vec<Diagnostic>,
-    /// The units of named values, by their numbers.
+    /// Units of named values, by their indices.
     objects: Vec<(usize, String)>,
-    /// The units of kernels, by their names.
+    /// Units of kernels, by their names.
     kernels: Vec<(String, KernelUnits)>,
-    /// The statements with unlike units in them, by their places: there is nothing to decide about them.
+    /// Places of the statements that contain unit errors: these statements are not decided.
     meaningless: Vec<Span>,
 }
 
-/// Checks the units of a source that was resolved to this theory and trace, and writes them into it.
+/// Checks the units of a source that was resolved to this theory and trace, and writes the units
+/// into the theory.
 pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diagnostic> {
     let mut inference = inference::Inference::new(theory, trace);
     for item in &file.items {
@@ -69,8 +71,8 @@ pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diag
     errors
 }
 
-/// The units of a kernel in a sentence: "Units: `r2` in `m**2`, `cos_theta` in `1`; result in `sr/m**2`."; nothing if none
-/// is known.
+/// Describes the units of a kernel in a sentence: "Units: `r2` in `m**2`, `cos_theta` in `1`;
+/// result in `sr/m**2`."; `None` if no unit is known.
 pub fn sentence(theory: &Theory, kernel: &Kernel) -> Option<String> {
     let known = |(&symbol, unit): (&Symbol, &Option<String>)| {
         Some(format!("`{}` in `{}`", theory.pool.symbol_name(symbol), unit.as_ref()?))

@@ -1,4 +1,5 @@
-//! Derivations: what their steps say is itself true, and a simple factor between unequal sides is found.
+//! Derivations: the statements in their steps are themselves true, and a simple factor between
+//! unequal sides is found.
 
 use forms_core::check::{decide_all, read_theory};
 use forms_core::decide::{Verdict, decide};
@@ -21,7 +22,7 @@ fn derivation(statement: &str) -> Derivation {
     derive(&source, "s").unwrap_or_else(|| panic!("{statement}"))
 }
 
-/// The formulas of a derivation that are equations of the language.
+/// Returns the formulas of a derivation that are equations of the language.
 fn equations(derivation: &Derivation) -> Vec<String> {
     let told = ["What the calculus gives", "Left minus right"];
     let steps = derivation.steps.iter().filter(|step| told.iter().any(|title| step.title.starts_with(title)));
@@ -119,7 +120,7 @@ fn the_latex_of_a_derivation_is_a_document_of_balanced_groups() {
     }
 }
 
-/// What is said of the quotient of the sides.
+/// Returns the reported quotient of the sides.
 fn ratio(equation: &str) -> Option<String> {
     let (mut theory, errors) = read_theory(&format!("{SPACE} refute s: {equation};"));
     assert!(errors.is_empty(), "{equation}: {errors:?}");

@@ -1,11 +1,12 @@
-//! Kernels as they are generated: seams that agree, that do not, that cannot be decided; translations.
+//! Generation of kernels: seams that agree, seams that do not, seams that cannot be decided;
+//! translations.
 
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::generation::Generated;
 use forms_core::syntax::Source;
 
-/// The last kernel of a source, or what is said of it.
+/// Generates the last kernel of a source; the error is its message.
 fn generated(text: &str) -> Result<Generated, String> {
     let source = Source::new("k.forms", text);
     let (mut theory, errors) = read_theory(text);
@@ -22,7 +23,7 @@ fn is_accepted(text: &str) {
     }
 }
 
-/// That the kernel is refused with this message.
+/// Asserts that the kernel is refused with this message.
 fn is_refused(text: &str, message: &str) {
     match generated(text) {
         Ok(_) => panic!("accepted: {text}"),
@@ -59,7 +60,7 @@ fn nested_choices_are_compared_where_they_are_reached() {
         "kernel k(u) = if u > 1 { 2*u - 1 } else if u > 0 { u**2 } else { 0 };",
         "kernel k(u) = if u > 1 { 1 } else { if u < 0 { 0 } else { u } };",
         "kernel k(u, v) = if u > 0 { if v > 0 { u*v } else { 0 } } else { 0 };",
-        // the inner seam u = 3 lies where the inner choice is never made
+        // the inner seam u = 3 lies where the inner conditional is never reached
         "kernel k(u) = if u > 2 { 2 } else { if u > 3 { 17 } else { u } };",
     ] {
         is_accepted(text);
@@ -104,7 +105,7 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
     assert!(message.contains("differ at the seam x = -1 of"), "{message}");
     let message = generated("kernel k(u, v) = if u - v > 1 { u - v } else { 0 };").unwrap_err();
     assert!(message.contains("\nat u = v + 1, v = 2: 1 from"), "{message}");
-    // a switch to a series is a jump, however small
+    // switching to a series is a jump, however small
     let series = "kernel k(x) = if abs(x) > 1e-4 { sin(x)/x } else { 1 - x**2/6 };";
     assert!(generated(series).unwrap_err().contains("differ at the seam x = "));
 }
@@ -230,7 +231,7 @@ fn a_seam_inside_a_name_is_a_seam_of_the_kernel() {
     assert!(message.unwrap_err().contains("differ at the seam x**2 = 4 of `k`"));
 }
 
-/// "term(x0) + term(x1) + … + term(x39)" and the names "x0, x1, …, x39".
+/// Returns "term(x0) + term(x1) + … + term(x39)" and the names "x0, x1, …, x39".
 fn sum_of_forty(term: impl Fn(&str) -> String) -> (String, String) {
     let names: Vec<String> = (0..40).map(|n| format!("x{n}")).collect();
     let terms: Vec<String> = names.iter().map(|name| term(name)).collect();
@@ -308,7 +309,8 @@ fn an_integral_that_is_known_on_a_part_of_the_domain_asks_for_that_part() {
         let with_condition = format!("{chart}\n{} where {condition};", text.trim_end_matches(';'));
         is_accepted(&with_condition);
     }
-    // its own division is the kernel's: the formula has no value there either
+    // a division of the kernel itself is no reason to refuse it: the formula is undefined there as
+    // well
     for text in [
         "let f = integral(cos(p*s), s = 0..1);\nkernel k(p) = sin(p)/p;",
         "kernel k(u) = integral(u*s, s = 0..1);",

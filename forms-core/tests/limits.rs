@@ -1,4 +1,5 @@
-//! Absurd exponents end in an answer: a verdict where one monomial does, `unknown` where terms would not fit.
+//! Extremely large exponents still give an answer: a verdict if one monomial is enough, `unknown`
+//! if the terms would not fit.
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::normal::{Obstacle, Tower, Trigonometry};
@@ -6,7 +7,7 @@ use forms_core::polynomial::Polynomial;
 use forms_core::resolve::resolve;
 use forms_core::syntax::read;
 
-/// The message of the only error of a text.
+/// Returns the message of the only error of a text.
 fn error(text: &str) -> String {
     let (file, errors) = read(text);
     assert!(errors.is_empty(), "{errors:?}");
@@ -15,7 +16,7 @@ fn error(text: &str) -> String {
     errors[0].message.clone()
 }
 
-/// The verdict on one statement about x, y, z, u and v.
+/// Returns the verdict on one statement about x, y, z, u and v.
 fn verdict(statement: &str) -> Verdict {
     let text = format!("chart R5(x, y, z, u, v); prove s: {statement};");
     let (file, errors) = read(&text);
@@ -137,7 +138,7 @@ fn a_power_too_large_at_every_point_is_unknown() {
     assert_eq!(verdict("(x**2 + 3)**1000000 == 0").name(), "unknown");
 }
 
-/// (Σ x₀ᵏ dx₀ + … ) for k = 0, 1, …, wedged.
+/// Returns the wedge product of (Σ x₀ᵏ dx₀ + … ) for k = 0, 1, ….
 fn wedge_of_sums(coordinates: usize, factors: u32) -> String {
     let names: Vec<String> = (0..coordinates).map(|i| format!("x{i}")).collect();
     let sum = |k| names.iter().map(|x| format!("{x}**{k}*d{x}")).collect::<Vec<_>>().join(" + ");

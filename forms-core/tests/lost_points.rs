@@ -1,8 +1,10 @@
-//! Forms that lose points: of random pairs of a formula and a form of it, those that are accepted have the value of the
-//! formula at every point that the formula has one at; and so has what rules make of random formulas.
+//! Forms that lose points: for random pairs of a formula and a form of it, the accepted forms have
+//! the value of the formula at every point where the formula is defined. The same holds for the
+//! results of the rules on random formulas.
 //!
-//! The judge shares nothing with the proof: both sides are enclosed at each point of a grid of exact numbers on which
-//! the strata of the pairs lie (a = 0, a = b, |a| = 1, a b = 0). `FORMS_KERNELS` says how many pairs there are.
+//! The reference shares nothing with the proof: both sides are enclosed at each point of a grid of
+//! exact numbers on which the strata of the pairs lie (a = 0, a = b, |a| = 1, a b = 0).
+//! `FORMS_KERNELS` sets the number of pairs.
 
 use forms_core::accuracy::{Format, Truth, Value};
 use forms_core::check::read_theory;
@@ -11,14 +13,15 @@ use forms_core::expression::{Expr, Pool, Rational, Symbol};
 use forms_core::resolve::Kernel;
 use forms_testing::SplitMix;
 
-/// Pairs that are looked at.
+/// Returns the number of pairs.
 fn count() -> usize {
     std::env::var("FORMS_KERNELS").ok().and_then(|text| text.parse().ok()).unwrap_or(150)
 }
 
 const GRID: [(i64, i64); 9] = [(0, 1), (1, 1), (-1, 1), (2, 1), (-2, 1), (1, 2), (-1, 2), (1, 4), (-1, 4)];
 
-/// A formula of a and b, and a form that is equal to it wherever both are defined, or nearly always.
+/// Formulas of a and b, each with a form that is equal to it wherever both are defined, with rare
+/// exceptions.
 const PAIRS: &[(&str, &str)] = &[
     ("sqrt(A**2 + B**2)", "abs(A)*sqrt(1 + (B/A)**2)"),
     ("sqrt(A**2 + B**2)", "if jump A != 0 { abs(A)*sqrt(1 + (B/A)**2) } else { abs(B) }"),
@@ -58,7 +61,7 @@ const TERMS: &[&str] = &[
     "a - 1/2",
 ];
 
-/// Conditions, some of which leave points or lines alone.
+/// Conditions; some leave only points or lines.
 const CONDITIONS: &[&str] = &[
     "a > 0",
     "a >= 0",
@@ -85,7 +88,7 @@ const CONDITIONS: &[&str] = &[
 struct Random(SplitMix);
 
 impl Random {
-    /// A kernel with a form, or without one.
+    /// Returns a kernel, with or without a form.
     fn kernel(&mut self, with_form: bool) -> String {
         let (formula, form) = PAIRS[self.0.below(PAIRS.len())];
         let terms = [self.0.of(TERMS), self.0.of(TERMS)];
@@ -103,7 +106,7 @@ impl Random {
     }
 }
 
-/// The points of the grid that the kernel's domain holds for certain.
+/// Returns the points of the grid that are certainly in the kernel's domain.
 fn points(pool: &Pool, kernel: &Kernel) -> Vec<Vec<(Symbol, Rational)>> {
     let number = |(p, q): (i64, i64)| Rational::new(p.into(), q.into());
     let domain = Truth::new(pool, &[], &kernel.domain);

@@ -1,4 +1,4 @@
-//! What is shown: simplified values as text and as LaTeX.
+//! Notation: simplified values as text and as LaTeX.
 
 use forms_core::notation::{latex, simplify, text};
 use forms_core::resolve::{Named, Theory, Value, resolve};
@@ -15,7 +15,7 @@ const DECLARATIONS: &str = "
     map inverse_stereographic: UV -> R3 = (2*v/q, 2*u/q, (u**2 + v**2 - 1)/q);
 ";
 
-/// The value of an expression of the language, with the theory it lives in.
+/// Returns the value of an expression of the language, with its theory.
 fn value(expression: &str) -> (Theory, Value) {
     let (file, errors) = read(&format!("{DECLARATIONS} let value = {expression};"));
     assert!(errors.is_empty(), "{errors:?}");

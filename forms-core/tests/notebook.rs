@@ -1,4 +1,4 @@
-//! What a notebook shows of a theory.
+//! Display of a theory in a notebook.
 
 use forms_core::notebook::{Sheet, Table};
 

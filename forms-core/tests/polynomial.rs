@@ -1,4 +1,5 @@
-//! Laws of the polynomial engine, each against an independent schoolbook where one exists.
+//! Laws of polynomial arithmetic, each checked against an independent schoolbook implementation
+//! where one exists.
 
 use forms_core::polynomial::{Polynomial, coprime_basis};
 use num_bigint::BigInt;
@@ -12,7 +13,7 @@ fn small() -> impl Strategy<Value = Polynomial> {
     terms(3, 3, -9..=9, 5)
 }
 
-/// Small ones that are not zero, for laws of division.
+/// Small nonzero polynomials, for laws of division.
 fn not_zero() -> impl Strategy<Value = Polynomial> {
     small().prop_map(|f| if f.is_zero() { Polynomial::one() } else { f })
 }
@@ -28,7 +29,7 @@ fn terms(
         .prop_map(Polynomial::from_terms)
 }
 
-/// Any size of coefficients, variables to 199 and exponents to 10⁴.
+/// Terms with coefficients of every size, variables up to 199 and exponents up to 10⁴.
 fn wild() -> impl Strategy<Value = Vec<Term>> {
     wild_of(0..6)
 }
@@ -46,7 +47,7 @@ fn wild_of(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<Term>> {
     prop::collection::vec((monomial.prop_map(|monomial| monomial.into_iter().collect()), number), count)
 }
 
-/// Terms that crowd a small box of exponents, with any size of coefficients.
+/// Terms that densely fill a small box of exponents, with coefficients of every size.
 fn crowded() -> impl Strategy<Value = Vec<Term>> {
     let number = prop_oneof![
         (-99i64..=99).prop_map(BigInt::from),
@@ -57,7 +58,7 @@ fn crowded() -> impl Strategy<Value = Vec<Term>> {
     prop::collection::vec((monomial, number), 10..24)
 }
 
-/// Terms in long rows, with numbers at both ends of a range and within.
+/// Terms in long rows, with numbers at both ends of a range and inside it.
 fn rows(largest: i64) -> impl Strategy<Value = Vec<Term>> {
     let number = prop_oneof![4 => -9i64..=9, 1 => Just(largest), 1 => Just(-largest - 1)];
     let row = (0..3u32, 0..3u32, prop::collection::vec(number, 1..24));
@@ -70,7 +71,7 @@ fn rows(largest: i64) -> impl Strategy<Value = Vec<Term>> {
     })
 }
 
-/// The product by the definition, on maps from exponents to numbers.
+/// Multiplies by the definition, on maps from exponents to numbers.
 fn schoolbook(left: &[Term], right: &[Term]) -> BTreeMap<Vec<(u32, u32)>, BigInt> {
     let mut product = BTreeMap::new();
     for (a, c) in left {
@@ -282,7 +283,8 @@ fn sums_of_products_that_cancel_are_zero_and_others_are_not() {
 
 #[test]
 fn gcd_of_swelling_remainders_still_divides_both() {
-    // Numbers beyond the prime of the images leave only the remainder sequence, which swells.
+    // With numbers beyond the prime of the images, only the remainder sequence is left, and its
+    // coefficients swell.
     let sum = |step: i64| {
         (0..6).fold(Polynomial::integer(7 - step), |sum, variable| {
             let number = BigInt::from((i64::from(variable) * step + 3) % 11 - 5) * (1i64 << 50) + step;

@@ -1,4 +1,4 @@
-//! Integrals that are computed numerically: what is decided of them, and their values.
+//! Integrals that are computed numerically: the decisions about them, and their values.
 
 use forms_core::accuracy::{Format, Rounded, Truth, Value};
 use forms_core::check::{decide_all, read_theory};
@@ -13,7 +13,7 @@ fn theory(text: &str) -> Theory {
     theory
 }
 
-/// The last kernel of a source at these arguments.
+/// Computes the last kernel of a source at these arguments.
 fn values(text: &str, arguments: &[f64]) -> Vec<f64> {
     let mut theory = theory(text);
     let kernel = theory.kernels.last().cloned().expect("a kernel");
@@ -68,7 +68,7 @@ fn kernels_compute_quadratures_and_integrals_without_a_closed_form() {
     );
 }
 
-/// The operations of what the last kernel of a source integrates, after optimisation.
+/// Returns the operations of the integrand in the last kernel of a source, after optimisation.
 fn operations_of_the_integrand(text: &str) -> String {
     let mut theory = theory(text);
     let kernel = theory.kernels.last().cloned().expect("a kernel");
@@ -107,7 +107,7 @@ fn a_quadrature_is_refused_where_it_means_nothing() {
     }
 }
 
-/// The last kernel of a source at exact arguments, to fifty digits.
+/// Computes the last kernel of a source at exact arguments, to fifty digits.
 fn digits(text: &str, arguments: &[&str]) -> String {
     let theory = theory(text);
     let kernel = theory.kernels.last().expect("a kernel");
@@ -122,7 +122,7 @@ fn digits(text: &str, arguments: &[&str]) -> String {
 
 #[test]
 fn integrals_of_every_size_have_fifty_certain_digits() {
-    // erf(1) √π/2, and the same scaled
+    // erf(1) √π/2, and the same value scaled
     let digits_of_erf = "7.4682413281242702539946743613185300535449968681261";
     assert_eq!(
         digits("kernel k(x) = quadrature(exp(-t**2), t = 0..x);", &["1"]),
@@ -136,7 +136,7 @@ fn integrals_of_every_size_have_fifty_certain_digits() {
 
 #[test]
 fn a_view_factor_without_a_closed_form_has_fifty_certain_digits() {
-    // two unit spheres at the distance 3, as `view_factor_spheres` has it
+    // two unit spheres at distance 3, with the formula of `view_factor_spheres`
     let source = "kernel k(r, R, D) = 64*R**2/(pi*D)*quadrature(u**2*(1 - u**2)**2/((1 + u**2)**4*(D*(1 + u**2)
         + sqrt((D - r - R)*(D + r + R)*(1 + u**2)**2 + 16*r*R*u**2))), u = 0..1) where r > 0, R >= 0, D >= r + R;";
     assert_eq!(digits(source, &["1", "1", "3"]), "2.9590312250550431403804540422850051399434907326547e-2");

@@ -1,4 +1,4 @@
-//! Bounds of rounding errors: no sample exceeds them, and they are not idle.
+//! Bounds of rounding errors: no sample exceeds them, and they are sharp.
 
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
@@ -12,7 +12,7 @@ use num_traits::Signed;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 
-/// Boxes for each kernel of the tests.
+/// Maximum number of boxes for each kernel of the tests.
 const BOXES: usize = 300;
 
 struct Bounded {
@@ -34,7 +34,7 @@ impl Bounded {
         self.program.error_bound(BOXES)
     }
 
-    /// The values at exact arguments, to far more places than a kernel computes.
+    /// Returns the values at exact arguments, to far more places than a kernel computes.
     fn truth(&self, arguments: &[f64]) -> Vec<Rational> {
         let precision = Precision(600);
         let exact =
@@ -48,11 +48,11 @@ impl Bounded {
     }
 }
 
-/// The ends that each argument lies between.
+/// Range of each argument.
 type Ranges = &'static [(f64, f64)];
 
-/// A kernel of one argument or two, between bounds that are powers of two apart, and the largest relative bound in units of
-/// 2⁻⁵³ that is sharp enough.
+/// Kernels of one or two arguments with the ranges of the arguments, and the largest relative
+/// bound, in units of 2⁻⁵³, that is sharp enough.
 const KERNELS: &[(&str, Ranges, f64)] = &[
     ("kernel k(x) = x*x*x where 1 <= x <= 1024;", &[(1.0, 1024.0)], 2.1),
     ("kernel k(x) = 1/3*x where 1e-3 <= x <= 1e3;", &[(1e-3, 1e3)], 2.1),
@@ -70,7 +70,7 @@ const KERNELS: &[(&str, Ranges, f64)] = &[
     ),
 ];
 
-/// Numbers between two ends of one sign, over their binades, or evenly.
+/// Numbers between two ends: uniform over the binades if both ends are positive, otherwise uniform.
 fn number((lower, upper): (f64, f64)) -> BoxedStrategy<f64> {
     if lower > 0.0 {
         (lower.to_bits()..=upper.to_bits()).prop_map(f64::from_bits).boxed()
@@ -103,7 +103,7 @@ fn no_sample_exceeds_the_bound_and_the_bound_is_sharp() {
 
 #[test]
 fn more_boxes_make_a_bound_sharper() {
-    // two numbers that are subtracted, and no rule that takes the difference away
+    // a difference of two numbers that no rule rewrites
     let program = kernel("kernel k(x) = sqrt(x*x + x) - x*x/4 where 1 <= x <= 4;").program;
     let units = [1, 10, 100, 1000].map(|boxes| {
         program.error_bound(boxes).ok().and_then(|bounds| bounds[0].units()).unwrap_or(f64::INFINITY)

@@ -1,4 +1,5 @@
-//! Forms that rules alone give: not one regime of a case loses by them, and most of what can be won without a search is.
+//! Forms given by the rules alone: no regime of any case gets worse, and they achieve most of the
+//! gain that is possible without a search.
 
 use forms_core::accuracy::{Regime, Score, Width, sample};
 use forms_core::check::read_theory;
@@ -7,11 +8,11 @@ use forms_core::kernel::Program;
 
 const CASES: &str = include_str!("../../tests/stability/hamming.forms");
 
-/// Samples of each regime, and their seed.
+/// Number of samples in each regime, and their seed.
 const SAMPLES: usize = 24;
 const SEED: u64 = 7;
 
-/// A few more roundings, on the mean of a regime, in bits.
+/// Tolerance for the mean of a regime in bits: a few more roundings.
 const ROUNDINGS: f64 = 1.0;
 
 #[test]

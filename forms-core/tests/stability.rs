@@ -1,4 +1,5 @@
-//! Hamming's cases and others of FPBench: how many bits they lose as they are written, and by the forms chosen for them.
+//! Hamming's cases and others from FPBench: the bits they lose as written, and with the forms
+//! chosen for them.
 
 use forms_core::accuracy::{Regime, Samples, Score, Width, sample};
 use forms_core::check::read_theory;
@@ -10,13 +11,13 @@ use forms_core::stability::Choices;
 const CASES: &str = include_str!("../../tests/stability/hamming.forms");
 const CHOICES: &str = include_str!("../../tests/stability/hamming.stable");
 
-/// Samples of each regime, and the seed: others than those of the search, so that a form is not judged by what it was
-/// chosen for.
+/// Number of samples in each regime, and the seed. The samples differ from those of the search, so
+/// that a form is not judged by the samples for which it was chosen.
 const SAMPLES: usize = 24;
 const SEED: u64 = 11;
 
-/// The cases by their names in Hamming's chapter, Herbie and FPBench, and the kernels that stand for them: a name of the
-/// language begins with a letter.
+/// Names of the cases in Hamming's chapter, Herbie and FPBench, and the kernels that represent
+/// them: a name of the language begins with a letter.
 const NAMED: [(&str, &str); 29] = [
     ("2sqrt", "two_sqrt"),
     ("2isqrt", "two_isqrt"),
@@ -49,7 +50,7 @@ const NAMED: [(&str, &str); 29] = [
     ("disk cap", "disk_cap"),
 ];
 
-/// What no case loses more of by its form, in bits of the mean over all regimes.
+/// Maximum mean loss of any case with its form, in bits over all regimes.
 const MOST_LOST: f64 = 1.0;
 
 fn theories() -> (Theory, usize) {
@@ -60,13 +61,13 @@ fn theories() -> (Theory, usize) {
     (theory, applied)
 }
 
-/// The mean over the regimes of the mean loss in each.
+/// Returns the mean over the regimes of the mean loss in each.
 fn loss(samples: &[Samples], mut values: impl FnMut(&[f64]) -> Vec<f64>) -> f64 {
     let means = samples.iter().map(|regime| Score::of(regime, Width::Double, &mut values).bits.mean);
     means.sum::<f64>() / samples.len() as f64
 }
 
-/// The loss as written, and by the form that was chosen.
+/// Returns the loss as written, and with the chosen form.
 fn losses(theory: &mut Theory, kernel: &Kernel) -> (f64, f64) {
     let generated = compile_kernel(&mut theory.pool, kernel).unwrap_or_else(|errors| panic!("{errors:?}"));
     assert!(generated.translation.is_proved(), "{}: {}", kernel.name, generated.translation);

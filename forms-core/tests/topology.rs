@@ -1,4 +1,4 @@
-//! Closed forms that have a potential and closed forms that have none: every statement of a report is proved again.
+//! Closed forms with and without a potential: every statement of a report is proved again.
 
 use forms_core::check::{decide_all, read_theory};
 use forms_core::decide::Verdict;
@@ -37,7 +37,7 @@ fn report(name: &str) -> Report {
     topology(&Source::new("spaces", SPACES), name).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// The period told in a report.
+/// Returns the period stated in a report.
 fn period(report: &Report) -> Option<String> {
     report.lines.iter().find_map(|line| match line {
         Line::Proved { statement, .. } => {

@@ -1,4 +1,4 @@
-//! Warps: what follows from one, and what is said of a slip in one.
+//! Warps: their consequences, and the messages about errors in them.
 
 use forms_core::check::{decide_all, read_theory};
 use forms_core::compile::compile_kernel;
@@ -33,7 +33,7 @@ fn theory(text: &str) -> Theory {
     theory
 }
 
-/// What is said of a source with an error in it.
+/// Returns the messages about a source with an error in it.
 fn errors(text: &str) -> String {
     read_theory(text).1.into_iter().map(|error| error.message + "\n").collect()
 }

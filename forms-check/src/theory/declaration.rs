@@ -1,5 +1,5 @@
-//! The items of a file: each gives a name its meaning or keeps a statement for later. An item that is not understood is an
-//! obstacle to what uses it.
+//! Items of a file: each declares a name or records a statement for later. An item that is not
+//! understood is an obstacle to the statements that use it.
 
 use super::{Chart, Condition, MOST_VARIABLES, Named, Scope, Theory};
 use crate::tokens::Reader;
@@ -46,7 +46,7 @@ impl Theory {
             "metric" => self.metric(reader),
             other => return uncovered(format!("`{other}`")),
         };
-        // a declaration that is not understood is an obstacle only to what uses it
+        // a declaration that is not understood is an obstacle only to items that use it
         let named = named.and_then(|named| reader.expect(";").map(|()| named)).unwrap_or_else(|stop| {
             reader.place = start;
             reader.pass_item();
@@ -59,7 +59,8 @@ impl Theory {
         Ok(())
     }
 
-    /// A chart; if its domain is not understood, neither is what uses its coordinates.
+    /// Reads a chart. If its domain is not understood, items that use its coordinates are not
+    /// covered.
     fn chart(&mut self, reader: &mut Reader) -> Result<Named, Stop> {
         let (mut coordinates, mut conditions) = (vec![], vec![]);
         if reader.take("=") {
@@ -94,7 +95,7 @@ impl Theory {
         Ok(Named::Chart((coordinates, conditions)))
     }
 
-    /// The coordinate of a name, a new one perhaps.
+    /// Returns the coordinate with this name, a new one if necessary.
     fn coordinate(&mut self, name: &str) -> Result<usize, Stop> {
         match self.names.get(name) {
             Some(Named::Variable(v)) if self.variables[*v].1 => Ok(*v),
@@ -130,7 +131,8 @@ impl Theory {
         }
     }
 
-    /// Params with the conditions that bind them, directly or through others of the same declaration.
+    /// Reads params with the conditions that constrain them, directly or through others of the same
+    /// declaration.
     fn parameters(&mut self, reader: &mut Reader) -> Result<(), Stop> {
         let names = reader.names(",")?;
         let numbers: Vec<usize> =
@@ -197,7 +199,8 @@ impl Theory {
         Ok(Named::Map(source, images, bound, std::mem::take(&mut self.scope)))
     }
 
-    /// The relations of a `where`, and where their sides are defined.
+    /// Reads the relations of a `where`, followed by the conditions under which their sides are
+    /// defined.
     pub(super) fn domain(&mut self, reader: &mut Reader) -> Result<Vec<Condition>, Stop> {
         self.scope = Scope::default();
         let mut all = self.bounds(reader)?;

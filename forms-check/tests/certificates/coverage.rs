@@ -1,9 +1,10 @@
-//! What is checked of the case files and of the theory of radiance, and what is not covered.
+//! Coverage of the case files and of the theory of radiance: which statements the checker accepts,
+//! and which are not covered.
 
 use crate::support::{case_file, certificate, checked};
 use forms_check::Outcome;
 
-/// The statements of a text that are not accepted.
+/// Returns the statements of a text that are not accepted.
 fn not_covered(source: &str) -> Vec<String> {
     let all = checked(&certificate(source), source).expect("a certificate that can be read");
     assert!(!all.is_empty());

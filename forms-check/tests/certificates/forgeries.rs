@@ -1,13 +1,13 @@
-//! Certificates that an adversary writes who has read the checker: none is accepted.
+//! Certificates written by an adversary who knows the checker: none is accepted.
 
 use crate::support::checked;
 use forms_check::Outcome;
 use forms_core::certificate::{HEADER, file_lines};
 
-/// A source with one claim `p` and the lines of a certificate about it.
+/// Source with one claim `p`, and the lines of a certificate about it.
 type Forgery = (&'static str, &'static str);
 
-/// Whether something is accepted.
+/// Whether any entry is accepted.
 fn is_taken((source, lines): &Forgery) -> bool {
     let lines = HEADER.to_string() + &file_lines("it.forms", source) + lines;
     checked(&lines, source).is_ok_and(|all| all.iter().any(|one| one.outcome == Outcome::Accepted))
@@ -33,7 +33,7 @@ fn an_expression_is_used_only_where_it_is_defined() {
             "chart L(x) where x > 0; prove p: x == x + 1;",
             "proved p\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend\n",
         ),
-        // the product with y is not negative, and y vanishes wherever the statement speaks
+        // the product with y is not negative, and y vanishes at every point of the statement
         (
             "chart L(x, y); prove p: abs(x) == x where x*y >= 0, y >= 0, -y >= 0;",
             "proved p\nbase x\npositive x*y/y\nzero\n",
@@ -185,7 +185,7 @@ fn a_half_angle_leaves_out_only_limits_of_other_points() {
             "chart L(x); prove p: cos(x) == 2 + sin(x) where 1 + cos(x) <= 0;",
             "proved p\ntangent x\nbase 1 + tan(x/2)**2\nsplit 1\nend\n",
         ),
-        // the unit stands still
+        // the variables of the unit cannot be perturbed
         (
             "chart L(x, y); fn f(y); prove p: abs(y)*(2 + cos(f)) == y*(2 + cos(f)) where (1 + cos(f))*y >= 0;",
             "proved p\ntangent f\nbase y\npositive (1 + cos(f))*y*(1 + tan(f/2)**2)/2\nzero\n",
@@ -210,7 +210,7 @@ fn no_theorem_speaks_of_no_point() {
 
 #[test]
 fn an_integral_is_not_taken_across_what_its_antiderivative_loses() {
-    // the variable of each range stands at the byte that the entry names
+    // the entry names the byte at which the variable of each range begins
     let entry = |source: &str, offer: &str| {
         let place = source.find(" x = ").or_else(|| source.find(" y = ")).expect("a range") + 1;
         let lines = format!("integral {place} {offer}\nproved p\nzero\n");
@@ -229,12 +229,12 @@ fn an_integral_is_not_taken_across_what_its_antiderivative_loses() {
             "chart L(x); prove p: integral(1, x = 0..1) == 17;",
             "17*x\nbase x\nnegative sqrt(-x)**2\nsplit 1\nend",
         ),
-        // at x = 0 the value holds, but not around it
+        // the value is valid at x = 0, but not in a neighbourhood
         (
             "chart L(x, y); prove p: diff(integral(x, y = 0..1), x) == -1 where sqrt(x) + sqrt(-x) + 1 > 0;",
             "-abs(x)*y\nbase x\nnegative sqrt(-x)**2\nzero",
         ),
-        // the half angle stands still
+        // the variable of the half angle cannot be perturbed
         ("chart L(x, y); prove p: integral(0*x, x = 0..1) == 1;", "x*(1 + cos(y))\ntangent y\nzero"),
     ] {
         assert!(!entry(source, offer), "{source} {offer}");
@@ -243,7 +243,7 @@ fn an_integral_is_not_taken_across_what_its_antiderivative_loses() {
 
 #[test]
 fn the_value_of_an_integral_holds_all_around_the_points_it_is_used_at() {
-    // the condition leaves x = 0 alone, where x may be taken for −|x| and −|x| for −x
+    // the condition leaves only x = 0, where x can be replaced by −|x| and −|x| by −x
     let source = "chart L(x, y, z); prove p: diff(integral(integral(x, y = 0..1), z = 0..1), x) == -1 \
         where sqrt(x) + sqrt(-x) + 1 > 0;";
     let place = |range: &str| source.find(range).expect("a range");
@@ -262,7 +262,7 @@ fn the_value_of_an_integral_holds_all_around_the_points_it_is_used_at() {
 fn a_refutation_is_a_point_of_the_statement() {
     let same = "chart L(x); fn f(x); prove p: f(1) == f(1 + 1e60*(sqrt(2)**2 - 2));";
     assert_none_is_taken(&[
-        // places that are enclosed too widely to be told apart
+        // places whose enclosures are too wide to distinguish them
         (same, "refuted p\nat f(0) = 0\nat f(1) = 5\ncomponent\nleft 5\nright 0\n"),
         (same, "refuted p\nat f(1) = 5\nat f(1 + 1e-11) = 0\ncomponent\nleft 5\nright 0\n"),
         (
@@ -286,7 +286,7 @@ fn a_refutation_is_a_point_of_the_statement() {
             "chart L(x, y); prove p: atan2(y, x) == atan2(y, x);",
             "refuted p\nat x = -1\nat y = 0\ncomponent\nleft 3\nright -3\n",
         ),
-        // a chart whose domain the checker does not read binds its coordinates all the same
+        // a chart whose domain the checker does not read still constrains its coordinates
         (
             "chart L(x) where x > 0 or x > 1; prove p: abs(x) == x;",
             "refuted p\nat x = -1\ncomponent\nleft 1\nright -1\n",
@@ -358,7 +358,7 @@ fn depth_and_length_are_refused_and_no_panic() {
         let all = checked(&(lines + "proved p\nzero\n"), &source);
         assert!(!all.is_ok_and(|all| all.iter().any(|one| one.outcome == Outcome::Accepted)));
     }
-    // hundreds of coordinates, and more numbers than any proof needs
+    // hundreds of coordinates, more generators than any proof needs
     let names: Vec<String> = (0..300).map(|k| format!("x{k}")).collect();
     let source = format!("chart L({}); prove p: x0 == x1;", names.join(", "));
     let lines = HEADER.to_string() + &file_lines("it.forms", &source) + "proved p\nzero\n";

@@ -1,16 +1,16 @@
-//! A grammar of forgeries: lines of real certificates transplanted and changed, declarations with expressions in
-//! disguise, numbers at the edge of every type.
+//! Grammar of forgeries: lines of real certificates transplanted and changed, declarations with
+//! disguised expressions, numbers at the limits of every type.
 //!
-//! Nothing here decides anything: whether a claim is false is known to whoever asks for a forgery.
+//! Nothing here decides whether a claim is false; the caller that requests a forgery knows that.
 
-/// What a certificate is forged for.
+/// Statement for which a certificate is forged.
 #[derive(Clone, Debug)]
 pub(crate) struct Target {
-    /// A source whose only statement is `p`.
+    /// Source whose only statement is `p`.
     pub(crate) source: String,
     /// `proved` for a false claim, `refuted` for a true one.
     pub(crate) verdict: &'static str,
-    /// The lines of a real certificate of a claim nearby, integrals first.
+    /// Lines of a real certificate of a similar claim, integrals first.
     pub(crate) integrals: Vec<String>,
     pub(crate) proof: Vec<String>,
 }
@@ -63,7 +63,7 @@ const NUMBERS: [&str; 24] = [
     "18446744073709551616",
 ];
 
-/// Expressions that equal q wherever they are defined: `@` stands for q, `#` for another expression.
+/// Expressions equal to q wherever they are defined: `@` stands for q, `#` for another expression.
 const DISGUISES: [&str; 26] = [
     "sqrt(@)**2",
     "sqrt(@)*sqrt(@)",
@@ -97,7 +97,8 @@ const DISGUISES: [&str; 26] = [
 const SQUARES: [&str; 8] =
     ["(@)**2", "abs(@)", "sqrt(@)", "exp(@)", "(@)*(@)", "sqrt((@)**2)", "(@)**2/(#)**2", "abs(@)*abs(#)"];
 
-/// What a source is written with: names and everything that stands in brackets, on a side, or in a condition.
+/// Returns the parts of a source: its names, and all expressions in brackets, on a side, or in a
+/// condition.
 fn parts_of(source: &str) -> Vec<String> {
     let claim = source.rsplit("p:").next().unwrap_or_default().trim_end_matches(';');
     let (claim, conditions) = claim.split_once(" where ").unwrap_or((claim, ""));
@@ -144,7 +145,7 @@ fn parts_of(source: &str) -> Vec<String> {
     parts
 }
 
-/// A forgery of the certificate of a target.
+/// Forges a certificate for a target.
 pub(crate) fn forgery(random: &mut Random, target: &Target, donors: &[Target]) -> String {
     let parts = parts_of(&target.source);
     let mut forger = Forger { random, parts: &parts, donors };
@@ -184,7 +185,7 @@ impl Forger<'_> {
         if self.random.below(8) == 0 { self.number() } else { self.random.of(self.parts).clone() }
     }
 
-    /// An expression made of parts of the statement.
+    /// Makes an expression of parts of the statement.
     fn expression(&mut self, depth: usize) -> String {
         if depth == 0 {
             return self.part();
@@ -207,7 +208,7 @@ impl Forger<'_> {
         form.replace('@', q).replace('#', &other)
     }
 
-    /// An expression that equals another wherever it is defined.
+    /// Returns an expression that equals another wherever it is defined.
     fn disguised(&mut self, q: &str) -> String {
         let mut disguised = q.to_string();
         for _ in 0..=self.random.below(2) {
@@ -217,7 +218,7 @@ impl Forger<'_> {
         disguised
     }
 
-    /// A base with its sign shown by itself in disguise.
+    /// Adds a base; the reason for its sign is often the base itself in disguise.
     fn base(&mut self, lines: &mut Vec<String>) {
         let depth = usize::from(self.random.below(4) == 0);
         let (base, is_positive) = (self.expression(depth), self.random.below(2) == 0);
@@ -245,7 +246,7 @@ impl Forger<'_> {
         format!("{keyword} {unit}")
     }
 
-    /// The shortest forgery of a sign: one base, its reason in disguise, nothing else.
+    /// Makes the shortest forgery of a sign: one base with a disguised reason, and nothing else.
     fn sign_proof(&mut self) -> Vec<String> {
         let base = self.part();
         let (keyword, side) = if self.random.below(2) == 0 {
@@ -301,7 +302,7 @@ impl Forger<'_> {
         lines
     }
 
-    /// A point with values at the edge of the domain, and two values of the sides.
+    /// Makes a point with values at the boundary of the domain, and two values of the sides.
     fn point(&mut self) -> Vec<String> {
         let mut lines = Vec::new();
         for part in self.parts {
@@ -321,7 +322,7 @@ impl Forger<'_> {
         lines
     }
 
-    /// Changes one line, or transplants some of another certificate.
+    /// Changes one line, or transplants lines of another certificate.
     fn change(&mut self, lines: &mut Vec<String>) {
         let place = self.random.below(lines.len() + 1);
         let at = place.min(lines.len().saturating_sub(1));
@@ -380,7 +381,7 @@ impl Forger<'_> {
                 }
             }
             9 => {
-                // only one of the cases is left
+                // only one of the cases remains
                 if let (Some(first), Some(last)) = (
                     lines.iter().position(|line| line.starts_with("case")),
                     lines.iter().rposition(|line| line.starts_with("case")),
@@ -390,7 +391,7 @@ impl Forger<'_> {
                 }
             }
             _ => {
-                // digits of a line become a number at some edge
+                // the digits of a line are replaced by a number at some limit
                 if let Some(line) = lines.get(at).cloned()
                     && let Some(digit) = line.find(|c: char| c.is_ascii_digit())
                 {
@@ -401,7 +402,7 @@ impl Forger<'_> {
         }
     }
 
-    /// Changes an antiderivative, or the proof behind it.
+    /// Changes an antiderivative, or its proof.
     fn change_offer(&mut self, lines: &mut Vec<String>) {
         let at = self.random.below(lines.len());
         let parts: Vec<&str> = lines[at].splitn(3, ' ').collect();

@@ -1,10 +1,11 @@
-//! Integrals by offered antiderivatives: what shows them, and what does not.
+//! Integrals by offered antiderivatives: valid proofs, and invalid ones.
 
 use crate::support::{certificate, checked};
 use forms_check::Outcome;
 use forms_core::certificate::{HEADER, file_lines};
 
-/// What becomes of one claim `p` about an integral, with offers for its ranges in the order of the source.
+/// Returns the outcome for one claim `p` about an integral, with offers for its ranges in the order
+/// of the source.
 fn outcome(source: &str, offers: &[&str], proof: &str) -> Outcome {
     let places = source.match_indices("..").map(|(dots, _)| {
         let before = &source[..dots];
@@ -75,7 +76,7 @@ fn bounds_in_either_order_bound_the_variable() {
     assert!(on_line("integral(1/(1 + w)**2, w = k..0) == 1/(1 + k) - 1", &["-1/(1 + w)\nzero"]));
     assert!(!on_line("integral(1/(1 + w)**2, w = 0..y) == 1 - 1/(1 + y)", &["-1/(1 + w)\nzero"]));
     assert!(!on_line("integral(1/(1 + w)**2, w = 0..-k) == 1 - 1/(1 - k)", &["-1/(1 + w)\nzero"]));
-    // of degree 2, between its values at the bounds and that of its control point
+    // a divisor of degree 2, bounded by its values at the bounds and by its control point
     assert!(on_line("integral((1 - 2*x)/(1 + x - x**2)**2, x = 0..1) == 0", &["-1/(1 + x - x**2)\nzero"]));
     assert!(!on_line(
         "integral((1 - 2*x)/(1/5 - x + x**2)**2, x = 0..1) == 0",
@@ -85,7 +86,7 @@ fn bounds_in_either_order_bound_the_variable() {
 
 #[test]
 fn no_condition_speaks_of_a_variable_that_is_integrated_over() {
-    // x and w are positive outside, and run through negative numbers inside
+    // x and w are positive outside the integral, and take negative values inside
     let magnitude = "integral(sqrt(x**2), x = -1..1) == 0 where x > 0";
     assert!(!on_line(magnitude, &["x**2/2\nbase x\npositive x\nzero"]));
     let domain = "integral(sqrt(w**2), w = -1..1) == 0";
@@ -102,7 +103,7 @@ fn no_condition_speaks_of_a_variable_that_is_integrated_over() {
     let kept =
         format!("{LINE} let q = integral(sqrt(w**2)*y, y = 0..1); prove p: integral(q, w = 1..2) == 3/4;");
     assert!(is_accepted(&kept, &["w*y**2/2\nbase w\npositive w\nzero", "w**2/4\nzero"]));
-    // what a statement says of a point, it does not say of an image
+    // a condition on a point does not hold for its image
     let pulled = format!(
         "{LINE} map m: L -> L = (-x, y); prove p: pullback(m, integral(sqrt(x**2)*y, y = 0..1)) == -x/2 where x > 0;"
     );
@@ -117,7 +118,7 @@ fn zeros_of_parameters_are_left_out_of_open_conditions_only() {
     let wave = "integral(cos(c*x), x = 0..1) == sin(c)/c";
     assert!(is_accepted(&source(wave, ""), &["sin(c*x)/c\nzero"]));
     assert!(is_accepted(&source(wave, " where c < 2"), &["sin(c*x)/c\nzero"]));
-    // the conditions leave nothing but the zero
+    // the conditions leave only the zero
     let nothing = "integral(cos(c*x), x = 0..1) == 5";
     for proof in ["undefined\n", "base c\nsplit 1\nend\n", "zero\n"] {
         let closed = source(nothing, " where c >= 0, c <= 0");
@@ -144,7 +145,7 @@ fn what_divides_by_zero_everywhere_shows_no_antiderivative() {
 
 #[test]
 fn a_value_may_be_differentiated_only_where_it_holds_all_around() {
-    // the conditions leave one point, at which |x| may be taken for −x
+    // the conditions leave one point, at which |x| can be replaced by −x
     let source = format!("{LINE} prove p: diff(integral(x, y = 0..1), x) == -1 where x >= 0, x <= 0;");
     let offer = "-abs(x)*y\nbase x\nnegative -x\nzero";
     assert_ne!(outcome(&source, &[offer], "base x\npositive x\nzero\n"), Outcome::Accepted);

@@ -1,4 +1,4 @@
-//! Certificates of the prover are accepted; those with a mistake are not.
+//! Certificates of the prover are accepted; certificates with an error are not.
 
 mod coverage;
 mod forgeries;

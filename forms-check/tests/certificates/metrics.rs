@@ -3,7 +3,8 @@
 use crate::support::{certificate, checked, is_accepted};
 use forms_check::Outcome;
 
-/// Statements that need every operation: a general metric on a plane, an indefinite one, a chart that is turned.
+/// Statements that need every operation: a general metric on a plane, an indefinite one, a chart
+/// with reversed orientation.
 const METRICS: &str = "chart P(x, y); chart T(y, x); chart E(t, x, y, z); chart S(r, theta, phi) where r > 0, 0 < theta < pi;\n\
     fn A(x, y) where A > 0; fn B(x, y); fn f(r, theta, phi); fn X(t, x, y, z); fn p(x, y); fn q(x, y);\n\
     metric g on P = A*dx**2 + 2*B*dx*dy + (B**2/A + 1)*dy**2;\n\
@@ -39,7 +40,7 @@ fn every_metric_operation_is_covered() {
     assert!(open.is_empty(), "{open:?}");
 }
 
-/// The outcome of a claim whose sides are compared without anything else being needed.
+/// Whether a claim is accepted by the proof `zero` alone.
 fn is_plainly_zero(claim: &str) -> bool {
     let source = format!(
         "chart P(x, y); chart T(y, x); chart E(t, x, y, z); fn p(x, y);\n\

@@ -3,7 +3,7 @@
 use crate::support::{case_file, certificate, checked, is_accepted};
 use forms_check::Outcome;
 
-/// Every text that differs in one number, sign or operator.
+/// Returns every text that differs in one number, sign or operator.
 fn mutations(text: &str) -> Vec<(usize, String)> {
     let mut all = Vec::new();
     let bytes = text.as_bytes();
@@ -39,14 +39,16 @@ fn line_at(text: &str, place: usize) -> &str {
     text[start..].lines().next().unwrap_or_default().trim()
 }
 
-/// Lines with a mutation that is accepted: all others are rejected or malformed.
+/// Returns the lines with a mutation that is accepted; all other mutations are rejected or
+/// malformed.
 fn surviving(source: &str) -> Vec<String> {
     let lines = certificate(source);
     assert!(is_accepted(&lines, source), "{:?}\n{lines}", checked(&lines, source));
     let start = lines.find("hash").unwrap_or(0);
     let survivors = mutations(&lines[start..]).into_iter().filter_map(|(place, changed)| {
         let changed = format!("{}{changed}", &lines[..start]);
-        // another value of what the sides do not depend on is another witness of the same difference
+        // a different value of a variable on which the sides do not depend gives another witness of
+        // the same difference
         let is_free = line_at(&lines, start + place).starts_with("at p = ");
         (is_accepted(&changed, source) && !is_free).then(|| {
             let (from, to) = (line_at(&lines, start + place), line_at(&changed, start + place));

@@ -1,4 +1,5 @@
-//! Forgeries by the thousand: none is accepted, as the claims are known to be false, or true where the forgery refutes.
+//! Random forgeries in large numbers: none is accepted. The claims are known to be false, or true
+//! where the forgery refutes.
 
 use crate::grammar::{Random, Target, forgery};
 use crate::support::checked;
@@ -9,7 +10,7 @@ use forms_core::decide::{Verdict, decide};
 
 const DECLARED: &str = "chart L(x, y, z); chart H(w) where w > 0; chart S(t, q) where 0 < t < pi; param a, b where a > 0, b > 1; param n; fn f(x, y); ";
 
-/// True claims, so near to many false ones.
+/// True claims, each close to many false ones.
 const TRUE: [&str; 44] = [
     "sqrt(x**2) == abs(x)",
     "sqrt(x**2*y**2) == abs(x)*abs(y)",
@@ -57,8 +58,8 @@ const TRUE: [&str; 44] = [
     "integral(x*y, y = 0..1) == x/2",
 ];
 
-/// False claims that no small change of a true one gives: each with a point at which it fails, and a proof by a rule
-/// applied outside its conditions, which forgeries start from.
+/// False claims that no small change of a true one gives. Each has a point at which it fails, and a
+/// proof by a rule applied outside its conditions, from which forgeries start.
 const FALSE: [(&str, &str, &str); 27] = [
     ("abs(x) == x", "x = -1", "base x\npositive sqrt(x)**2\nzero"),
     ("abs(x) == x", "x = -1", "base x\nsplit 1\ncase +\nbase x\npositive x\nzero\nend"),
@@ -138,7 +139,7 @@ const POINTS: [(&str, &str); 5] = [
     ("x + y == y + x", "at x = 1\nat y = 1\ncomponent\nleft 2\nright 2"),
 ];
 
-/// A claim as a source, decided by the prover; the lines of its certificate apart.
+/// Returns a claim as a source, decided by the prover, with the lines of its certificate.
 fn decided(claim: &str) -> Option<(Target, Verdict)> {
     let source = format!("{DECLARED}prove p: {claim};");
     let (mut theory, errors) = read_theory(&source);
@@ -155,7 +156,7 @@ fn decided(claim: &str) -> Option<(Target, Verdict)> {
     Some((Target { source, verdict: "proved", integrals, proof }, verdict))
 }
 
-/// Claims that differ from a true one by a number, a sign or a condition.
+/// Returns claims that differ from a true one by a number, a sign or a condition.
 fn perturbed(claim: &str) -> Vec<String> {
     let (sides, conditions) = claim
         .split_once(" where ")
@@ -175,13 +176,13 @@ fn perturbed(claim: &str) -> Vec<String> {
     all
 }
 
-/// Everything that forgeries are written for, and real certificates to transplant from.
+/// Returns all targets of forgeries, and real certificates from which lines are transplanted.
 fn targets() -> (Vec<Target>, Vec<Target>) {
     let (mut targets, mut donors) = (Vec::new(), Vec::new());
     for claim in TRUE {
         let Some((target, Verdict::Proved(_))) = decided(claim) else { panic!("not proved: {claim}") };
         for near in perturbed(claim) {
-            // refuted at an exact point: the claim is false whatever the checker thinks
+            // refuted at an exact point: the claim is false, whatever the checker decides
             if let Some((other, Verdict::Refuted(_))) = decided(&near) {
                 let proof = target.proof.clone();
                 targets.push(Target { proof, integrals: other.integrals.clone(), ..other.clone() });
@@ -207,7 +208,7 @@ fn targets() -> (Vec<Target>, Vec<Target>) {
         let source = format!("{DECLARED}prove p: {claim};");
         written.push(Target { source, verdict: "refuted", integrals: Vec::new(), proof: lines(point) });
     }
-    // as many of these as of the others
+    // about as many of these as of the others
     let copies = targets.len() / written.len();
     (0..copies).for_each(|_| targets.extend(written.iter().cloned()));
     (targets, donors)
@@ -234,7 +235,7 @@ fn no_forgery_is_accepted() {
             Ok(_) => 2,
         }] += 1;
     }
-    // most are read to the end, and fail for what they claim
+    // most are read to the end, and are rejected for their claim
     assert!(outcomes[1] * 2 > outcomes.iter().sum::<usize>(), "{outcomes:?}");
     println!("{count} forgeries of {} claims: {outcomes:?}", targets.len());
 }

@@ -1,4 +1,4 @@
-//! Whatever the prover reads and writes, the checker reads.
+//! The checker reads every source and certificate that the prover reads and writes.
 
 use crate::support::{certificate, checked};
 use forms_check::Outcome;
@@ -6,7 +6,7 @@ use forms_core::certificate::{HEADER, file_lines};
 use forms_core::check::read_theory;
 use std::path::Path;
 
-/// Every function of one argument; those of the checker and those that it does not know.
+/// Every function of one argument, whether the checker knows it or not.
 const FUNCTIONS: [&str; 22] = [
     "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs",
     "clausen", "dilog", "erf", "expm1", "log1p", "expint1", "expint2", "expint3", "-",
@@ -32,12 +32,12 @@ fn every_file_of_the_repository_can_be_read() {
     assert!(sources.len() > 50, "{} files", sources.len());
     for (name, source) in sources {
         let read = checked(&(HEADER.to_string() + &file_lines("it.forms", &source)), &source);
-        // what the prover refuses may be refused
+        // the checker is allowed to refuse a source that the prover refuses
         assert!(read.is_ok() || !read_theory(&source).1.is_empty(), "{name}: {read:?}");
     }
 }
 
-/// Sources in which something is applied to an argument wherever the language lets it stand.
+/// Returns sources in which a function is applied to an argument wherever the language allows it.
 fn sources_with(function: &str) -> Vec<String> {
     let f = |a: &str| format!("{function}({a})");
     vec![

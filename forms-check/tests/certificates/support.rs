@@ -5,7 +5,7 @@ use forms_core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms_core::check::read_theory;
 use forms_core::decide::decide;
 
-/// The certificate of a text.
+/// Returns the certificate of a text.
 pub(crate) fn certificate(source: &str) -> String {
     let (mut theory, errors) = read_theory(source);
     assert!(errors.is_empty(), "{errors:?}");
@@ -18,7 +18,7 @@ pub(crate) fn certificate(source: &str) -> String {
     lines
 }
 
-/// What becomes of a certificate of a text.
+/// Checks a certificate of a text.
 pub(crate) fn checked(certificate: &str, source: &str) -> Result<Vec<Checked>, String> {
     check(certificate, |_| Ok(source.to_string()))
 }
@@ -28,7 +28,7 @@ pub(crate) fn is_accepted(certificate: &str, source: &str) -> bool {
     checked(certificate, source).is_ok_and(|all| all.iter().all(|one| one.outcome == Outcome::Accepted))
 }
 
-/// A case file of the repository.
+/// Reads a case file of the repository.
 pub(crate) fn case_file(name: &str) -> String {
     let path = format!("{}/../tests/cases/{name}.forms", env!("CARGO_MANIFEST_DIR"));
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))

@@ -1,10 +1,10 @@
-//! Certificates that a dishonest prover might write.
+//! Certificates as a dishonest prover could write them.
 
 use crate::support::checked;
 use forms_check::Outcome;
 use forms_core::certificate::{HEADER, file_lines};
 
-/// What becomes of one entry about a source.
+/// Returns the outcome of one entry about a source.
 fn outcome(source: &str, entry: &str) -> Outcome {
     let lines = HEADER.to_string() + &file_lines("it.forms", source) + entry;
     let mut all = checked(&lines, source).expect("a certificate that can be read");
@@ -97,7 +97,7 @@ fn fifths_and_fifteenths_of_a_half_turn_need_three_roots() {
         ("sin(pi/5)**2 == (5 - sqrt(5))/8", "sin(pi/5)**2 == (5 + sqrt(5))/8"),
         ("sin(pi/10) == (sqrt(5) - 1)/4", "sin(pi/10) == (1 - sqrt(5))/4"),
         ("sin(3*pi/5) == sin(2*pi/5)", "sin(3*pi/5) == -sin(2*pi/5)"),
-        // the product of two cosines by the sum and the difference of the angles
+        // the product of two cosines, by the sum and the difference of the angles
         ("4*cos(4*pi/15)*cos(pi/15) == 1 + 2*cos(pi/5)", "4*cos(4*pi/15)*cos(pi/15) == 1 - 2*cos(pi/5)"),
     ] {
         let source = |claim: &str| format!("chart L(x); prove s: {claim};");

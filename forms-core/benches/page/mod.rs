@@ -1,14 +1,15 @@
-//! What a page of measurements needs: on which processor, and where in the page.
+//! Helpers for a page of measurements: the processor's name, and the replacement of a table in the
+//! page.
 
-/// The name of the processor, where the system tells it.
+/// Returns the name of the processor, if the system reports it.
 pub(crate) fn processor() -> String {
     let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = information.lines().find_map(|line| line.strip_prefix("model name"));
     name.map_or("unknown", |name| name.trim_start_matches(['\t', ' ', ':'])).to_string()
 }
 
-/// The page with these rows instead of what stands between `<!-- measured: PART -->` and the next `<!-- end -->`; as it
-/// is if it has no such marks.
+/// Replaces the text between `<!-- measured: PART -->` and the next `<!-- end -->` by these rows;
+/// returns the page unchanged if it has no such marks.
 pub(crate) fn replaced(page: &str, part: &str, rows: &str) -> String {
     let begin = format!("<!-- measured: {part} -->\n");
     let end = "<!-- end -->";

@@ -1,4 +1,4 @@
-//! Work of the calculus on forms that are built beforehand.
+//! Workloads of the calculus on forms that are built beforehand.
 
 use super::Work;
 use super::patch::Patch;
@@ -19,7 +19,7 @@ pub(crate) fn closed(n: u8) -> Work {
     })
 }
 
-/// d(dω) = 0 for a 1-form of six coordinates with so many terms in each numerator.
+/// d(dω) = 0 for a 1-form of six coordinates with `terms_each` terms in each numerator.
 pub(crate) fn derivative_twice(terms_each: usize) -> Work {
     let mut patch = Patch::new(6);
     let form = patch.random_one_form(terms_each);
@@ -33,7 +33,7 @@ pub(crate) fn derivative_twice(terms_each: usize) -> Work {
     })
 }
 
-/// u, v ↦ (2u, 2v, u² + v² − 1)/(1 + u² + v²)
+/// Returns u, v ↦ (2u, 2v, u² + v² − 1)/(1 + u² + v²).
 fn inverse_stereographic(pool: &mut Pool, u: Expr, v: Expr) -> [Expr; 3] {
     let (one, two) = (pool.integer(1), pool.integer(2));
     let (u2, v2) = (pool.power(u, 2.into()), pool.power(v, 2.into()));
@@ -43,7 +43,7 @@ fn inverse_stereographic(pool: &mut Pool, u: Expr, v: Expr) -> [Expr; 3] {
     above.map(|numerator| pool.divide(numerator, below))
 }
 
-/// The solid-angle form pulled back to −4/(1 + u² + v²)² du∧dv: the map turns the orientation around.
+/// The solid-angle form pulled back to −4/(1 + u² + v²)² du∧dv: the map reverses the orientation.
 pub(crate) fn stereographic_pullback() -> Work {
     let mut patch = Patch::new(3);
     let beta = patch.solid_angle();
@@ -87,7 +87,8 @@ pub(crate) fn power_of_two_form(m: u8) -> Work {
     })
 }
 
-/// The number of terms of f(f+1) with f = (1+x+y+z+t)ⁿ: the monomials of degree 2n at most.
+/// Returns the number of terms of f(f+1) with f = (1+x+y+z+t)ⁿ: the number of monomials of degree
+/// at most 2n.
 pub(crate) fn product_terms(n: u32) -> usize {
     (1..=4).fold(1, |value, k| value * (2 * n as usize + k) / k)
 }

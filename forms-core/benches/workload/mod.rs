@@ -1,17 +1,18 @@
-//! The workloads of the bench `symbolic` and of the example `scaling`: each asserts its result, so that what is timed is right.
+//! Workloads of the bench `symbolic` and of the example `scaling`. Each asserts its result, so that
+//! the timed work is correct.
 
 pub(crate) mod built;
 mod patch;
 mod random;
 pub(crate) mod text;
 
-/// Something to be timed.
+/// Workload to be timed.
 pub(crate) struct Work {
-    /// What it is.
+    /// Its name.
     pub(crate) name: String,
-    /// The time it should stay below, if one was set.
+    /// Its target time, if one was set.
     pub(crate) goal: &'static str,
-    /// Does it once.
+    /// Runs it once.
     pub(crate) run: Box<dyn FnMut()>,
 }
 
@@ -21,7 +22,7 @@ impl Work {
     }
 }
 
-/// Every workload, in the order of the table.
+/// Returns every workload, in the order of the table.
 pub(crate) fn all() -> Vec<Work> {
     let mut works: Vec<Work> = (3..=8).map(built::closed).collect();
     works.extend((3..=8).map(text::closed));

@@ -25,7 +25,7 @@ impl Patch {
         self.pool.symbol(self.symbols[place])
     }
 
-    /// c + Σ xᵢ²
+    /// Returns c + Σ xᵢ².
     fn norm(&mut self, constant: i64) -> Expr {
         let mut sum = self.pool.integer(constant);
         for place in 0..self.symbols.len() {
@@ -36,13 +36,13 @@ impl Patch {
         sum
     }
 
-    /// The basis form of all coordinates but one.
+    /// Returns the basis form of all coordinates but one.
     fn all_but(&self, omitted: usize) -> Blade {
         let others = self.coordinates.iter().enumerate().filter(|(place, _)| *place != omitted);
         others.fold(Blade::SCALAR, |blade, (_, &c)| blade.wedge(Blade::of(c)).expect("distinct").0)
     }
 
-    /// The form with normal forms as coefficients, and their tower.
+    /// Returns the form with normal forms as coefficients, and their tower of extensions.
     pub(crate) fn normal(&self, form: &Form<Expr>) -> (Tower, Form<Fraction>) {
         let mut tower = Tower::new(Trigonometry::Circle);
         let values: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
@@ -52,7 +52,7 @@ impl Patch {
         (tower, Form::from_terms(form.degree(), terms))
     }
 
-    /// Σ (−1)ⁱ xᵢ/rⁿ dx₁∧…(without dxᵢ)…∧dxₙ
+    /// Returns Σ (−1)ⁱ xᵢ/rⁿ dx₁∧…(without dxᵢ)…∧dxₙ.
     pub(crate) fn solid_angle(&mut self) -> Form<Expr> {
         let n = self.symbols.len();
         let norm = self.norm(0);
@@ -67,7 +67,7 @@ impl Patch {
         Form::from_terms(n as u32 - 1, terms)
     }
 
-    /// Σ pᵢ/(1 + |x|²) dxᵢ with pᵢ of degree 4 with so many terms.
+    /// Returns Σ pᵢ/(1 + |x|²) dxᵢ with pᵢ of degree 4 with `terms_each` terms.
     pub(crate) fn random_one_form(&mut self, terms_each: usize) -> Form<Expr> {
         let mut random = Random::new(0);
         let below = self.norm(1);
@@ -89,7 +89,7 @@ impl Patch {
         Form::from_terms(1, terms)
     }
 
-    /// Σ aᵢⱼ dxᵢ∧dxⱼ with a symbol for each entry.
+    /// Returns Σ aᵢⱼ dxᵢ∧dxⱼ with a symbol for each entry.
     pub(crate) fn generic_two_form(&mut self) -> Form<Expr> {
         let n = self.coordinates.len() as u8;
         let mut terms = Vec::new();

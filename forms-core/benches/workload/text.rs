@@ -1,4 +1,4 @@
-//! Work from text to verdict: statements that hold, each read, resolved and decided.
+//! Workloads from text to verdict: statements that hold, each read, resolved and decided.
 
 use super::Work;
 use super::random::Random;
@@ -6,7 +6,7 @@ use forms_core::decide::decide;
 use forms_core::resolve::resolve;
 use forms_core::syntax::read;
 
-/// A text with one statement, which is to be proved.
+/// Returns the workload of proving the only statement of a text.
 fn proof(name: impl Into<String>, goal: &'static str, text: String) -> Work {
     Work::new(name, goal, move || {
         let (file, errors) = read(&text);
@@ -71,7 +71,7 @@ pub(crate) fn two_stars(n: usize, k: usize) -> Work {
     proof(format!("⋆⋆ of a {k}-form, random metric, n = {n}"), "", text)
 }
 
-/// The sets of k numbers below n.
+/// Returns the subsets of k numbers below n.
 fn subsets(n: usize, k: usize) -> Vec<Vec<usize>> {
     let masks = (0..1u32 << n).filter(|mask| mask.count_ones() as usize == k);
     masks.map(|mask| (0..n).filter(|i| mask >> i & 1 == 1).collect()).collect()
@@ -146,7 +146,7 @@ pub(crate) fn sphere_integral() -> Work {
     proof("∫β over the sphere", "", text.into())
 }
 
-/// What both statements about a triangle with its corners on the axes begin with.
+/// Common beginning of the statements about a triangle with its corners on the axes.
 const TRIANGLE: &str = "chart R3(x, y, z) where x > 0, y > 0, z > 0;\
     param a, b, c where a > 0, b > 0, c > 0;\
     metric g on R3 = dx**2 + dy**2 + dz**2;\
@@ -168,13 +168,13 @@ pub(crate) fn harmonicity() -> Work {
     proof("d⋆dΩ = 0, Ω the solid angle of a triangle", "50 ms", text)
 }
 
-/// The same by the Laplacian of one arc tangent, which divides by D.
+/// The same statement by the Laplacian of one arc tangent, which divides by D.
 pub(crate) fn harmonicity_of_arc_tangent() -> Work {
     let text = format!("{TRIANGLE} prove s: laplace[g](2*atan(N/D)) == 0;");
     proof("Δ(2 atan(N/D)) = 0 for the same triangle", "50 ms", text)
 }
 
-/// Its gradient is a sum over the edges (Biot–Savart).
+/// The gradient of this solid angle is a sum over the edges (Biot–Savart).
 pub(crate) fn triangle_gradient() -> Work {
     let text = format!(
         "{TRIANGLE} prove s: d(2*atan(N/D)) == eab*(b*z*dx + a*z*dy + (a*b - b*x - a*y)*dz)\

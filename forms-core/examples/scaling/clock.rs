@@ -1,20 +1,20 @@
-//! How long something takes: the processor time of this thread where the system tells it, so that other programs on the
-//! machine disturb little, and the time on the wall elsewhere.
+//! Time measurement: the processor time of this thread if the system reports it, so that other
+//! programs on the machine have little effect, and otherwise the wall-clock time.
 
 use std::time::{Duration, Instant};
 
-/// Batches of which the median is taken.
+/// Number of batches, of which the median is taken.
 const BATCHES: usize = 5;
-/// The least time of a batch: far above the resolution of the clock.
+/// Minimum duration of a batch, far above the resolution of the clock.
 const BATCH: Duration = Duration::from_millis(20);
 
-/// A clock, started.
+/// Running clock.
 enum Clock {
     Processor(Duration),
     Wall(Instant),
 }
 
-/// The time for which this thread has run. The system brings it up to date when the thread yields.
+/// Returns the run time of this thread. The system updates it when the thread yields.
 fn processor_time() -> Option<Duration> {
     std::thread::yield_now();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
@@ -34,7 +34,7 @@ impl Clock {
     }
 }
 
-/// The seconds of one run, the median over batches.
+/// Returns the seconds of one run, as the median over batches.
 pub(crate) fn seconds(run: &mut dyn FnMut()) -> f64 {
     run();
     let runs = runs_in_a_batch(run);

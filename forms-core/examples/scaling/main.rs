@@ -1,11 +1,11 @@
-//! The workloads timed: the table of `docs/benchmarks.md` and the two figures beside it.
+//! Timing of the workloads: the table of `docs/benchmarks.md` and its two figures.
 //!
 //! ```text
 //! workload ─ clock ─▶ seconds ─┬─ table ─▶ docs/benchmarks.md
 //!                              └─ plot  ─▶ docs/figures/*.svg
 //! ```
-//! `cargo run --release -p forms-core --example scaling [FILE]` writes them. FILE is what
-//! `benches/compare/product_by_flint.py` prints; without it the figures have no line for FLINT.
+//! `cargo run --release -p forms-core --example scaling [FILE]` writes them. FILE is the output of
+//! `benches/compare/product_by_flint.py`; without it the figures have no line for FLINT.
 
 #[path = "../../benches/page/mod.rs"]
 mod page;
@@ -24,7 +24,7 @@ use std::io;
 use std::path::PathBuf;
 use workload::{Work, built, text};
 
-/// The exponents of the products, as in the script for FLINT.
+/// Exponents of the products, as in the script for FLINT.
 const EXPONENTS: [u32; 10] = [1, 2, 3, 4, 6, 8, 10, 12, 15, 18];
 
 fn documents() -> PathBuf {
@@ -42,12 +42,12 @@ fn main() -> io::Result<()> {
     std::fs::write(path, written)
 }
 
-/// How the figures say what was measured where.
+/// Returns the caption of the figures: the processor and the measured quantity.
 fn caption() -> String {
     format!("{}, processor time of one thread, medians", processor())
 }
 
-/// The points of one line: a place on the axis and the work there.
+/// Times the points of one line; each has a place on the axis and a workload.
 fn timed(name: &str, works: impl IntoIterator<Item = (f64, Work)>) -> Series {
     let points = works.into_iter().map(|(x, mut work)| {
         let time = seconds(&mut work.run);
@@ -97,7 +97,7 @@ fn against_terms(flint: Option<&str>) -> io::Result<Plot> {
     })
 }
 
-/// The line `# version`, then lines `terms,seconds`.
+/// Parses the line `# version`, followed by lines `terms,seconds`.
 fn of_flint(text: &str) -> io::Result<Series> {
     let unreadable =
         || io::Error::new(io::ErrorKind::InvalidData, "FLINT’s figures are lines `terms,seconds`");

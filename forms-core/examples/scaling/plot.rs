@@ -1,16 +1,16 @@
-//! A plot: lines of measured times or memory over a logarithmic axis, as SVG text. It is read on light and on dark paper, and
-//! without colour: each line has marks of its own.
+//! Plot of measured times or memory over a logarithmic axis, as SVG text. It is readable on light
+//! and on dark backgrounds, and without colour: each line has its own marks.
 
 use std::fmt::Write;
 
 const SIZE: [f64; 2] = [720.0, 456.0];
-/// The frame: left, top, right and bottom.
+/// Edges of the frame: left, top, right and bottom.
 const FRAME: [f64; 4] = [76.0, 52.0, 700.0, 376.0];
-/// Where the first line of the legend stands, and how far apart they are.
+/// Position of the first line of the legend, and the distance between its lines.
 const LEGEND: [f64; 2] = [94.0, 72.0];
 const LEGEND_STEP: f64 = 21.0;
 const LEGEND_WIDTH: f64 = 592.0;
-/// More lines than this are named in two columns.
+/// Maximum number of lines in a legend with one column.
 const ONE_COLUMN: usize = 4;
 /// Half the width of a mark.
 const MARK: f64 = 4.0;
@@ -22,41 +22,41 @@ pub(crate) const STYLE: &str = "\
     @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
     .grid{stroke:#30343a}.frame{stroke:#6c7178}.s0{color:#ee8d70}.s1{color:#76b7e6}.s2{color:#96cb7f}.s3{color:#c6a2ea}}";
 
-/// How places are spread along the lower axis.
+/// Scale of the horizontal axis.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scale {
     Linear,
     Logarithmic,
 }
 
-/// What is measured.
+/// Measured quantity.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Measure {
     Seconds,
     Bytes,
 }
 
-/// One line: places and what was measured there.
+/// One line: places and the values measured there.
 pub(crate) struct Series {
     pub(crate) name: String,
     pub(crate) points: Vec<[f64; 2]>,
 }
 
-/// What is drawn.
+/// Contents of a plot.
 pub(crate) struct Plot {
     pub(crate) title: String,
     pub(crate) caption: String,
-    /// What the lower axis counts.
+    /// Label of the horizontal axis.
     pub(crate) across: String,
     pub(crate) scale: Scale,
     pub(crate) measure: Measure,
     pub(crate) series: Vec<Series>,
-    /// Whether lines belong together in twos: then two have one colour.
+    /// Whether lines come in pairs; the two lines of a pair have one colour.
     pub(crate) is_paired: bool,
 }
 
 impl Measure {
-    /// A power of ten of it.
+    /// Formats a power of ten with its unit.
     fn label(self, decade: i32) -> String {
         let (least, units) = match self {
             Self::Seconds => (-9, ["ns", "µs", "ms", "s"]),
@@ -67,7 +67,7 @@ impl Measure {
     }
 }
 
-/// The range of an axis and the paper it falls on.
+/// Range of an axis, and the interval of the drawing to which it is mapped.
 pub(crate) struct Axis {
     pub(crate) range: [f64; 2],
     pub(crate) paper: [f64; 2],
@@ -81,7 +81,7 @@ impl Axis {
 }
 
 impl Plot {
-    /// The whole file.
+    /// Returns the whole file.
     pub(crate) fn svg(&self) -> String {
         let [width, height] = SIZE;
         let (title, caption) = (escaped(&self.title), escaped(&self.caption));
@@ -107,18 +107,18 @@ impl Plot {
         svg + "</svg>\n"
     }
 
-    /// The colour and the mark of a line.
+    /// Returns the colour and the mark of a line.
     fn look(&self, number: usize) -> [usize; 2] {
         if self.is_paired { [number / 2, 2 * (number % 2)] } else { [number, number] }
     }
 
-    /// How many names stand below each other.
+    /// Returns the number of rows of the legend.
     fn legend_rows(&self) -> usize {
         let count = self.series.len();
         if count > ONE_COLUMN { count.div_ceil(2) } else { count }
     }
 
-    /// The names of the lines on paper of their own, which no rule crosses.
+    /// Draws the names of the lines on a background of their own, which no grid line crosses.
     fn legend(&self, svg: &mut String) {
         let [left, top] = LEGEND;
         let rows = self.legend_rows();
@@ -150,7 +150,7 @@ impl Plot {
         Axis { range: [least - margin, greatest + margin], paper: [FRAME[0], FRAME[2]] }
     }
 
-    /// Whole decades, with room for the legend above the lines.
+    /// Returns a vertical axis of whole decades, with room for the legend above the lines.
     fn up_axis(&self) -> Axis {
         let times = || self.series.iter().flat_map(|series| &series.points).map(|point| point[1].log10());
         let least = times().fold(f64::MAX, f64::min).floor();
@@ -178,7 +178,7 @@ impl Plot {
         text(svg, [(left + right) / 2.0, bottom + 38.0], "middle", "ink", &self.across);
     }
 
-    /// Every integer, or every decade.
+    /// Returns a tick for every integer, or for every decade.
     fn ticks(&self, across: &Axis) -> Vec<(f64, String)> {
         let [first, last] = [across.range[0].ceil() as i32, across.range[1].floor() as i32];
         let label = |tick: i32| match self.scale {
@@ -189,7 +189,7 @@ impl Plot {
     }
 }
 
-/// A line with a mark at each place.
+/// Draws a line with a mark at each place.
 pub(crate) fn line(svg: &mut String, [colour, mark]: [usize; 2], places: &[[f64; 2]]) {
     let points: Vec<String> = places.iter().map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
     put(
@@ -237,7 +237,7 @@ pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;")
 }
 
-/// `10 000`
+/// Formats a number with groups of thousands: `10 000`.
 fn thousands(number: u64) -> String {
     let digits = number.to_string();
     let mut grouped = String::new();

@@ -1,11 +1,11 @@
-//! The table of a page: a row for each workload.
+//! Table of a page, with a row for each workload.
 
 use super::clock::seconds;
 use super::page::processor;
 use super::workload::Work;
 use std::fmt::Write;
 
-/// The rows, each measured.
+/// Measures every workload and returns the rows.
 pub(crate) fn rows(works: Vec<Work>) -> String {
     let mut rows = format!("Processor: {}.\n\n| work | goal | measured |\n|---|---|---|\n", processor());
     for mut work in works {
@@ -18,7 +18,7 @@ pub(crate) fn rows(works: Vec<Work>) -> String {
     rows
 }
 
-/// Two figures or three, with a unit.
+/// Formats a time with two or three digits and a unit.
 fn shown(seconds: f64) -> String {
     let (value, unit) = match seconds {
         s if s < 1e-3 => (s * 1e6, "µs"),

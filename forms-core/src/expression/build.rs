@@ -1,4 +1,6 @@
-//! Building expressions: constants fold, neutral elements vanish, nothing else is rewritten.
+//! Construction of expressions: constants fold, neutral elements and opposite summands vanish,
+//! signs move out of products and quotients, integer powers of powers merge, and derivatives of
+//! integrals are lowered. No other rewriting is done.
 
 use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol};
 use super::operation::Operation;
@@ -6,16 +8,16 @@ use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
 
-/// Powers of numbers are folded up to this many bits of result; larger ones stay as written.
+/// Largest size in bits of a folded power of a number; larger powers stay as written.
 const FOLDED_POWER_BITS: u64 = 4096;
 
 impl Pool {
-    /// An exact number.
+    /// Builds an exact number.
     pub fn number(&mut self, value: Rational) -> Expr {
         self.intern(Node::Number(value))
     }
 
-    /// An integer.
+    /// Builds an integer.
     pub fn integer(&mut self, value: i64) -> Expr {
         if let Some(&known) = self.integers.get(&value) {
             return known;
@@ -35,12 +37,12 @@ impl Pool {
         self.intern(Node::Pi)
     }
 
-    /// A variable as an expression.
+    /// Returns a variable as an expression.
     pub fn symbol(&mut self, symbol: Symbol) -> Expr {
         self.intern(Node::Symbol(symbol))
     }
 
-    /// The value of an expression that is a number.
+    /// Returns the value of an expression that is a number literal.
     pub fn as_number(&self, expression: Expr) -> Option<&Rational> {
         match self.node(expression) {
             Node::Number(value) => Some(value),
@@ -48,7 +50,8 @@ impl Pool {
         }
     }
 
-    /// Whether it is the number 0 as built; a hidden zero is the prover's business.
+    /// Whether an expression is the literal number 0. Whether any other expression vanishes is
+    /// decided by the prover.
     pub fn is_zero(&self, expression: Expr) -> bool {
         self.as_number(expression).is_some_and(Zero::is_zero)
     }
@@ -75,7 +78,7 @@ impl Pool {
         self.intern(Node::Add(a, b))
     }
 
-    /// a − b, kept as a + (−b)
+    /// a − b, represented as a + (−b)
     pub fn subtract(&mut self, a: Expr, b: Expr) -> Expr {
         let negated = self.negate(b);
         self.add(a, negated)
@@ -152,7 +155,7 @@ impl Pool {
         }
     }
 
-    /// aʳ. An outer integer power joins the inner one: (aʳ)ⁿ = a^(rn) wherever aʳ is real.
+    /// aʳ. An outer integer power merges with the inner one: (aʳ)ⁿ = a^(rn) wherever aʳ is real.
     pub fn power(&mut self, a: Expr, exponent: Ratio<i64>) -> Expr {
         if exponent.is_zero() {
             return self.integer(1);
@@ -181,15 +184,16 @@ impl Pool {
         self.power(a, Ratio::new(1, 2))
     }
 
-    /// A function of the op table at its arguments.
+    /// Applies a function of the operation table to its arguments.
     pub fn apply(&mut self, operation: Operation, arguments: &[Expr]) -> Expr {
         debug_assert_eq!(arguments.len(), operation.arity());
         self.intern(Node::Apply(operation, arguments.into()))
     }
 
-    /// A partial derivative of an unknown function at the given arguments; all orders zero is its value.
-    /// A derivative of a primitive by an upper end is what it integrates there, and a primitive from 0 to 0 is 0. Derivatives
-    /// of a quadrature are written out.
+    /// Builds a partial derivative of an unknown function at the given arguments, or the function's
+    /// value if all orders are zero. The derivative of a primitive with respect to an upper limit
+    /// is its integrand there, and a primitive from 0 to 0 is 0. Derivatives of a quadrature are
+    /// expanded.
     pub fn jet(&mut self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Expr {
         if let Some(lowered) = self.lowered(function, orders, arguments) {
             return lowered;
@@ -209,7 +213,7 @@ impl Pool {
         self.intern(Node::Jet { function, orders: orders.into(), arguments: arguments.into() })
     }
 
-    /// `then` where the relation holds, else `otherwise`.
+    /// Builds `then` where the relation holds, else `otherwise`.
     pub fn select(
         &mut self,
         (left, relation, right): (Expr, Relation, Expr),

@@ -1,4 +1,5 @@
-//! Relations between expressions: what a `where` says, and where an expression is defined.
+//! Relations between expressions: `where` conditions, and conditions under which an expression is
+//! defined.
 
 use super::node::{Expr, Pool};
 use super::substitution::Substitution;
@@ -16,18 +17,18 @@ pub struct Condition {
 }
 
 impl Condition {
-    /// The condition in the language's own notation.
+    /// Returns the condition in the language's own notation.
     pub fn text(&self, pool: &Pool) -> String {
         format!("{} {} {}", pool.text(self.left), self.relation.text(), pool.text(self.right))
     }
 
-    /// Whether it holds, where both sides are numbers.
+    /// Decides the condition if both sides are numbers.
     pub fn decided(&self, pool: &Pool) -> Option<bool> {
         let (left, right) = (pool.as_number(self.left)?, pool.as_number(self.right)?);
         Some(self.relation.admits(left.cmp(right)))
     }
 
-    /// The condition with every variable replaced at once.
+    /// Replaces every variable of the condition simultaneously.
     #[must_use]
     pub fn substitute(&self, pool: &mut Pool, values: &Substitution) -> Self {
         let sides = pool.substitute_all(&[self.left, self.right], values);

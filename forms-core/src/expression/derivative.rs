@@ -1,11 +1,13 @@
-//! Partial derivatives of structured expressions: the chain rule along the graph, each node once.
+//! Partial derivatives of structured expressions: the chain rule over the expression graph, each
+//! node differentiated once.
 
 use super::node::{Expr, Node, Origin, Pool, Symbol};
 use num_rational::Ratio;
 
 impl Pool {
-    /// ∂e/∂x. Derivatives are remembered, so a shared subexpression is differentiated once; ∂(−e)/∂x is −∂e/∂x, so that
-    /// it is known as a derivative of e whatever sign it is given afterwards.
+    /// Returns ∂e/∂x. Derivatives are cached, so a shared subexpression is differentiated once.
+    /// ∂(−e)/∂x is −∂e/∂x, so the result is recognised as a derivative of e whatever sign it is
+    /// given afterwards.
     pub fn derivative(&mut self, expression: Expr, by: Symbol) -> Expr {
         if let Node::Negate(of) = *self.node(expression) {
             let derivative = self.derivative(of, by);
@@ -31,7 +33,8 @@ impl Pool {
         derivative
     }
 
-    /// Remembers what was differentiated, where that came first.
+    /// Records the differentiated expression as the origin of its derivative, if it precedes the
+    /// derivative in the pool.
     fn note_origin(&mut self, derivative: Expr, of: Expr, by: Symbol) {
         let trivial = matches!(self.node(derivative), Node::Number(_) | Node::Symbol(_) | Node::Pi);
         if trivial || of >= derivative || self.origins.contains_key(&derivative) {
@@ -43,12 +46,13 @@ impl Pool {
         self.least_derivative = Some(self.least_derivative.map_or(derivative, |least| least.min(derivative)));
     }
 
-    /// What an expression is a derivative of, if it came as one.
+    /// Returns the expression and the variable that an expression was differentiated from, if it
+    /// arose as a derivative.
     pub(crate) fn origin(&self, expression: Expr) -> Option<Origin> {
         self.origins.get(&expression).copied()
     }
 
-    /// The parts of an expression that may depend on a variable, operands before results.
+    /// Returns the subexpressions that may depend on a variable, operands before results.
     fn parts_with(&self, expression: Expr, by: Symbol) -> Vec<Expr> {
         let mut wanted = vec![false; expression.0 as usize + 1];
         wanted[expression.0 as usize] = true;
@@ -65,7 +69,7 @@ impl Pool {
         parts
     }
 
-    /// The derivative of one node, where those of its operands that depend on the variable are known.
+    /// Differentiates one node, given the derivatives of its operands that depend on the variable.
     fn derivative_of_node(&mut self, expression: Expr, by: Symbol) -> Expr {
         let node = self.node(expression).clone();
         let zero = self.integer(0);

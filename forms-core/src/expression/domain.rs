@@ -1,4 +1,5 @@
-//! Where an expression is real: one condition for each operation that is not defined everywhere.
+//! Domain on which an expression is real: one condition for each operation that is not defined
+//! everywhere.
 
 use super::condition::Condition;
 use super::node::{Expr, Node, Pool};
@@ -13,7 +14,8 @@ impl Pool {
         self.against_zero(divisor, Relation::NotEqual)
     }
 
-    /// qʳ is real for q ≠ 0 where r is a negative integer, and for q > 0 or q ≥ 0 where r is a fraction.
+    /// qʳ is real for q ≠ 0 where r is a negative integer, and for q > 0 or q ≥ 0 where r is a
+    /// fraction.
     pub(crate) fn power_domain(&mut self, base: Expr, exponent: Ratio<i64>) -> Option<Condition> {
         match (exponent.is_integer(), exponent.is_negative()) {
             (true, true) => self.against_zero(base, Relation::NotEqual),
@@ -23,9 +25,9 @@ impl Pool {
         }
     }
 
-    /// Where a function is real: log q and E₁(q) for q > 0, E₂(q) and E₃(q) for q ≥ 0, log1p q for 1 + q > 0, Li₂(q)
-    /// for 1 − q ≥ 0, tan q for cos q ≠ 0, asin q and acos q for 1 − q² ≥ 0, atan2(y, x) off its cut, where
-    /// √(x² + y²) + x > 0.
+    /// Returns the condition under which a function is real: log q and E₁(q) for q > 0, E₂(q) and
+    /// E₃(q) for q ≥ 0, log1p q for 1 + q > 0, Li₂(q) for 1 − q ≥ 0, tan q for cos q ≠ 0, asin q
+    /// and acos q for 1 − q² ≥ 0, atan2(y, x) off its branch cut, where √(x² + y²) + x > 0.
     pub(crate) fn operation_domain(&mut self, operation: Operation, q: &[Expr]) -> Option<Condition> {
         match operation {
             Operation::Log | Operation::Expint1 => self.against_zero(q[0], Relation::Greater),
@@ -71,7 +73,8 @@ impl Pool {
         }
     }
 
-    /// Where every operation that the expressions are computed by is defined. Both branches of an `if` count.
+    /// Returns the conditions under which every operation in the expressions is defined, in both
+    /// branches of every `if`.
     pub(crate) fn domain(&mut self, expressions: &[Expr]) -> Vec<Condition> {
         let mut conditions: Vec<Condition> = Vec::new();
         for expression in self.reachable(expressions) {
@@ -90,7 +93,7 @@ impl Pool {
         conditions
     }
 
-    /// `left relation 0`, unless that is a relation of numbers and holds.
+    /// Returns the condition `left relation 0`, unless `left` is a number that satisfies it.
     fn against_zero(&mut self, left: Expr, relation: Relation) -> Option<Condition> {
         if self.as_number(left).is_some_and(|value| relation.admits(value.cmp(&Zero::zero()))) {
             return None;

@@ -1,11 +1,12 @@
-//! Expressions of one pool in another.
+//! Import of expressions from another pool.
 
 use super::node::{Expr, Node, Pool, Symbol};
 use rustc_hash::FxHashMap;
 
 impl Pool {
-    /// Expressions of another pool as expressions of this one, with these in the place of the other's variables;
-    /// nothing where a variable is left or an unknown function occurs.
+    /// Copies expressions of another pool into this one, with the given expressions substituted for
+    /// the other pool's variables. `None` if a variable has no replacement or an unknown function
+    /// occurs.
     pub(crate) fn import(
         &mut self,
         other: &Pool,

@@ -1,7 +1,8 @@
-//! Kernels of primitives: a product taken apart into jets and the rest, its variables and jets put in one order.
+//! Kernels of primitives: splits a product into jets and a remaining factor, and puts its variables
+//! and jets into a canonical order.
 //!
 //! ```text
-//! product ─ gather ─▶ jets at variables and parameters · the rest ─ the first of all orders of the variables ─▶ primitive
+//! product ─ gather ─▶ jets at variables and parameters · remaining factor ─ least order of the variables ─▶ primitive
 //! ```
 
 use super::node::{Expr, FunctionId, Node, Pool, Rational, Symbol};
@@ -10,36 +11,41 @@ use super::substitution::Substitution;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// Higher powers stay as they are written.
+/// Powers with at least this absolute exponent stay as they are written.
 const HIGHEST_POWER: i64 = 64;
 
-/// More variables than these are kept in the order in which they were integrated over.
+/// Largest number of integration variables that are reordered; more are kept in the order of
+/// integration.
 const MOST_REORDERED: usize = 4;
 
-/// A product of sums with more summands is integrated as it is.
+/// Largest number of summands that a product of sums is expanded into; a larger product is
+/// integrated as it is.
 const MOST_SUMMANDS: usize = 64;
 
-/// A jet of a kernel that is being put together: its arguments with the orders by them.
+/// Jet of a kernel under construction: its arguments, each with its order of differentiation.
 struct Jet {
     function: FunctionId,
     arguments: Vec<(Expr, u32)>,
 }
 
-/// A kernel that is being put together: the variables that are integrated over with their upper ends.
+/// Kernel under construction, with its integration variables and their upper limits.
 struct Kernel {
     jets: Vec<Jet>,
     elementary: Expr,
     integrated: Vec<(Symbol, Expr)>,
 }
 
-/// A jet with its variables numbered: what it is, then its parameters with the orders by them.
+/// Jet with its integration variables numbered: the factor, then its parameters with their orders
+/// of differentiation.
 type Numbered = (Factor, Vec<(Expr, u32)>);
 
-/// A kernel with its variables numbered: jets, the rest with its parameters, the upper ends.
+/// Kernel with its integration variables numbered: jets, the remaining factor and its parameters,
+/// the upper limits.
 type Candidate = (Vec<Numbered>, Expr, Vec<Symbol>, Vec<Expr>);
 
 impl Pool {
-    /// The primitive of a product over some variables up to their ends: ∫ Σ cᵢ pᵢ = Σ cᵢ ∫ pᵢ with numbers cᵢ.
+    /// Integrates a product over some variables up to their upper limits: ∫ Σ cᵢ pᵢ = Σ cᵢ ∫ pᵢ
+    /// with numbers cᵢ.
     pub(super) fn primitive_over(&mut self, product: Expr, integrated: Vec<(Symbol, Expr)>) -> Expr {
         let (mut sum, one) = (self.integer(0), self.integer(1));
         for summand in self.distributed(product) {
@@ -53,7 +59,7 @@ impl Pool {
         sum
     }
 
-    /// What a product of sums is the sum of, unless that is too much.
+    /// Expands a product of sums into its summands, unless there are more than `MOST_SUMMANDS`.
     fn distributed(&mut self, product: Expr) -> Vec<Expr> {
         let mut found = Vec::new();
         for (part, negative) in self.summands(product) {
@@ -71,7 +77,7 @@ impl Pool {
         if found.len() > MOST_SUMMANDS { vec![product] } else { found }
     }
 
-    /// The number that a product is a multiple of, and the rest.
+    /// Returns the numeric coefficient of a product, and the remaining factor.
     pub(super) fn content(&mut self, product: Expr) -> (Rational, Expr) {
         match self.node(product).clone() {
             Node::Number(value) => (value, self.integer(1)),
@@ -94,7 +100,8 @@ impl Pool {
         }
     }
 
-    /// Takes the factors of a product apart: jets at places that are a variable or free of all of them, and the rest.
+    /// Splits a product into jets and a remaining factor. Each argument of these jets is a variable
+    /// or contains none of the integration variables.
     fn gather(&mut self, kernel: &mut Kernel, product: Expr) {
         match self.node(product).clone() {
             Node::Multiply(a, b) => {
@@ -149,7 +156,8 @@ impl Pool {
         kernel.jets.push(Jet { function, arguments });
     }
 
-    /// ∫ g Φ = ∫∫ g φ: the variables of a primitive join those of the kernel it is a factor of.
+    /// Merges a primitive into the kernel that it is a factor of, ∫ g Φ = ∫∫ g φ: its integration
+    /// variables join those of the kernel.
     fn gather_primitive(
         &mut self,
         kernel: &mut Kernel,
@@ -172,7 +180,7 @@ impl Pool {
         self.gather(kernel, product);
     }
 
-    /// The primitive in the order of variables and jets that comes first, at its places.
+    /// Returns the primitive for the least order of variables and jets, at its arguments.
     fn completed(&mut self, kernel: Kernel) -> Expr {
         let count = kernel.integrated.len();
         let mut best: Option<Candidate> = None;
@@ -199,7 +207,8 @@ impl Pool {
         self.jet(function, &orders, &arguments)
     }
 
-    /// A product with its factors in the order of the pool, equal ones as powers.
+    /// Returns a product with its factors in the order of the pool and equal factors merged into
+    /// powers.
     pub(super) fn with_factors_in_order(&mut self, product: Expr) -> Expr {
         let mut exponents: BTreeMap<Expr, i64> = BTreeMap::new();
         let mut open = vec![(product, 1)];
@@ -221,7 +230,7 @@ impl Pool {
         ordered
     }
 
-    /// The kernel with its variables numbered in some order, jets sorted.
+    /// Numbers the integration variables of a kernel in the given order and sorts its jets.
     fn numbered(&mut self, kernel: &Kernel, order: &[usize]) -> Candidate {
         let number_of = |pool: &Pool, argument: Expr| match pool.node(argument) {
             Node::Symbol(symbol) => order.iter().position(|&place| kernel.integrated[place].0 == *symbol),
@@ -263,7 +272,8 @@ impl Pool {
     }
 }
 
-/// Whether a kernel comes before another: by its jets, then the rest, then where it is taken.
+/// Whether a kernel precedes another: by its jets, then its remaining factor, then the arguments it
+/// is evaluated at.
 fn precedes(a: &Candidate, b: &Candidate) -> bool {
     let shape = |candidate: &Candidate| -> Vec<Factor> {
         candidate.0.iter().map(|(factor, _)| factor.clone()).collect()
@@ -274,7 +284,7 @@ fn precedes(a: &Candidate, b: &Candidate) -> bool {
     (shape(a), a.1, &a.3, places(a)) < (shape(b), b.1, &b.3, places(b))
 }
 
-/// All orders of so many variables, if they are not too many.
+/// Returns all permutations of `count` variables, or only the identity above `MOST_REORDERED`.
 fn orders_of(count: usize) -> Vec<Vec<usize>> {
     if count > MOST_REORDERED {
         return vec![(0..count).collect()];

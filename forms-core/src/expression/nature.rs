@@ -1,22 +1,23 @@
-//! Signs that are seen from how an expression is written: squares, roots, exponentials, sums and products of them.
+//! Signs that are evident from the form of an expression: squares, roots, exponentials, and sums
+//! and products of these.
 
 use super::node::{Expr, Node, Pool};
 use super::operation::Operation;
 use num_traits::{Signed, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// What is seen of a sign wherever the expression is defined.
+/// Evident sign of an expression, valid wherever the expression is defined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Nature {
-    /// Nothing.
+    /// Unknown.
     Open,
-    /// It is not negative.
+    /// Non-negative.
     NotNegative,
-    /// It is positive.
+    /// Positive.
     Positive,
 }
 
-/// What is seen of the sign of a function's values.
+/// Returns the sign that all values of a function share, if it is evident.
 fn nature_of_function(operation: Operation) -> Nature {
     match operation {
         Operation::Exp | Operation::Cosh => Nature::Positive,
@@ -27,7 +28,7 @@ fn nature_of_function(operation: Operation) -> Nature {
 }
 
 impl Pool {
-    /// What is seen of the sign of an expression.
+    /// Returns the sign that is evident from the form of an expression.
     pub(crate) fn nature(&self, expression: Expr) -> Nature {
         let mut signs: FxHashMap<Expr, Nature> = FxHashMap::default();
         for part in self.reachable(&[expression]) {
@@ -49,12 +50,13 @@ impl Pool {
         signs[&expression]
     }
 
-    /// The factors of a product as it is written, without powers, quotients and signs: it is zero where one is.
+    /// Returns the factors of a product as written, without powers, divisors and signs: the product
+    /// is zero where any factor is zero.
     pub(crate) fn factors_that_may_vanish(&self, expression: Expr) -> Vec<Expr> {
         let (mut found, mut rest) = (Vec::new(), vec![expression]);
         let mut seen = FxHashSet::default();
         while let Some(part) = rest.pop() {
-            // a square of a square of … has few parts and many factors
+            // repeated squaring gives few subexpressions but many factors
             if !seen.insert(part) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Nodes, the pool that owns them, and the symbols and unknown functions they speak of.
+//! Nodes, the pool that owns them, and the symbols and unknown functions that they refer to.
 
 use super::operation::Operation;
 use super::primitive::Primitives;
@@ -20,7 +20,7 @@ pub struct Expr(pub(crate) u32);
 pub struct Symbol(pub(crate) u32);
 
 impl Symbol {
-    /// Its bit among those of the variables that an expression holds.
+    /// Returns the bit of this variable in the set of variables that an expression contains.
     fn bit(self) -> u64 {
         1 << (self.0 % u64::BITS)
     }
@@ -30,7 +30,7 @@ impl Symbol {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct FunctionId(pub(crate) u32);
 
-/// What a real variable stands for.
+/// Role of a real variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SymbolKind {
     /// A coordinate of one or more charts.
@@ -41,7 +41,7 @@ pub enum SymbolKind {
     Local,
 }
 
-/// What an unknown function is called and what it depends on.
+/// Name and arguments of an unknown function.
 #[derive(Clone, Debug)]
 pub struct Unknown {
     /// Its name.
@@ -50,12 +50,12 @@ pub struct Unknown {
     pub arguments: Vec<Symbol>,
 }
 
-/// What the author of a piecewise expression says of the boundary between its pieces.
+/// The author's statement about the boundary between the pieces of a piecewise expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Seam {
     /// The pieces agree there.
     Agrees,
-    /// They may differ: `if jump`.
+    /// The pieces can differ there: `if jump`.
     Jumps,
 }
 
@@ -76,17 +76,17 @@ pub enum Node {
     Multiply(Expr, Expr),
     /// a / b
     Divide(Expr, Expr),
-    /// aʳ with r rational; the real, non-negative branch where r is a fraction
+    /// aʳ with r rational; the real, non-negative branch if r is a fraction
     Power(Expr, num_rational::Ratio<i64>),
-    /// A function of the op table.
+    /// A function of the operation table.
     Apply(Operation, Box<[Expr]>),
-    /// A partial derivative of an unknown function, or with no order above zero its value.
+    /// A partial derivative of an unknown function, or its value if no order is above zero.
     Jet {
         /// The function.
         function: FunctionId,
-        /// How often it is differentiated by each of its arguments.
+        /// Order of differentiation in each argument.
         orders: Box<[u32]>,
-        /// Where it is taken.
+        /// Arguments at which it is evaluated.
         arguments: Box<[Expr]>,
     },
     /// One of two values, chosen by a relation.
@@ -97,16 +97,17 @@ pub enum Node {
         relation: Relation,
         /// The relation's right side.
         right: Expr,
-        /// The value where it holds.
+        /// The value where the relation holds.
         then: Expr,
-        /// The value where it does not.
+        /// The value where the relation fails.
         otherwise: Expr,
-        /// Whether the two are to agree where the relation changes.
+        /// Whether the two values have to agree on the boundary of the relation.
         seam: Seam,
     },
 }
 
-/// Numbers and exponents are in lowest terms, so their parts are hashed as they are: `Ratio` would divide.
+/// Numbers and exponents are in lowest terms, so numerator and denominator are hashed directly: the
+/// `Hash` of `Ratio` would divide.
 impl Hash for Node {
     fn hash<H: Hasher>(&self, state: &mut H) {
         std::mem::discriminant(self).hash(state);
@@ -127,14 +128,14 @@ impl Hash for Node {
 }
 
 impl Node {
-    /// The expressions it is computed from.
+    /// Returns the expressions that the node is computed from.
     pub fn operands(&self) -> Vec<Expr> {
         let mut operands = Vec::new();
         self.for_each_operand(|operand| operands.push(operand));
         operands
     }
 
-    /// Visits the expressions it is computed from.
+    /// Visits the expressions that the node is computed from.
     pub fn for_each_operand(&self, mut visit: impl FnMut(Expr)) {
         match self {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => {}
@@ -153,14 +154,14 @@ impl Node {
     }
 }
 
-/// What an expression is a derivative of.
+/// Origin of a derivative: the expression that was differentiated, and the variable.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Origin {
     /// f of ∂f/∂x
     pub(crate) of: Expr,
     /// x of ∂f/∂x
     pub(crate) by: Symbol,
-    /// Whether f holds derivatives itself.
+    /// Whether f itself contains derivatives.
     pub(crate) repeated: bool,
 }
 
@@ -168,25 +169,26 @@ pub(crate) struct Origin {
 #[derive(Clone, Debug)]
 pub struct Pool {
     nodes: Vec<Node>,
-    /// For each node the variables it holds: bit k stands for those whose numbers are k modulo 64.
+    /// For each node, the bit set of its variables: bit k stands for the variables whose numbers
+    /// are k modulo 64.
     mentioned: Vec<u64>,
     index: FxHashMap<Node, Expr>,
     symbols: Vec<(String, SymbolKind)>,
     functions: Vec<Unknown>,
     pub(super) derivatives: FxHashMap<(Expr, Symbol), Expr>,
-    /// What was differentiated to give an expression.
+    /// Origins of the expressions that arose as derivatives.
     pub(super) origins: FxHashMap<Expr, Origin>,
-    /// The least expression that came as a derivative.
+    /// The least expression that arose as a derivative.
     pub(super) least_derivative: Option<Expr>,
-    /// The numbers that building has asked for by their integer values.
+    /// Cache of the integers built so far, by value.
     pub(super) integers: FxHashMap<i64, Expr>,
-    /// The unknown functions that stand for integrals.
+    /// Unknown functions that represent integrals.
     pub(super) primitives: Primitives,
-    /// The functions that stand for integrals which are computed numerically.
+    /// Functions that represent integrals to be computed numerically.
     pub(super) quadratures: Quadratures,
 }
 
-/// Room for the nodes of a short statement, so that its tables need not grow.
+/// Initial capacity: the nodes of a short statement fit without growth of the tables.
 const FIRST_NODES: usize = 256;
 
 impl Default for Pool {
@@ -208,22 +210,22 @@ impl Default for Pool {
 }
 
 impl Pool {
-    /// An empty pool.
+    /// Creates an empty pool.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Whether there is no node yet.
+    /// Whether the pool has no nodes yet.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// The node of an expression.
+    /// Returns the node of an expression.
     pub fn node(&self, expression: Expr) -> &Node {
         &self.nodes[expression.0 as usize]
     }
@@ -243,39 +245,39 @@ impl Pool {
         }
     }
 
-    /// Whether a variable may occur in an expression; no is certain.
+    /// Whether a variable may occur in an expression; `false` is certain.
     pub(super) fn may_mention(&self, expression: Expr, symbol: Symbol) -> bool {
         self.mentioned[expression.0 as usize] & symbol.bit() != 0
     }
 
-    /// A new variable; the same name twice gives two variables.
+    /// Declares a new variable; declaring the same name twice gives two variables.
     pub fn declare_symbol(&mut self, name: impl Into<String>, kind: SymbolKind) -> Symbol {
         self.symbols.push((name.into(), kind));
         Symbol(self.symbols.len() as u32 - 1)
     }
 
-    /// The name a variable was declared with.
+    /// Returns the name that a variable was declared with.
     pub fn symbol_name(&self, symbol: Symbol) -> &str {
         &self.symbols[symbol.0 as usize].0
     }
 
-    /// What a variable stands for.
+    /// Returns the role of a variable.
     pub fn symbol_kind(&self, symbol: Symbol) -> SymbolKind {
         self.symbols[symbol.0 as usize].1
     }
 
-    /// A new unknown function of these variables.
+    /// Declares a new unknown function of these variables.
     pub fn declare_function(&mut self, name: impl Into<String>, arguments: Vec<Symbol>) -> FunctionId {
         self.functions.push(Unknown { name: name.into(), arguments });
         FunctionId(self.functions.len() as u32 - 1)
     }
 
-    /// The name and the declared arguments of an unknown function.
+    /// Returns the name and the declared arguments of an unknown function.
     pub fn function(&self, function: FunctionId) -> &Unknown {
         &self.functions[function.0 as usize]
     }
 
-    /// The summands of a sum in order, and whether each is taken away.
+    /// Returns the summands of a sum in order, each with whether it is subtracted.
     pub(crate) fn summands(&self, sum: Expr) -> Vec<(Expr, bool)> {
         let (mut summands, mut pending) = (Vec::new(), vec![(sum, false)]);
         while let Some((part, negative)) = pending.pop() {
@@ -288,7 +290,8 @@ impl Pool {
         summands
     }
 
-    /// Every node these expressions are computed from, themselves included, operands before results.
+    /// Returns every node that these expressions are computed from, including themselves, operands
+    /// before results.
     pub fn reachable(&self, roots: &[Expr]) -> Vec<Expr> {
         let Some(last) = roots.iter().max() else { return Vec::new() };
         let mut seen = vec![false; last.0 as usize + 1];
@@ -304,7 +307,7 @@ impl Pool {
         order
     }
 
-    /// The variables these expressions contain, in the order of their declaration.
+    /// Returns the variables that these expressions contain, in the order of their declaration.
     pub fn symbols_in(&self, roots: &[Expr]) -> Vec<Symbol> {
         let mut found: Vec<Symbol> = self
             .reachable(roots)

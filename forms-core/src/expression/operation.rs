@@ -1,39 +1,41 @@
-//! The op table: every real function of the language, one row each.
+//! The operation table: every real function of the language, one row each.
 //!
-//! A row gives the function's name, its arguments, its partial derivatives, its meaning in any precision, how each
-//! target spells it and what it costs beside an addition. Whoever needs one of these asks the table.
+//! A row holds the function's name, its arguments, its partial derivatives, its evaluation in any
+//! precision, its spelling in each target and its cost relative to an addition. Code that needs
+//! one of these reads it from the table.
 
 use super::node::{Expr, Pool};
 use forms_math::Real;
 use num_rational::Ratio;
 
-/// The partial derivatives with respect to each argument, as expressions of the arguments.
+/// Partial derivatives with respect to each argument, as expressions of the arguments.
 type Partials = fn(&mut Pool, &[Expr]) -> Vec<Expr>;
 
-/// What each target calls a function; nothing where the target has none.
+/// Name of a function in each target; `None` where the target lacks the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Spelling {
-    /// The method of `f64` in the standard library of Rust.
+    /// Method of `f64` in the standard library of Rust.
     pub rust: Option<&'static str>,
-    /// The function of `double` in the `math.h` of C; that of `float` has an `f` behind it.
+    /// Function for `double` in the `math.h` of C; the function for `float` has the suffix `f`.
     pub c: Option<&'static str>,
     /// The builtin function of WGSL.
     pub wgsl: Option<&'static str>,
-    /// The function of `double` in CUDA; that of `float` has an `f` behind it.
+    /// Function for `double` in CUDA; the function for `float` has the suffix `f`.
     pub cuda: Option<&'static str>,
 }
 
-/// A function that every target has by this name.
+/// Returns the spelling of a function that every target has under this name.
 const fn everywhere(name: &'static str) -> Spelling {
     Spelling { rust: Some(name), c: Some(name), wgsl: Some(name), cuda: Some(name) }
 }
 
-/// A function that only C and CUDA have, and Rust by that method, if any.
+/// Returns the spelling of a function that only C and CUDA have, and Rust as the given method, if
+/// any.
 const fn of_math_h(name: &'static str, rust: Option<&'static str>) -> Spelling {
     Spelling { rust, c: Some(name), wgsl: None, cuda: Some(name) }
 }
 
-/// A function that no target has.
+/// Spelling of a function that no target has.
 const NOWHERE: Spelling = Spelling { rust: None, c: None, wgsl: None, cuda: None };
 
 /// One row of the table.
@@ -42,7 +44,7 @@ pub struct Row {
     pub operation: Operation,
     /// The name in the language.
     pub name: &'static str,
-    /// How many arguments it takes.
+    /// Number of arguments.
     pub arity: usize,
     /// Its partial derivatives.
     pub partials: Partials,
@@ -56,9 +58,9 @@ pub struct Row {
     pub cost: u32,
 }
 
-/// The enumeration, the table and the meaning of each function from one list. A line reads: documentation, operation,
-/// name in the language (and of the function below that gives the partial derivatives), arguments, method of [`Real`],
-/// spelling in the targets, LaTeX, cost.
+/// Generates the enumeration, the table and the evaluation of each function from one list. A line
+/// reads: documentation, operation, name in the language (and of the function below that gives the
+/// partial derivatives), arguments, method of [`Real`], spelling in the targets, LaTeX, cost.
 macro_rules! operations {
     ($(
         $(#[$docs:meta])*
@@ -83,7 +85,7 @@ macro_rules! operations {
         },)*];
 
         impl Operation {
-            /// Its value in any precision; NaN where the number of arguments is wrong.
+            /// Evaluates the function in any precision; NaN if the number of arguments is wrong.
             pub fn apply<T: Real>(self, arguments: &[T]) -> T {
                 match (self, arguments) {
                     $((Operation::$operation, &[$first $(, $rest)*]) => T::$real($first $(, $rest)*),)*
@@ -111,11 +113,11 @@ operations! {
     Atan2 = atan2(y, x) by atan2, everywhere("atan2"), "\\operatorname{atan2}", 30;
     /// exponential
     Exp = exp(q) by exp, everywhere("exp"), "\\exp", 15;
-    /// eᵠ − 1, exact to the last places near 0
+    /// eᵠ − 1, accurate to the last places near 0
     Expm1 = expm1(q) by exp_m1, of_math_h("expm1", Some("exp_m1")), "\\operatorname{expm1}", 20;
     /// natural logarithm
     Log = log(q) by ln, Spelling { rust: Some("ln"), ..everywhere("log") }, "\\ln", 15;
-    /// log(1 + q), exact to the last places near 0
+    /// log(1 + q), accurate to the last places near 0
     Log1p = log1p(q) by ln_1p, of_math_h("log1p", Some("ln_1p")), "\\operatorname{log1p}", 20;
     /// hyperbolic sine
     Sinh = sinh(q) by sinh, everywhere("sinh"), "\\sinh", 25;
@@ -140,17 +142,17 @@ operations! {
 }
 
 impl Operation {
-    /// The operation's row.
+    /// Returns the operation's row in the table.
     pub fn row(self) -> &'static Row {
         &TABLE[self as usize]
     }
 
-    /// How many arguments it takes.
+    /// Returns the number of arguments.
     pub fn arity(self) -> usize {
         self.row().arity
     }
 
-    /// The operation of that name.
+    /// Returns the operation with this name.
     pub fn named(name: &str) -> Option<Operation> {
         TABLE.iter().find(|row| row.name == name).map(|row| row.operation)
     }

@@ -1,41 +1,46 @@
-//! Primitives: integrals of products of unknown functions, as unknown functions of their upper ends.
+//! Primitives: integrals of products of unknown functions, represented as unknown functions of
+//! their upper limits.
 //!
 //! ```text
 //! Φ(b₁ … bₘ; q₁ … qₖ) = ∫₀^b₁ … ∫₀^bₘ f₁(…) f₂(…) … e ds₁ … dsₘ      each argument of an fᵢ is one sⱼ or one qⱼ
 //! ```
-//! A kernel f₁f₂…e is a product of jets and of one expression e without them. Every argument of a jet that is not
-//! integrated over is a parameter of its own, whatever stands there, so that Φ is known again at other places, its
-//! derivative by a parameter is the derivative of one jet and is written as an order of Φ, and integrals in another
-//! order are the same function. ∂Φ/∂bⱼ is the primitive without sⱼ: no order of Φ at an upper end is above zero.
+//! A kernel f₁f₂…e is a product of jets and one remaining factor e: elementary expressions, and
+//! jets at arguments that are composed of integration variables. Every argument of a jet that is
+//! not an integration variable becomes a parameter of its own, whatever expression it is. Φ is
+//! therefore recognised at other arguments, its derivative with respect to a parameter is the
+//! derivative of one jet and is written as an order of Φ, and integrals taken in another order are
+//! the same function. ∂Φ/∂bⱼ is the primitive without sⱼ: no order of Φ in an upper limit is above
+//! zero.
 //!
-//! The lower end 0 stands for any place where 0 is none: definite integrals are differences, and what a kernel is away from
-//! their ranges does not matter to them.
+//! The lower limit 0 stands for an arbitrary point where 0 is outside the kernel's domain: definite
+//! integrals are differences and do not depend on the kernel outside their ranges.
 
 use super::node::{Expr, FunctionId, Node, Pool, Symbol, SymbolKind};
 use super::substitution::Substitution;
 use rustc_hash::FxHashMap;
 
-/// An argument of a jet in a kernel.
+/// Argument of a jet in a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Place {
-    /// The variable of that number, and how often the jet is differentiated by this argument.
+    /// The integration variable with this number, and the order of differentiation of the jet in
+    /// this argument.
     Integrated(usize, u32),
     /// The next parameter.
     Parameter,
 }
 
-/// A jet of a kernel.
+/// Jet of a kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct Factor {
     pub(super) function: FunctionId,
     pub(super) places: Vec<Place>,
 }
 
-/// What is integrated, over which of its variables.
+/// Kernel of a primitive, with the number of its integration variables and of its parameters.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Primitive {
     pub(super) factors: Vec<Factor>,
-    /// What is no jet, by the formal variables; its parameters come after those of the jets.
+    /// Factor outside the jets, in the formal variables; its parameters follow those of the jets.
     pub(super) elementary: Expr,
     pub(super) integrated: usize,
     pub(super) parameters: usize,
@@ -48,13 +53,13 @@ pub(super) struct Primitives {
     pub(super) kernels: FxHashMap<FunctionId, Primitive>,
     integrated: Vec<Symbol>,
     parameters: Vec<Symbol>,
-    /// Variables of a kernel that is being put together.
+    /// Integration variables of a kernel under construction.
     inner: Vec<Symbol>,
     ends: Vec<Symbol>,
 }
 
 impl Primitive {
-    /// The number of the first parameter that no jet has.
+    /// Returns the number of the first parameter that belongs to no jet.
     fn first_beside_jets(&self) -> usize {
         let places = self.factors.iter().flat_map(|factor| &factor.places);
         self.integrated + places.filter(|place| **place == Place::Parameter).count()
@@ -67,19 +72,21 @@ impl Pool {
         self.primitives.kernels.contains_key(&function)
     }
 
-    /// How many of a function's arguments, the first ones, are upper ends of what it integrates: where one is 0, it is 0.
+    /// Returns how many of a function's leading arguments are upper limits of integration: where
+    /// any of these limits is 0, the function is 0.
     pub(crate) fn upper_ends(&self, function: FunctionId) -> usize {
         self.primitives.kernels.get(&function).map_or(0, |primitive| primitive.integrated)
     }
 
-    /// The antiderivative by a variable, at that variable, of a product that unknown functions of it occur in.
+    /// Integrates a product that contains unknown functions of a variable with respect to that
+    /// variable, up to that variable.
     pub(crate) fn primitive(&mut self, product: Expr, variable: Symbol) -> Expr {
         let at = self.symbol(variable);
         self.primitive_over(product, vec![(variable, at)])
     }
 
-    /// What a primitive integrates at these arguments, and the variables, which are not used elsewhere: one for each of
-    /// the upper ends, which come first.
+    /// Returns the integrand of a primitive at these arguments and its integration variables. The
+    /// variables are fresh, one for each of the upper limits, which are the first arguments.
     pub(crate) fn kernel_at(
         &mut self,
         function: FunctionId,
@@ -95,8 +102,9 @@ impl Pool {
         Some((self.value_of_kernel(&primitive, orders, &places), variables))
     }
 
-    /// A derivative of a primitive by its upper ends, or by what its kernel has beside jets, as primitives without such
-    /// orders; nothing where there is none.
+    /// Rewrites a derivative of a primitive with respect to its upper limits, or to the parameters
+    /// of its kernel outside the jets, as primitives without such orders. `None` if there is no
+    /// such order.
     pub(super) fn lowered(
         &mut self,
         function: FunctionId,
@@ -136,8 +144,8 @@ impl Pool {
         Some(self.substitute(value, &values))
     }
 
-    /// A primitive with the parameters of equal factors in order, if they are not: exchanging equal factors changes
-    /// nothing.
+    /// Returns a primitive with the parameters of equal factors sorted, or `None` if they are
+    /// sorted already. Exchanging equal factors does not change the value.
     pub(super) fn in_order(&self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Option<Node> {
         let primitive = self.primitives.kernels.get(&function)?;
         let (mut orders, mut arguments) = (orders.to_vec(), arguments.to_vec());
@@ -160,7 +168,7 @@ impl Pool {
         changed.then(|| Node::Jet { function, orders: orders.into(), arguments: arguments.into() })
     }
 
-    /// The formal argument of that number.
+    /// Returns the formal argument with this number.
     fn formal(&mut self, primitive: &Primitive, number: usize) -> Symbol {
         match number.checked_sub(primitive.integrated) {
             None => self.formal_variable(number),
@@ -177,7 +185,7 @@ impl Pool {
         self.primitives.integrated[number]
     }
 
-    /// The ends of a quadrature.
+    /// Returns the formal variable for a limit of a quadrature.
     pub(super) fn formal_end(&mut self, number: usize) -> Symbol {
         while self.primitives.ends.len() <= number {
             let symbol = self.declare_symbol(["a", "b"][self.primitives.ends.len() % 2], SymbolKind::Local);
@@ -204,7 +212,8 @@ impl Pool {
         self.primitives.inner[number]
     }
 
-    /// The kernel at these places, differentiated by its parameters as often as the orders after the upper ends say.
+    /// Returns the kernel at these arguments, differentiated with respect to its parameters by the
+    /// orders that follow those of the upper limits.
     pub(super) fn value_of_kernel(&mut self, primitive: &Primitive, orders: &[u32], places: &[Expr]) -> Expr {
         let mut next = primitive.integrated;
         let mut product = self.integer(1);
@@ -254,7 +263,7 @@ impl Pool {
 mod tests {
     use super::*;
 
-    /// A pool with variables x, y, s and functions k(x, s), f(s).
+    /// Creates a pool with variables x, y, s and functions k(x, s), f(s).
     fn scene() -> (Pool, [Symbol; 3], [FunctionId; 2]) {
         let mut pool = Pool::new();
         let symbols = ["x", "y", "s"].map(|name| pool.declare_symbol(name, SymbolKind::Coordinate));

@@ -1,18 +1,19 @@
-//! Quadratures: definite integrals that are kept as they are, to be computed numerically.
+//! Quadratures: definite integrals that stay unevaluated, to be computed numerically.
 //!
 //! ```text
-//! Q(a, b, q₁ … qₖ) = ∫ₐᵇ w(s, q₁ … qₖ) ds      each qᵢ one variable that the integrand holds beside s
+//! Q(a, b, q₁ … qₖ) = ∫ₐᵇ w(s, q₁ … qₖ) ds      each qᵢ one variable of the integrand other than s
 //! ```
-//! Such an integral is a function of its ends and of what else the integrand depends on, written in formal variables, so
-//! that the same integral under other names is the same function and nothing inside is touched by a substitution. A number
-//! stands before the integral, and the factors of the integrand in the order of the pool. The derivatives of Q are −w(a),
-//! w(b) and the quadratures of the derivatives of w.
+//! Such an integral is a function of its limits and of the other variables of its integrand, which
+//! is written in formal variables. The same integral under other names is therefore the same
+//! function, and a substitution leaves the integrand untouched. A numeric factor precedes the
+//! integral, and the factors of the integrand are in the order of the pool. The derivatives of Q
+//! are −w(a), w(b) and the quadratures of the derivatives of w.
 
 use super::node::{Expr, FunctionId, Pool, Symbol};
 use super::substitution::Substitution;
 use rustc_hash::FxHashMap;
 
-/// What is integrated, over which variable, with which other variables.
+/// Integrand of a quadrature, its integration variable and its other variables.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Quadrature {
     pub(crate) integrand: Expr,
@@ -28,7 +29,7 @@ pub(super) struct Quadratures {
 }
 
 impl Pool {
-    /// ∫ integrand d variable between two ends, as it is.
+    /// Builds ∫ integrand d variable between two limits, unevaluated.
     pub(crate) fn quadrature(&mut self, integrand: Expr, variable: Symbol, from: Expr, to: Expr) -> Expr {
         if self.is_zero(integrand) {
             return self.integer(0);
@@ -65,12 +66,13 @@ impl Pool {
         function
     }
 
-    /// What a function integrates, if it is a quadrature.
+    /// Returns the integrand and the variables of a function, if it is a quadrature.
     pub(crate) fn quadrature_of(&self, function: FunctionId) -> Option<&Quadrature> {
         self.quadratures.integrands.get(&function)
     }
 
-    /// What a quadrature integrates at these arguments, and the variable, which does not occur in them.
+    /// Returns the integrand of a quadrature at these arguments, and its integration variable,
+    /// which does not occur in them.
     pub(crate) fn integrand_at(
         &mut self,
         function: FunctionId,
@@ -85,7 +87,8 @@ impl Pool {
         Some((self.substitute(integrand, &values), fresh))
     }
 
-    /// The first derivative of a quadrature by one of its arguments, of another function nothing.
+    /// Returns the derivative of a quadrature with these orders. `None` if all orders are zero or
+    /// the function is not a quadrature.
     pub(super) fn derivative_of_quadrature(
         &mut self,
         function: FunctionId,
@@ -96,7 +99,8 @@ impl Pool {
         let place = orders.iter().position(|&order| order > 0)?;
         let rest: Vec<(usize, u32)> =
             (0..orders.len()).map(|number| (number, orders[number] - u32::from(number == place))).collect();
-        // the arguments as variables, so that what is left can be differentiated by them
+        // the arguments are formal variables here, so that the remaining orders can be applied by
+        // differentiation
         let ends = [self.formal_end(0), self.formal_end(1)];
         let formal: Vec<Symbol> = ends.into_iter().chain(parameters.iter().copied()).collect();
         let [from, to] = ends.map(|end| self.symbol(end));

@@ -1,10 +1,10 @@
-//! Relations between two real numbers: what they mean, how they are written, what is true where they fail.
+//! Relations between two real numbers: their meaning, notation, complement and mirror image.
 
 use crate::syntax::ast::Relation;
 use std::cmp::Ordering;
 
 impl Relation {
-    /// Whether two numbers in this order are in the relation.
+    /// Whether two numbers that compare in this way satisfy the relation.
     pub fn admits(self, order: Ordering) -> bool {
         match self {
             Relation::Less => order.is_lt(),
@@ -15,7 +15,8 @@ impl Relation {
         }
     }
 
-    /// What holds where it fails; equality, where `!=` fails, is no relation of the language.
+    /// Returns the relation that holds where this one fails. `None` for `!=`, since equality is not
+    /// a relation of the language.
     pub fn complement(self) -> Option<Relation> {
         match self {
             Relation::Less => Some(Relation::GreaterEqual),
@@ -26,7 +27,7 @@ impl Relation {
         }
     }
 
-    /// The relation read from right to left.
+    /// Returns the relation read from right to left.
     pub fn mirrored(self) -> Relation {
         match self {
             Relation::Less => Relation::Greater,
@@ -37,7 +38,7 @@ impl Relation {
         }
     }
 
-    /// How it is written.
+    /// Returns the relation as the language writes it.
     pub fn text(self) -> &'static str {
         match self {
             Relation::Less => "<",

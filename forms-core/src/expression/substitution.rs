@@ -1,18 +1,19 @@
-//! Putting expressions in the place of variables, everywhere at once.
+//! Simultaneous substitution of expressions for variables.
 
 use super::node::{Expr, Node, Pool, Symbol};
 use rustc_hash::FxHashMap;
 
-/// What stands for each variable; variables not named stay.
+/// Replacement for each variable; variables without one stay.
 pub type Substitution = FxHashMap<Symbol, Expr>;
 
 impl Pool {
-    /// The expression with every variable replaced at once; unknown functions become composed with it.
+    /// Replaces every variable of an expression simultaneously; unknown functions are composed with
+    /// the substitution.
     pub fn substitute(&mut self, expression: Expr, values: &Substitution) -> Expr {
         self.substitute_all(&[expression], values)[0]
     }
 
-    /// The same for several expressions that share nodes.
+    /// Substitutes in several expressions that share nodes.
     pub fn substitute_all(&mut self, expressions: &[Expr], values: &Substitution) -> Vec<Expr> {
         self.replace_all(expressions, |node, _| match node {
             Node::Symbol(symbol) => values.get(symbol).copied(),
@@ -20,8 +21,9 @@ impl Pool {
         })
     }
 
-    /// The expressions with nodes replaced wherever they occur, operands first: `replaced` is given a node and the
-    /// images of the expressions below it, and answers with what is to stand for it, if that is to change.
+    /// Replaces nodes wherever they occur in the expressions, operands first. `replaced` receives a
+    /// node and the images of the expressions below it, and returns the replacement of the node, or
+    /// `None` if the node keeps its operation.
     pub(crate) fn replace_all(
         &mut self,
         expressions: &[Expr],
@@ -36,14 +38,14 @@ impl Pool {
         expressions.iter().map(|expression| images[expression]).collect()
     }
 
-    /// The expression with some of its parts replaced by others.
+    /// Replaces some subexpressions of an expression by others.
     pub(crate) fn replace(&mut self, expression: Expr, parts: &FxHashMap<Expr, Expr>) -> Expr {
         let nodes: FxHashMap<Node, Expr> =
             parts.iter().map(|(part, image)| (self.node(*part).clone(), *image)).collect();
         self.replace_all(&[expression], |node, _| nodes.get(node).copied())[0]
     }
 
-    /// The same operation on the images of its operands.
+    /// Applies the operation of a node to the images of its operands.
     pub(crate) fn image(&mut self, expression: Expr, node: Node, images: &FxHashMap<Expr, Expr>) -> Expr {
         let of = |operand: &Expr| images[operand];
         match node {

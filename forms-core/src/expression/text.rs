@@ -1,4 +1,4 @@
-//! Expressions written back in the language they came from.
+//! Text of expressions in the language that they came from.
 
 use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam};
 use num_rational::Ratio;
@@ -6,13 +6,14 @@ use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
 
-/// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
+/// Largest number of nodes that are written out. An expression can be exponentially larger than its
+/// shared form; a larger one is replaced by its size.
 const LONGEST: u64 = 20_000;
 
-/// Powers of ten from this one on are written as such.
+/// Smallest exponent of a power of ten that is written in scientific notation.
 const LONG_POWER: usize = 7;
 
-/// How tightly the outermost operator of a text binds.
+/// Precedence of the outermost operator of a text.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,
@@ -28,7 +29,7 @@ struct Written {
 }
 
 impl Written {
-    /// The text, in brackets if it binds less tightly than its place needs.
+    /// Returns the text, in brackets if the context needs a higher precedence.
     fn within(&self, needed: Binding) -> Cow<'_, str> {
         if self.binding >= needed {
             Cow::Borrowed(&self.text)
@@ -39,12 +40,13 @@ impl Written {
 }
 
 impl Pool {
-    /// The expression in the language's own notation; one too long to read is cut to its size.
+    /// Returns the expression in the language's own notation; an expression too long to read is
+    /// replaced by its size.
     pub fn text(&self, expression: Expr) -> String {
         self.texts(&[expression]).remove(0)
     }
 
-    /// Several expressions at once.
+    /// Returns the texts of several expressions.
     pub fn texts(&self, expressions: &[Expr]) -> Vec<String> {
         let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
         let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
@@ -182,7 +184,8 @@ fn write_number(value: &Rational) -> Written {
     Written { text: scientific(value).unwrap_or_else(|| value.to_string()), binding }
 }
 
-/// A long number that is a short one times a power of ten, as `3e-20`.
+/// Writes a long number that is a short number times a power of ten in scientific notation:
+/// `3e-20`.
 fn scientific(value: &Rational) -> Option<String> {
     let (top, bottom) = (value.numer().to_string(), value.denom().to_string());
     let zeros = |digits: &str| digits.len() - digits.trim_end_matches('0').len();
@@ -195,7 +198,7 @@ fn scientific(value: &Rational) -> Option<String> {
         .then(|| format!("{top}e-{power}"))
 }
 
-/// `sqrt(q)`, `q**3`, `q**(3/2)`, `1/q**2` is left to the division it came from
+/// `sqrt(q)`, `q**3`, `q**(3/2)`; `1/q**2` keeps the division it was written with
 fn write_power(base: &Written, exponent: Ratio<i64>) -> (String, Binding) {
     if exponent == Ratio::new(1, 2) {
         return (format!("sqrt({})", base.text), Binding::Atom);

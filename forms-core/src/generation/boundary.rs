@@ -1,7 +1,8 @@
 //! The boundary of a relation: where a < b begins to hold, a = b, solved for one of its parts.
 //!
-//! A part is a variable or a whole subexpression. Whatever its value, at a point of the boundary it equals the
-//! solution, so that an equation with the solution in its place holds there or fails there as the original does.
+//! A part is a variable or a whole subexpression. At every point of the boundary the part equals
+//! the solution, so an equation with the solution substituted for the part holds or fails there
+//! exactly as the original does.
 
 use crate::expression::{Condition, Expr, Node, Operation, Pool};
 use crate::syntax::ast::Relation;
@@ -16,20 +17,21 @@ pub(super) struct Sheet {
     pub(super) conditions: Vec<Condition>,
 }
 
-/// A part of a sheet's equation in terms of the others.
+/// Solution of a sheet's equation for one of its parts, in terms of the others.
 #[derive(Clone, Debug)]
 pub(super) struct Solution {
-    /// What is solved for.
+    /// Variable or subexpression that is solved for.
     pub(super) part: Expr,
-    /// Its values, each under conditions of its own.
+    /// Its values, each with its own conditions.
     pub(super) values: Vec<(Expr, Vec<Condition>)>,
-    /// Whether the values are those of every point of the sheet.
+    /// Whether the values cover every point of the sheet.
     pub(super) is_complete: bool,
-    /// Whether each choice of the other variables gives a point of the sheet: so where the part is a variable.
+    /// Whether each choice of the other variables gives a point of the sheet, as it does if the
+    /// part is a variable.
     pub(super) is_parametrisation: bool,
 }
 
-/// The sheets of a = b: |q| = b is q = ±b, and √q = b is q = b², both with b ≥ 0.
+/// Returns the sheets of a = b: |q| = b is q = ±b, and √q = b is q = b², both with b ≥ 0.
 pub(super) fn sheets(pool: &mut Pool, condition: &Condition) -> Vec<Sheet> {
     for (outer, other) in [(condition.left, condition.right), (condition.right, condition.left)] {
         let zero = pool.integer(0);
@@ -55,12 +57,12 @@ pub(super) fn sheets(pool: &mut Pool, condition: &Condition) -> Vec<Sheet> {
 }
 
 impl Sheet {
-    /// Its equation, as it is shown.
+    /// Returns the sheet's equation in the language's notation.
     pub(super) fn text(&self, pool: &Pool) -> String {
         format!("{} = {}", pool.text(self.left), pool.text(self.right))
     }
 
-    /// The equation solved in every way that is known, those for a variable first.
+    /// Solves the equation in every known way, solutions for a variable first.
     pub(super) fn solutions(&self, pool: &mut Pool, known: &[Condition]) -> Vec<Solution> {
         let difference = pool.subtract(self.left, self.right);
         let symbols: Vec<Expr> =
@@ -85,7 +87,7 @@ impl Sheet {
     }
 }
 
-/// The equation p = 0 for a part that occurs in it as in a polynomial of degree one or two.
+/// Solves p = 0 for a part in which p is a polynomial of degree one or two.
 fn solve(pool: &mut Pool, polynomial: Expr, part: Expr, known: &[Condition]) -> Option<Solution> {
     let [constant, linear, quadratic] = coefficients(pool, polynomial, part)?;
     let is_parametrisation = matches!(pool.node(part), Node::Symbol(_));
@@ -119,7 +121,8 @@ fn solve(pool: &mut Pool, polynomial: Expr, part: Expr, known: &[Condition]) -> 
     Some(Solution { part, values, is_complete, is_parametrisation })
 }
 
-/// Whether an expression is a number other than zero, or one of the known conditions says that it is not zero.
+/// Whether an expression is a number other than zero, or one of the known conditions says that it
+/// is not zero.
 fn is_never_zero(pool: &Pool, expression: Expr, known: &[Condition]) -> bool {
     let says_so = |condition: &Condition| {
         let is_strict = !matches!(condition.relation, Relation::LessEqual | Relation::GreaterEqual);
@@ -133,7 +136,8 @@ fn is_never_zero(pool: &Pool, expression: Expr, known: &[Condition]) -> bool {
     }
 }
 
-/// The coefficients of 1, v and v² in an expression that is a polynomial in v of degree at most two.
+/// Returns the coefficients of 1, v and v² in an expression that is a polynomial in v of degree at
+/// most two.
 fn coefficients(pool: &mut Pool, polynomial: Expr, v: Expr) -> Option<[Expr; 3]> {
     let zero = pool.integer(0);
     let one = pool.integer(1);
@@ -190,7 +194,7 @@ fn product(pool: &mut Pool, a: [Expr; 3], b: [Expr; 3]) -> Option<[Expr; 3]> {
     rest.iter().all(|&coefficient| pool.is_zero(coefficient)).then_some([constant, linear, quadratic])
 }
 
-/// Expressions and conditions with a value in the place of a part.
+/// Substitutes a value for a part in expressions and conditions.
 pub(super) fn replaced(
     pool: &mut Pool,
     (part, value): (Expr, Expr),

@@ -1,13 +1,14 @@
-//! Cuts: two expressions are compared with variables in the place of sums that they share, so that what is left to be
-//! proved is small.
+//! Cut points: two expressions are compared with variables substituted for the sums that they
+//! share, so that the remaining equation is small.
 //!
 //! ```text
-//! two sides ─ sums of one residue ─▶ shared sums ─ cut while the sides keep one residue ─▶ two short sides ─▶ normal form
+//! two sides ─ sums of equal residue ─▶ shared sums ─ cut while residues stay equal ─▶ two short sides ─▶ normal form
 //! ```
-//! What holds for all values of the variables holds for those of the sums. It need not hold for all: a (b + c) is
-//! a b + a c, but not where b + c is a variable of its own. Residues tell how much can be cut, the largest sums first. Sums
-//! that look different are proved to be equal, likewise by cuts, before one variable stands for them. These are the cut points
-//! of the equivalence checking of circuits (A. Kuehlmann, F. Krohm, "Equivalence checking using cuts and heaps", 1997).
+//! An equality for all values of the variables also holds for the values of the sums. The converse
+//! can fail: a (b + c) is a b + a c, but not if b + c is a variable of its own. Residues show how
+//! much can be cut, the largest sums first. Sums of different form are proved equal, again by cuts,
+//! before one variable replaces them. This is the method of cut points in the equivalence checking
+//! of circuits (A. Kuehlmann, F. Krohm, "Equivalence checking using cuts and heaps", 1997).
 
 use super::residue::Residues;
 use crate::decide::{Effort, Equations, Finding};
@@ -15,16 +16,16 @@ use crate::expression::{Expr, Node, Pool, SymbolKind};
 use crate::polynomial::modular::neg;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// What is left after cuts is small.
+/// Effort for the equation that remains after cuts, which is small.
 const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
 
-/// A sum that is a shared one, or its negative.
+/// Sum that equals a shared sum or its negative.
 struct Member {
     sum: Expr,
     is_negative: bool,
 }
 
-/// Sums of one residue, up to sign, some of them on either side.
+/// Sums of equal residue, up to sign, at least one of them on each side.
 type Shared = Vec<Member>;
 
 /// Comparisons of fractions in roots of variables.
@@ -32,18 +33,19 @@ type Shared = Vec<Member>;
 pub(super) struct Cuts {
     residues: Residues,
     decided: FxHashMap<(Expr, Expr), bool>,
-    /// What stands for shared sums, in every comparison anew.
+    /// Variables that replace shared sums; every comparison uses them anew.
     variables: Vec<Expr>,
 }
 
 impl Cuts {
-    /// Whether the expressions are proved to be equal, each to its counterpart, wherever both are defined.
+    /// Whether the expressions are proved equal, each to its counterpart, wherever both are
+    /// defined.
     pub(super) fn are_equal(&mut self, pool: &mut Pool, left: &[Expr], right: &[Expr]) -> bool {
         left.iter().zip(right).all(|(&left, &right)| self.may_be_equal(pool, left, right))
             && left.iter().zip(right).all(|(&left, &right)| self.is_equal(pool, left, right))
     }
 
-    /// Whether no residue tells the two apart.
+    /// Whether the residues do not distinguish the two expressions.
     fn may_be_equal(&mut self, pool: &Pool, left: Expr, right: Expr) -> bool {
         match (self.residues.of(pool, left), self.residues.of(pool, right)) {
             (Some(left), Some(right)) => left == right,
@@ -85,8 +87,8 @@ impl Cuts {
         }
     }
 
-    /// Whether those of the sums that are met are proved to be equal to the first, up to their signs; as elements of one
-    /// field they are then equal to each other.
+    /// Whether the sums in `met` are proved equal to the first of them, up to sign; as elements of
+    /// one field they are then equal to each other.
     fn are_one_sum(&mut self, pool: &mut Pool, sums: &Shared, met: &FxHashSet<Expr>) -> bool {
         let mut met = sums.iter().filter(|member| met.contains(&member.sum));
         let Some(first) = met.next() else { return true };
@@ -97,7 +99,7 @@ impl Cuts {
         })
     }
 
-    /// The sums inside both sides, those that contain others before them.
+    /// Returns the sums that occur inside both sides, each before the sums that it contains.
     fn shared_sums(&mut self, pool: &Pool, sides: [Expr; 2]) -> Vec<Shared> {
         let mut by_residue: FxHashMap<u64, (Shared, [bool; 2])> = FxHashMap::default();
         for (place, &side) in sides.iter().enumerate() {
@@ -118,8 +120,8 @@ impl Cuts {
         shared
     }
 
-    /// The places of shared sums that can be variables together: as many as leave the sides one residue, and earlier ones
-    /// rather than later ones.
+    /// Returns the indices of shared sums that can be variables together: as many as keep the
+    /// residues of the sides equal, with earlier sums preferred to later ones.
     fn most_cuts(&mut self, pool: &mut Pool, sides: [Expr; 2], shared: &[Shared]) -> Vec<usize> {
         while self.variables.len() < shared.len() {
             let symbol = pool.declare_symbol(format!("sum_{}", self.variables.len()), SymbolKind::Local);
@@ -140,7 +142,8 @@ impl Cuts {
         cut
     }
 
-    /// What stands for each sum that is cut.
+    /// Returns the variable that replaces each sum that is cut, and whether the sum is its
+    /// negative.
     fn values(&self, shared: &[Shared], cut: &[usize]) -> FxHashMap<Expr, (Expr, bool)> {
         let members = cut.iter().flat_map(|&place| shared[place].iter().map(move |member| (place, member)));
         members.map(|(place, member)| (member.sum, (self.variables[place], member.is_negative))).collect()
@@ -164,7 +167,8 @@ impl Cuts {
     }
 }
 
-/// The sums with values that are met from the sides downwards, before others with values.
+/// Returns the sums with values that are reached from the sides downwards, outside other sums with
+/// values.
 fn met(pool: &Pool, sides: [Expr; 2], values: &FxHashMap<Expr, (Expr, bool)>) -> FxHashSet<Expr> {
     let (mut seen, mut met) = (FxHashSet::default(), FxHashSet::default());
     let mut open = sides.to_vec();
@@ -178,7 +182,7 @@ fn met(pool: &Pool, sides: [Expr; 2], values: &FxHashMap<Expr, (Expr, bool)>) ->
     met
 }
 
-/// The sides with the values of sums in their place.
+/// Substitutes the values for the sums in both sides.
 fn images(pool: &mut Pool, sides: [Expr; 2], values: &FxHashMap<Expr, (Expr, bool)>) -> [Expr; 2] {
     let value = |(&sum, &(variable, is_negative)): (&Expr, &(Expr, bool))| {
         (sum, if is_negative { pool.negate(variable) } else { variable })

@@ -1,12 +1,14 @@
-//! Definedness: a form has a value wherever the formula has one, on the kernel's domain, and the same one.
+//! Definedness: a form has a value wherever the formula has one, on the kernel's domain, and it is
+//! the same value.
 //!
 //! ```text
-//! form ─ obligations ─▶ conditions, each ─┬─ entailed by the domain and by where the formula is defined
-//!                                         ├─ broken at an exact point that the formula has a value at
-//!                                         └─ neither: not shown, which is no proof
+//! form ─ obligations ─▶ conditions, each ─┬─ entailed by the domain and by the conditions of the formula
+//!                                         ├─ violated at an exact point where the formula has a value
+//!                                         └─ neither: not shown, which proves nothing
 //! ```
-//! An equation of formula and form speaks of the points at which both are defined. What is shown here is that these are
-//! all points at which the formula is, output by output; isolated points and strata of the domain count like any other.
+//! An equation between formula and form covers the points at which both are defined. This module
+//! shows that these are all points at which the formula is defined, output by output; isolated
+//! points and strata of the domain count like any other points.
 
 use super::entailment::Known;
 use super::exact_point::{ExactPoint, NoValue, Point, digits, sign_of};
@@ -18,26 +20,26 @@ use crate::decide::Witness;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::resolve::Kernel;
 
-/// Special points looked at before anything is proved, and where something is not.
+/// Number of special points tested before any proof, and, as `MORE_POINTS`, where a proof fails.
 const FIRST_POINTS: usize = 24;
 const MORE_POINTS: usize = 600;
 
-/// Conditions that a form is guarded by.
+/// Largest number of conditions that guard a form.
 const MOST_GUARDS: usize = 3;
 
-/// Conditions of the formula that one of the form is compared with.
+/// Largest number of conditions of the formula that a condition of the form is compared with.
 const MOST_COMPARED: usize = 8;
 
-/// What is known of a form beside its formula.
+/// Verdict on whether a form is defined wherever its formula is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Definedness {
-    /// It has a value wherever the formula has one.
+    /// The form has a value wherever the formula has one.
     Kept,
-    /// At an exact point it has no value, or another one.
+    /// At an exact point the form has no value, or a different one.
     Broken(Breach),
-    /// It was not shown to have one.
+    /// The form was not shown to have a value.
     Undecided {
-        /// What was not shown, in words.
+        /// Condition that was not shown, in words.
         reason: String,
     },
 }
@@ -48,12 +50,12 @@ pub(crate) struct Breach {
     pub(crate) point: Vec<(String, String)>,
     /// The value of the formula.
     pub(crate) formula: String,
-    /// That of the form, or the operation in it that has none.
+    /// The value of the form, or the operation in it that has no value.
     pub(crate) form: Result<String, String>,
 }
 
 impl Breach {
-    /// `at x = 0: the formula is 1, and the form has no value: 1/x is not defined`
+    /// ``at x = 0: the formula is 1, the form has no value: `1/x` is not defined``
     pub(crate) fn text(&self) -> String {
         let point: Vec<String> = self.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
         let place = if point.is_empty() { "everywhere".into() } else { format!("at {}", point.join(", ")) };
@@ -81,12 +83,13 @@ impl Breach {
     }
 }
 
-/// A special point at which the form does not have the formula's value, if one of the first shows it.
+/// Returns a point among the first special points at which the form does not have the formula's
+/// value.
 pub(super) fn first_breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Breach> {
     breach(pool, kernel, form, &[], FIRST_POINTS)
 }
 
-/// The same of all special points.
+/// Returns such a point from a longer sequence of special points.
 pub(super) fn any_breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Breach> {
     breach(pool, kernel, form, &[], MORE_POINTS)
 }
@@ -97,7 +100,7 @@ pub(crate) fn is_kept(pool: &mut Pool, conditions: &[Condition], before: Expr, a
     open_obligations(pool, conditions, before, obligations).is_ok_and(|open| open.is_empty())
 }
 
-/// Whether a form has a value wherever the kernel's formula has one, on its domain.
+/// Decides whether a form has a value wherever the kernel's formula has one, on its domain.
 pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Definedness {
     let open = match not_shown(pool, kernel, form) {
         Ok(open) if open.is_empty() => return Definedness::Kept,
@@ -118,8 +121,9 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     Definedness::Undecided { reason }
 }
 
-/// The same form, with the formula in its place wherever the form is not shown to be defined: `if c { form } else {
-/// formula }`, in the branch where it is needed. Nothing where that takes too many conditions.
+/// Returns the form with the formula in its place wherever the form is not shown to be defined:
+/// `if c { form } else { formula }`, in the branch where it is needed. `None` if that takes too
+/// many conditions.
 pub(crate) fn guarded(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
     let mut found = Vec::new();
     for (&form, &formula) in form.iter().zip(&kernel.outputs) {
@@ -150,7 +154,8 @@ pub(crate) fn guarded(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option
     Some(found)
 }
 
-/// A condition that a form needs, and the choices that lead to where it does.
+/// Condition that a form needs, and the branch conditions on the path to the operation that needs
+/// it.
 #[derive(Clone, PartialEq)]
 struct Guard {
     path: Vec<Condition>,
@@ -162,7 +167,8 @@ fn is_piecewise(pool: &Pool, condition: &Condition) -> bool {
     parts.iter().any(|&inner| matches!(pool.node(inner), Node::Select { .. }))
 }
 
-/// The form guarded in the branches that the paths lead to; what cannot be put there guards the whole.
+/// Guards a form in the branches that the paths lead to; a condition that belongs to no branch
+/// guards the whole form.
 fn with_guards(pool: &mut Pool, form: Expr, formula: Expr, guards: &[Guard]) -> Expr {
     let (mut whole, mut guarded) = (Vec::new(), form);
     if let Node::Select { left, relation, right, then, otherwise, seam } = *pool.node(form) {
@@ -190,7 +196,7 @@ fn with_guards(pool: &mut Pool, form: Expr, formula: Expr, guards: &[Guard]) -> 
         .fold(guarded, |form, c| pool.select((c.left, c.relation, c.right), form, formula, Seam::Jumps))
 }
 
-/// The obligations of a form that are not shown to hold wherever its formula has a value.
+/// Returns the obligations of a form that are not shown to hold wherever its formula has a value.
 fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obligation>, String> {
     let mut open: Vec<Obligation> = Vec::new();
     for (&form, &formula) in form.iter().zip(&kernel.outputs) {
@@ -207,7 +213,8 @@ fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obli
     Ok(open)
 }
 
-/// Those of some obligations that do not follow from the domain and from where the formula has a value.
+/// Returns the obligations that do not follow from the domain and from the conditions under which
+/// the formula has a value.
 fn open_obligations(
     pool: &mut Pool,
     domain: &[Condition],
@@ -216,7 +223,7 @@ fn open_obligations(
 ) -> Result<Vec<Obligation>, String> {
     let mut open = Vec::new();
     for obligation in obligations {
-        // everything without choices, piece by piece
+        // all expressions without conditionals, piece by piece
         let mut expressions = vec![formula];
         let conditions: Vec<Condition> =
             domain.iter().chain(&obligation.path).chain(obligation.ways.iter().flatten()).copied().collect();
@@ -248,8 +255,8 @@ fn open_obligations(
     Ok(open)
 }
 
-/// Whether the formula asks for the same, in other words: the sides of one of its conditions and those of the
-/// obligation have equal differences.
+/// Whether the formula has the same obligation in another form: the sides of one of its conditions
+/// and the sides of the obligation have equal differences.
 fn is_of_the_formula(pool: &mut Pool, domain: &[Condition], formula: Expr, obligation: &Obligation) -> bool {
     let [wanted] = obligation.ways[0][..] else { return false };
     let Some(stated) = obligations(pool, &[formula]) else { return false };
@@ -267,7 +274,7 @@ fn is_of_the_formula(pool: &mut Pool, domain: &[Condition], formula: Expr, oblig
     })
 }
 
-/// Whether a condition stands beside its opposite.
+/// Whether a condition occurs together with its complement.
 fn excludes_itself(conditions: &[Condition]) -> bool {
     conditions.iter().any(|a| {
         let is_opposite = |b: &Condition| {
@@ -277,7 +284,8 @@ fn excludes_itself(conditions: &[Condition]) -> bool {
     })
 }
 
-/// A special point of the domain at which the form does not have the value of the formula.
+/// Searches the special points of the domain for one at which the form does not have the value of
+/// the formula.
 fn breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr], zeros: &[Expr], count: usize) -> Option<Breach> {
     let mut zeros = zeros.to_vec();
     for condition in &kernel.domain {
@@ -292,7 +300,7 @@ fn breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr], zeros: &[Expr], count
         let breach = breach_at(pool, kernel, form, &point)?;
         Some((point, breach))
     })?;
-    // a simpler point says more
+    // a simpler point explains more
     for &argument in &kernel.arguments {
         for simpler in points.simpler(pool, argument, point[&argument]) {
             let mut other = point.clone();
@@ -309,7 +317,7 @@ fn breach(pool: &mut Pool, kernel: &Kernel, form: &[Expr], zeros: &[Expr], count
 fn breach_at(pool: &mut Pool, kernel: &Kernel, form: &[Expr], point: &Point) -> Option<Breach> {
     let mut values = Vec::new();
     let mut at = ExactPoint::new(pool, point);
-    // a value that was solved for may itself be undefined
+    // a coordinate that was solved for can itself be undefined
     if point.values().any(|&coordinate| at.value(coordinate).is_err()) {
         return None;
     }

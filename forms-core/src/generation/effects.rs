@@ -1,13 +1,13 @@
-//! Effects: a kernel becomes the lattice of kernels that are left where some of its effects vanish.
+//! Effects: specialises a kernel into the lattice of kernels in which some of its effects vanish.
 //!
 //! ```text
-//! kernel ─ an argument gets its value ─ choices that this decides are made ─▶ defined there: the formula with the value
+//! kernel ─ an argument gets its value ─ decided conditionals are resolved ─▶ defined there: the formula with the value
 //!                                                                        └─▶ not defined: its limit, from series
-//!        ─ simplified, where that is less and proved equal ─▶ kernel without the effect ─ the next effect ─▶ …
+//!        ─ simplified, if cheaper and proved equal ─▶ kernel without the effect ─ the next effect ─▶ …
 //! ```
-//! A specialised kernel has the arguments of the full one, so that one can be chosen for the other when a program runs. What
-//! it computes is proved equal to the full formula under the conditions, or is its limit there; what cannot be shown is an
-//! error, never a kernel.
+//! A specialised kernel has the arguments of the full one, so that a program can select either at
+//! run time. Its output is proved equal to the full formula under the conditions, or is the limit
+//! of the formula there. A specialisation that cannot be proved is an error, never a kernel.
 
 use super::boundary::replaced;
 use super::definedness::is_kept;
@@ -23,20 +23,21 @@ use crate::kernel::{KernelSource, lower};
 use crate::resolve::{Effect, Kernel};
 use rustc_hash::FxHashMap;
 
-/// A kernel without some of its effects.
+/// Kernel without some of its effects.
 #[derive(Clone, Debug)]
 pub struct Specialisation {
-    /// For each effect of the full kernel whether it is still there.
+    /// For each effect of the full kernel, whether it is still present.
     pub present: Vec<bool>,
-    /// What is left: a kernel of the same arguments, without effects of its own.
+    /// The specialised kernel, which has the same arguments and no effects.
     pub kernel: Kernel,
 }
 
-/// What is left of a kernel without each set of its effects but the empty one, the fewest left out first. Nothing for a kernel
-/// without effects.
+/// Returns the specialisation of a kernel for every non-empty set of omitted effects, the smallest
+/// sets first. Empty for a kernel without effects.
 ///
 /// # Errors
-/// If an effect vanishes nowhere in the kernel's domain, or the kernel is neither defined nor shown to have a limit there.
+/// If an effect vanishes nowhere in the kernel's domain, or the kernel is neither defined nor shown
+/// to have a limit there.
 pub fn specialisations(pool: &mut Pool, kernel: &Kernel) -> Result<Vec<Specialisation>, Vec<Diagnostic>> {
     let full = Specialisation { present: vec![true; kernel.effects.len()], kernel: kernel.clone() };
     let (mut found, mut faults) = (vec![full], Vec::new());
@@ -61,9 +62,10 @@ pub fn specialisations(pool: &mut Pool, kernel: &Kernel) -> Result<Vec<Specialis
     Ok(found)
 }
 
-/// The kernel where an effect vanishes.
+/// Specialises the kernel to where an effect vanishes.
 fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, Diagnostic> {
-    // effects that are left out before have values of their own, which this one may mention
+    // the kernel's own copy of the effect: its value has the values of effects omitted earlier
+    // substituted
     let effect = &kernel.effects.iter().find(|own| own.variable == effect.variable).unwrap_or(effect).clone();
     let (variable, value) = (pool.symbol(effect.variable), effect.value);
     let condition = format!("{} = {}", pool.symbol_name(effect.variable), pool.text(value));
@@ -106,7 +108,8 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
     Ok(without)
 }
 
-/// The value of an expression where a variable has a value: what it is there, or its limit.
+/// Evaluates an expression where a variable has a value: the expression there if it is defined, or
+/// else its limit.
 fn value_at(
     pool: &mut Pool,
     expression: Expr,
@@ -121,14 +124,15 @@ fn value_at(
     limit(pool, chosen, (symbol, value), known)
 }
 
-/// The same where it is defined as it is written: 0·(1/0) is not, although it is 0 once the value is put in.
+/// Evaluates an expression if it is defined there as written: 0·(1/0) is not, although it becomes 0
+/// by substitution.
 fn defined_at(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Option<Expr> {
     let domain = pool.domain(&[expression]);
     let (values, domain) = replaced(pool, put_in, &[expression], &domain);
     (!is_excluded(pool, &domain, known)).then(|| values[0])
 }
 
-/// The expression with every choice made that a variable's value decides.
+/// Resolves every conditional of an expression that the value of a variable decides.
 fn with_choices_made(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), known: &[Condition]) -> Expr {
     let mut decided: FxHashMap<Node, bool> = FxHashMap::default();
     for part in pool.reachable(&[expression]) {
@@ -149,7 +153,8 @@ fn with_choices_made(pool: &mut Pool, expression: Expr, put_in: (Expr, Expr), kn
     })[0]
 }
 
-/// The kernel by its simplified formula, if that takes fewer operations and is proved equal to the formula.
+/// Replaces the formula of a kernel by its simplified form, if that costs less and is proved equal
+/// to the formula.
 fn at_less_cost(pool: &mut Pool, kernel: Kernel) -> Kernel {
     let outputs: Vec<Expr> = kernel.outputs.iter().map(|&output| simplified(pool, output)).collect();
     let Some(simple) = with_form(&kernel, &outputs) else { return kernel };
@@ -162,7 +167,7 @@ fn at_less_cost(pool: &mut Pool, kernel: Kernel) -> Kernel {
     if is_less && is_kept(pool) { simple } else { kernel }
 }
 
-/// What the kernel's formula costs; all there is, if it is no kernel.
+/// Returns the cost of the kernel's formula, or `u32::MAX` if it cannot be lowered.
 fn cost(pool: &Pool, kernel: &Kernel) -> u32 {
     let source = KernelSource {
         name: kernel.name.clone(),
@@ -186,7 +191,7 @@ mod tests {
         theory
     }
 
-    /// The formulas of the specialisations of the only kernel.
+    /// Returns the formulas of the specialisations of the only kernel.
     fn formulas(source: &str) -> Vec<(Vec<bool>, String)> {
         let mut theory = theory(source);
         let kernel = theory.kernels[0].clone();

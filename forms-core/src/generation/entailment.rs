@@ -1,11 +1,12 @@
-//! Entailment: whether conditions hold wherever others do, by signs that are seen from how an expression is written,
-//! else by a contradiction of the opposite.
+//! Entailment: whether conditions hold wherever others do, by signs that are evident from the form
+//! of an expression, or else by a contradiction with the opposite condition.
 //!
 //! ```text
 //! e > 0 ─┬─ by the signs of its parts: sums of non-negative terms, products, powers, monotone functions
 //!        └─ known conditions and e ≤ 0 contradict each other
 //! ```
-//! Every step speaks of one point at which the expression is defined, so it holds on domains of any shape.
+//! Every step concerns a single point at which the expression is defined, so it is valid on domains
+//! of any shape.
 
 use super::limit::holds;
 use crate::assume::vanishes;
@@ -14,16 +15,16 @@ use crate::syntax::ast::Relation;
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 
-/// Signs of parts within parts that are looked at.
+/// Largest depth of nested subexpressions whose signs are examined.
 const DEEPEST: usize = 12;
 
-/// Conditions that an expression is compared with by normal forms.
+/// Largest number of conditions that an expression is compared with by normal forms.
 const MOST_COMPARED: usize = 12;
 
-/// Contradictions that are looked for: each is a proof of its own.
+/// Largest number of contradictions that are searched for; each takes a proof of its own.
 const MOST_CONTRADICTIONS: usize = 48;
 
-/// The relations of an expression to zero that are asked about.
+/// Relation of an expression to zero that is to be shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Sign {
     Positive,
@@ -40,7 +41,7 @@ impl Sign {
         }
     }
 
-    /// Whether a known relation of an expression to zero says so.
+    /// Whether this sign follows from a known relation of the expression to zero.
     fn follows_from(self, known: Relation) -> bool {
         match self {
             Sign::Positive => known == Relation::Greater,
@@ -53,7 +54,8 @@ impl Sign {
 /// The terms of a sum with their signs, in a fixed order.
 type Terms = Vec<(Expr, bool)>;
 
-/// The terms of an expression or of its opposite; a number stands with the sign of the term.
+/// Returns the terms of an expression or of its negative; the sign of a number is moved to the sign
+/// of its term.
 fn terms_of(pool: &mut Pool, expression: Expr, opposite: bool) -> Terms {
     let mut terms = pool.summands(expression);
     for term in &mut terms {
@@ -66,7 +68,8 @@ fn terms_of(pool: &mut Pool, expression: Expr, opposite: bool) -> Terms {
     terms
 }
 
-/// The factors of what is known not to be zero: a product is zero where one of them is.
+/// Returns the factors of all expressions that are known to be non-zero: a product is zero where
+/// any of its factors is.
 fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
     let (mut found, mut open) = (Vec::new(), Vec::new());
     for condition in conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)) {
@@ -86,7 +89,7 @@ fn factors_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Expr> {
     found
 }
 
-/// q of exp q − 1 or 1 − exp q, which vanish where q does.
+/// Returns q of exp q − 1 or 1 − exp q, which vanish where q does.
 fn exponent_of_less_one(pool: &Pool, sum: Expr) -> Option<Expr> {
     let [first, second] = pool.summands(sum)[..] else { return None };
     [(first, second), (second, first)].into_iter().find_map(|((power, is_minus), (number, is_less))| {
@@ -98,7 +101,7 @@ fn exponent_of_less_one(pool: &Pool, sum: Expr) -> Option<Expr> {
     })
 }
 
-/// What is known, and what was found to follow from it.
+/// Known conditions, and the consequences found so far.
 pub(super) struct Known<'a> {
     pool: &'a mut Pool,
     conditions: Vec<Condition>,
@@ -121,7 +124,8 @@ impl<'a> Known<'a> {
         Known { pool, conditions, differences, found: FxHashMap::default(), contradictions: 0 }
     }
 
-    /// Whether one of the ways is shown to hold wherever what is known does.
+    /// Whether at least one of the alternatives is shown to hold wherever the known conditions
+    /// hold.
     pub(super) fn imply_one(&mut self, ways: &[Vec<Condition>]) -> bool {
         let by_signs = |known: &mut Self, way: &Vec<Condition>| way.iter().all(|c| known.by_signs(c));
         ways.iter().any(|way| by_signs(self, way))
@@ -149,7 +153,7 @@ impl<'a> Known<'a> {
         if holds(self.pool, condition, &self.conditions) {
             return true;
         }
-        // a product is not zero where its factors are not
+        // a product is non-zero where all its factors are
         let zero = self.pool.integer(0);
         if condition.relation != Relation::NotEqual || !self.pool.is_zero(condition.right) {
             return false;
@@ -174,7 +178,8 @@ impl<'a> Known<'a> {
         found
     }
 
-    /// Whether a condition says in other words that it is not zero: exp q − 1 ≠ 0 of expm1 q.
+    /// Whether a condition states in another form that the expression is non-zero: exp q − 1 ≠ 0
+    /// for expm1 q.
     fn is_stated_otherwise(&mut self, part: Expr) -> bool {
         let not_zero: Vec<Condition> =
             self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();
@@ -185,7 +190,7 @@ impl<'a> Known<'a> {
         })
     }
 
-    /// Whether a condition says so of the expression or of its opposite.
+    /// Whether a condition states this sign of the expression, directly or for its negative.
     fn is_stated(&mut self, part: Expr, sign: Sign) -> bool {
         let [own, opposite] = [false, true].map(|negative| terms_of(self.pool, part, negative));
         self.differences.iter().any(|(difference, relation)| {
@@ -205,7 +210,7 @@ impl<'a> Known<'a> {
             Node::Negate(a) if sign == Sign::NotZero => self.has(a, sign, depth),
             Node::Negate(a) => self.opposite(a, sign, depth),
             Node::Multiply(a, b) | Node::Divide(a, b) => self.product(a, b, sign, depth),
-            // where it is defined its base is not zero
+            // where the power is defined its base is non-zero
             Node::Power(_, r) if r.is_negative() && sign == Sign::NotZero => true,
             Node::Power(a, r) if sign == Sign::NotNegative && r.is_integer() => self.has(a, sign, depth),
             Node::Power(a, r) if !r.is_integer() || r.numer() % 2 == 0 => self.has(a, Sign::NotZero, depth),
@@ -222,7 +227,7 @@ impl<'a> Known<'a> {
             || sign == Sign::Positive && self.is_not_negative_and_not_zero(part)
     }
 
-    /// −a > 0 or −a ≥ 0, the sign taken into a part.
+    /// Whether −a > 0 or −a ≥ 0 is shown by moving the sign into a part of a.
     fn opposite(&mut self, a: Expr, sign: Sign, depth: usize) -> bool {
         match self.pool.node(a).clone() {
             Node::Add(..) => {
@@ -250,7 +255,7 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// Both by what is stated: q ≥ 0 and q ≠ 0.
+    /// Whether q ≥ 0 is stated or evident, and q ≠ 0 is stated.
     fn is_not_negative_and_not_zero(&mut self, part: Expr) -> bool {
         let not_negative =
             self.is_stated(part, Sign::NotNegative) || self.pool.nature(part) == Nature::NotNegative;
@@ -277,7 +282,8 @@ impl<'a> Known<'a> {
         sign != Sign::NotZero && self.terms(&terms, sign, depth)
     }
 
-    /// A sum of terms that are not negative, for a positive one with one that is positive.
+    /// Whether all terms of a sum are non-negative and, for a positive sum, at least one term is
+    /// positive.
     fn terms(&mut self, terms: &[Expr], sign: Sign, depth: usize) -> bool {
         terms.iter().all(|&term| self.has(term, Sign::NotNegative, depth))
             && (sign == Sign::NotNegative || terms.iter().any(|&term| self.has(term, Sign::Positive, depth)))
@@ -302,7 +308,8 @@ impl<'a> Known<'a> {
 }
 
 impl Known<'_> {
-    /// sin q or cos q, where sin 2q = 2 sin q cos q is not zero, or 1 ∓ cos 2q, which is 2 sin² q or 2 cos² q.
+    /// Whether sin q or cos q is non-zero by a condition that sin 2q = 2 sin q cos q is non-zero,
+    /// or 1 ∓ cos 2q, which is 2 sin² q or 2 cos² q.
     fn half_angle(&mut self, operation: Operation, q: Expr) -> bool {
         let pool = &mut *self.pool;
         let [sine, cosine] = [Operation::Sin, Operation::Cos].map(|wave| pool.apply(wave, &[q]));
@@ -324,13 +331,13 @@ impl Known<'_> {
     }
 }
 
-/// f(−q) = −f(q), and f increases.
+/// Whether f(−q) = −f(q) and f increases.
 fn is_odd_and_increasing(operation: Operation) -> bool {
     use Operation::{Asin, Atan, Erf, Sinh, Tanh};
     matches!(operation, Sinh | Asin | Atan | Tanh | Erf)
 }
 
-/// f(0) = 0, and f increases: it has the sign of its argument.
+/// Whether f(0) = 0 and f increases, so that f has the sign of its argument.
 fn increases_through_zero(operation: Operation) -> bool {
     is_odd_and_increasing(operation) || matches!(operation, Operation::Expm1 | Operation::Log1p)
 }
@@ -340,7 +347,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    /// Whether signs alone show `claim` under the conditions.
+    /// Whether signs alone prove `claim` under the conditions.
     fn shown(claim: &str, conditions: &str) -> bool {
         let (mut theory, errors) = read_theory(&format!("kernel k(x, y) = 0 where {claim}, {conditions};"));
         assert!(errors.is_empty(), "{errors:?}");

@@ -1,10 +1,12 @@
-//! Exact points: what expressions are at points whose coordinates are exact numbers, π among them.
+//! Exact points: values of expressions at points whose coordinates are exact numbers, multiples of
+//! π among them.
 //!
 //! ```text
-//! expression ─ coordinates put in, operands before results ─▶ a number, or the operation that has no value
+//! expression ─ coordinates substituted, operands before results ─▶ a number, or the operation that has no value
 //! ```
-//! The sign of a number is certain where an enclosure shows it or the number is proved to be zero, so that points on
-//! strata are told from those beside them: 1 + cos π is 0 here. Of a choice only the branch that is taken is looked at.
+//! The sign of a number is certain if an enclosure shows it or the number is proved to be zero.
+//! Points on strata are thus distinguished from points near them: 1 + cos π is 0 here. Only the
+//! branch of a conditional that is taken is evaluated.
 
 use crate::assume::vanishes;
 use crate::decide::{Effort, Equations, Finding};
@@ -15,22 +17,22 @@ use num_traits::{Signed, Zero};
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 
-/// Places of the enclosures that are tried in turn; a number that is not told from zero by the first is proved to be
-/// zero or left to the others.
+/// Precisions of the enclosures, tried in turn. A number that the first does not distinguish from
+/// zero is proved to be zero or left to the others.
 const PRECISIONS: [Precision; 3] = [Precision(80), Precision(256), Precision(1024)];
 
-/// What a proof that a number is zero may cost.
+/// Effort for a proof that a number is zero.
 const EFFORT: Effort = Effort { work: 20_000, candidates: 2, points: 1 };
 
-/// Bits of an exact value that is shown in full.
+/// Largest size in bits of an exact value that is shown in full.
 const LONGEST_EXACT: u64 = 128;
 
-/// Why an expression has no value at a point.
+/// Reason why an expression has no value at a point.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum NoValue {
     /// This operation of the expression is not defined there.
     Undefined(Expr),
-    /// It is not known whether it is, or what is chosen.
+    /// It is not known whether the expression is defined, or which branch is taken.
     Unknown,
 }
 
@@ -49,7 +51,7 @@ impl<'a> ExactPoint<'a> {
         ExactPoint { pool, point, known: FxHashMap::default() }
     }
 
-    /// The value of an expression, an expression without variables.
+    /// Evaluates an expression at the point; the value is an expression without variables.
     pub(super) fn value(&mut self, expression: Expr) -> Result<Expr, NoValue> {
         if let Some(known) = self.known.get(&expression) {
             return known.clone();
@@ -122,7 +124,7 @@ impl<'a> ExactPoint<'a> {
         }
     }
 
-    /// Whether atan2 y x is π there: statements leave out its cut, kernels have a value on it.
+    /// Whether atan2 y x is π there: statements exclude its branch cut, kernels have a value on it.
     fn is_on_the_cut(&mut self, q: &[Expr]) -> Result<bool, NoValue> {
         Ok(self.sign(q[0])?.is_eq() && self.sign(q[1])?.is_lt())
     }
@@ -138,7 +140,7 @@ impl<'a> ExactPoint<'a> {
     }
 }
 
-/// A power of a number, exact where it is a square root of a square.
+/// Returns a power of a number, exact if it is a square root of a square.
 fn power(pool: &mut Pool, base: Expr, exponent: Ratio<i64>) -> Expr {
     let root = (*exponent.denom() == 2).then(|| pool.as_number(base).and_then(exact_root)).flatten();
     match root {
@@ -150,7 +152,7 @@ fn power(pool: &mut Pool, base: Expr, exponent: Ratio<i64>) -> Expr {
     }
 }
 
-/// √q, if that is rational.
+/// Returns √q if it is rational.
 fn exact_root(value: &Rational) -> Option<Rational> {
     if value.is_negative() {
         return None;
@@ -159,7 +161,7 @@ fn exact_root(value: &Rational) -> Option<Rational> {
     (&root * &root == *value).then_some(root)
 }
 
-/// A function of numbers, exact where it is one of 0 and in other simple cases.
+/// Applies a function to numbers, with exact results at 0 and in other simple cases.
 fn apply(pool: &mut Pool, operation: Operation, q: &[Expr]) -> Expr {
     use Operation::{Abs, Asin, Atan, Cos, Cosh, Erf, Exp, Expm1, Log1p, Sin, Sinh, Tan, Tanh};
     if pool.is_zero(q[0]) {
@@ -177,7 +179,7 @@ fn apply(pool: &mut Pool, operation: Operation, q: &[Expr]) -> Expr {
     pool.apply(operation, q)
 }
 
-/// How a number compares with zero, where that is certain.
+/// Compares a number with zero; `None` if the result is not certain.
 pub(super) fn sign_of(pool: &mut Pool, number: Expr) -> Option<Ordering> {
     if let Some(value) = pool.as_number(number) {
         return Some(value.cmp(&Zero::zero()));
@@ -205,10 +207,10 @@ fn is_proved_zero(pool: &mut Pool, number: Expr) -> bool {
     }
 }
 
-/// Figures of a number that is not shown in full.
+/// Number of digits shown of a number that is not shown in full.
 const FIGURES: usize = 20;
 
-/// A number as it is shown: in full where it is short or proved to be an integer, else by its first figures.
+/// Formats a number: in full if it is short or proved to be an integer, else by its first digits.
 pub(super) fn digits(pool: &mut Pool, number: Expr) -> String {
     if let Some(value) = pool.as_number(number)
         && value.numer().bits() + value.denom().bits() <= LONGEST_EXACT

@@ -1,23 +1,24 @@
-//! Faults: what a kernel claims of itself and was not shown, each with its verdict and the message to its author.
+//! Faults: claims of a kernel about itself that were not proved, each with its verdict and the
+//! message to its author.
 
 use crate::decide::{Verdict, Witness};
 use crate::diagnostic::{Diagnostic, Span};
 
-/// What a kernel claims of itself.
+/// Claim of a kernel about itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claim {
-    /// The form behind `by` has the value of the formula wherever the formula has one.
+    /// The form given after `by` has the value of the formula wherever the formula has one.
     By,
     /// The branches of an `if` agree where its condition begins to hold.
     Seam,
     /// The kernel has a value where an effect vanishes.
     Effect,
-    /// It can be computed at all.
+    /// The kernel can be computed at all.
     Kernel,
 }
 
 impl Claim {
-    /// `by`, `seam`, `effect` or `kernel`.
+    /// Returns `by`, `seam`, `effect` or `kernel`.
     pub fn name(self) -> &'static str {
         match self {
             Claim::By => "by",
@@ -28,16 +29,16 @@ impl Claim {
     }
 }
 
-/// A claim of a kernel that is false, or of which nothing is known.
+/// Claim of a kernel that is false or undecided.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// The name of the kernel.
     pub kernel: String,
-    /// What is claimed.
+    /// The claim.
     pub claim: Claim,
     /// Refuted, or unknown.
     pub verdict: Verdict,
-    /// What the author of the kernel is told.
+    /// Message to the author of the kernel.
     pub diagnostic: Diagnostic,
 }
 
@@ -50,12 +51,12 @@ impl Fault {
         Fault { kernel: kernel.to_string(), claim, verdict: Verdict::Unknown { reason }, diagnostic }
     }
 
-    /// A claim that could not be looked at, for the reason that its author is told.
+    /// Builds the fault of a claim that could not be examined, for the reason in the diagnostic.
     pub(super) fn told(kernel: &str, claim: Claim, diagnostic: Diagnostic) -> Self {
         Self::unknown(kernel, claim, diagnostic.message.clone(), diagnostic)
     }
 
-    /// Where the kernel stands.
+    /// Returns the location of the kernel in its source.
     pub fn span(&self) -> Span {
         self.diagnostic.span
     }

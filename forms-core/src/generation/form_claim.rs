@@ -1,9 +1,10 @@
-//! The claim of a form: that it has the value of the formula wherever the formula has one, on the kernel's domain.
+//! The claim of a form: it has the value of the formula wherever the formula has one, on the
+//! kernel's domain.
 //!
 //! ```text
-//! form ─┬─ special points ──▶ a point at which it has no value, or another one
+//! form ─┬─ special points ──▶ a point at which it has no value, or a different one
 //!       ├─ equation ────────▶ equal wherever both have a value, output by output
-//!       └─ definedness ─────▶ it has one wherever the formula has
+//!       └─ definedness ─────▶ it has a value wherever the formula has one
 //! ```
 
 use super::definedness::{self, Breach, Definedness};
@@ -14,14 +15,15 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
 use crate::resolve::Kernel;
 
-/// What is to be said where the form behind `by` is not proved to have the value of the formula, wherever the formula
-/// has one on the kernel's domain. Special points first: a form that differs on a stratum alone is refuted there.
+/// Returns the fault of a form given after `by` that is not proved to have the value of the
+/// formula, wherever the formula has one on the kernel's domain. Special points are tested first: a
+/// form that differs only on a stratum is refuted there.
 pub(super) fn fault(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
     if let Some(breach) = definedness::first_breach(pool, kernel, &kernel.computed) {
         return Some(broken(kernel, &breach));
     }
     for (&form, &formula) in kernel.computed.iter().zip(&kernel.outputs) {
-        // output by output: where another has no value, this one may have one
+        // output by output: an output can have a value where another has none
         match equality(pool, &[(form, formula)], &kernel.domain, FORM) {
             Translation::Proved => {}
             Translation::Refuted(witness) => return Some(different(kernel, witness)),

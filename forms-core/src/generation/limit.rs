@@ -1,11 +1,13 @@
-//! Limits at removable singularities: expressions as series about a point, their first coefficients exactly.
+//! Limits at removable singularities: expressions as series about a point, with exact leading
+//! coefficients.
 //!
 //! ```text
 //! expression, variable = value + ε ─▶ Σ cₖ εᵛ⁺ᵏ, coefficients known up to some order ─▶ the limit c at ε = 0
 //! ```
-//! Arithmetic goes on coefficients; a function f of a series c₀ + δ is Σ f⁽ᵏ⁾(c₀) δᵏ/k!. What the step rests on is kept:
-//! every derivative that was taken, and the next, has to be defined at c₀, and every coefficient that is divided by must
-//! not vanish. A limit is only believed once these conditions are shown to hold all over the seam.
+//! Arithmetic acts on the coefficients; a function f of a series c₀ + δ is Σ f⁽ᵏ⁾(c₀) δᵏ/k!. The
+//! conditions of each step are recorded: every derivative that was taken, and the next one, has to
+//! be defined at c₀, and every coefficient that is a divisor must not vanish. A limit is accepted
+//! only if these conditions are shown to hold on the whole seam.
 
 use super::pieces::negated;
 use crate::assume::vanishes;
@@ -16,7 +18,7 @@ use num_rational::Ratio;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
-/// How many coefficients are computed; those that cancel at the front are lost.
+/// Number of coefficients computed; leading coefficients that cancel are lost.
 const TERMS: usize = 8;
 
 /// Σ cₖ ε^(order + k), up to a remainder O(ε^(order + number of coefficients)).
@@ -27,28 +29,29 @@ struct Series {
 }
 
 impl Series {
-    /// The order of the remainder.
+    /// Returns the order of the remainder.
     fn end(&self) -> i64 {
         self.order + self.coefficients.len() as i64
     }
 }
 
-/// The expansion of expressions in which a variable is a series.
+/// Expansion of expressions in which a variable is a series.
 struct Expansion<'a> {
     pool: &'a mut Pool,
     variable: Symbol,
     /// The variable itself as a series.
     argument: Series,
-    /// What has to be defined.
+    /// Expressions that have to be defined.
     defined: Vec<Expr>,
-    /// What must not be zero.
+    /// Expressions that must not be zero.
     divisors: Vec<Expr>,
-    /// Whether it is that of a derivative to be integrated, in which no other is integrated.
+    /// Whether this is the expansion of a derivative to be integrated, in which no other derivative
+    /// is integrated.
     is_slope: bool,
 }
 
-/// The limit of an expression without `if` as a variable tends to a value, if it is shown to exist wherever the
-/// conditions hold.
+/// Returns the limit of an expression without `if` as a variable tends to a value, if it is shown
+/// to exist wherever the conditions hold.
 pub(super) fn limit(
     pool: &mut Pool,
     expression: Expr,
@@ -81,7 +84,7 @@ pub(super) fn follow(pool: &mut Pool, conditions: &[Condition], known: &[Conditi
     conditions.iter().all(|condition| holds(pool, condition, known))
 }
 
-/// Whether a condition follows from others: they contradict its opposite.
+/// Whether a condition follows from others, because they contradict its opposite.
 pub(super) fn holds(pool: &mut Pool, condition: &Condition, known: &[Condition]) -> bool {
     if let Some(decided) = condition.decided(pool) {
         return decided;
@@ -122,7 +125,7 @@ impl Expansion<'_> {
             }
             Node::Power(a, exponent) => self.power(&known[&a], exponent),
             Node::Apply(Operation::Tan, arguments) => {
-                // a quotient, so that it may have a pole
+                // expanded as a quotient, which can have a pole
                 let sine = self.composed(Operation::Sin, &known[&arguments[0]])?;
                 let cosine = self.composed(Operation::Cos, &known[&arguments[0]])?;
                 let inverse = self.power(&cosine, Ratio::from_integer(-1))?;
@@ -136,7 +139,7 @@ impl Expansion<'_> {
         }
     }
 
-    /// The same series without negative powers, if their coefficients are shown to vanish.
+    /// Removes the negative powers of a series, if their coefficients are shown to vanish.
     fn without_poles(&mut self, mut series: Series) -> Option<Series> {
         while series.order < 0 {
             if !vanishes(self.pool, *series.coefficients.first()?) {
@@ -148,7 +151,7 @@ impl Expansion<'_> {
         Some(series)
     }
 
-    /// The coefficient of ε^power, which is 0 before the first.
+    /// Returns the coefficient of ε^power, which is 0 below the order of the series.
     fn coefficient(&mut self, series: &Series, power: i64) -> Expr {
         let place = usize::try_from(power - series.order).ok();
         let known = place.and_then(|place| series.coefficients.get(place)).copied();
@@ -195,7 +198,8 @@ impl Expansion<'_> {
         Some(power)
     }
 
-    /// (c ε^m (1 + δ))^r = c^r ε^(m r) Σ (r over k) δᵏ; a fraction needs m = 0, where the base stays positive.
+    /// (c ε^m (1 + δ))^r = c^r ε^(m r) Σ (r over k) δᵏ; a fraction r needs m = 0, where the base
+    /// stays positive.
     fn power(&mut self, a: &Series, exponent: Ratio<i64>) -> Option<Series> {
         let mut a = a.clone();
         while vanishes(self.pool, *a.coefficients.first()?) {
@@ -223,7 +227,8 @@ impl Expansion<'_> {
         Some(power)
     }
 
-    /// f(c₀ + δ) = Σ f⁽ᵏ⁾(c₀) δᵏ/k!, or f(c₀) + ∫ f′(c₀ + δ) dδ where f′ as it is written has no value at c₀.
+    /// Expands f(c₀ + δ) = Σ f⁽ᵏ⁾(c₀) δᵏ/k!, or f(c₀) + ∫ f′(c₀ + δ) dδ if f′ as written has no
+    /// value at c₀.
     fn composed(&mut self, operation: Operation, inner: &Series) -> Option<Series> {
         let inner = self.without_poles(inner.clone())?;
         let end = inner.end().min(TERMS as i64);
@@ -251,7 +256,7 @@ impl Expansion<'_> {
         Some(self.powers_of(&delta, &taylor))
     }
 
-    /// The derivatives f⁽ᵏ⁾(c₀) up to that of the remainder.
+    /// Returns the derivatives f⁽ᵏ⁾(c₀), up to the order of the remainder.
     fn derivatives_at(&mut self, function: Expr, variable: Symbol, inner: &Series) -> Option<Vec<Expr>> {
         let at: Substitution = [(variable, *inner.coefficients.first()?)].into_iter().collect();
         let (mut derivative, mut values) = (function, Vec::new());
@@ -262,7 +267,7 @@ impl Expansion<'_> {
         Some(values)
     }
 
-    /// Whether an expression without a free choice is defined nowhere, as 0/0.
+    /// Whether an expression is undefined by a condition between numbers, such as 0/0.
     fn is_undefined(&mut self, expression: Expr) -> bool {
         let domain = self.pool.domain(&[expression]);
         domain.iter().any(|condition| condition.decided(self.pool) == Some(false))

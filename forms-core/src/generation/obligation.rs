@@ -1,10 +1,11 @@
-//! Obligations: what has to hold for an expression to have a value, with the choices that lead to each operation.
+//! Obligations: conditions under which an expression has a value, with the branches that lead to
+//! each operation.
 //!
 //! ```text
-//! expression ─ operations outside every choice, then each branch under its condition ─▶ Obligation { path, ways }
+//! expression ─ operations outside every conditional, then each branch under its condition ─▶ Obligation { path, ways }
 //! ```
-//! `ways` are alternatives, each a list of conditions that together are enough: 1 − q² ≥ 0 for asin q, or 1 − q ≥ 0 and
-//! 1 + q ≥ 0.
+//! `ways` are alternatives, each a list of conditions that together are sufficient: 1 − q² ≥ 0 for
+//! asin q, or 1 − q ≥ 0 and 1 + q ≥ 0.
 
 use super::pieces::negated;
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
@@ -12,21 +13,23 @@ use crate::syntax::ast::Relation;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
 
-/// Expressions with more paths of choices than this are not gone through.
+/// Largest number of paths through the conditionals of an expression that are followed.
 const MOST_PATHS: usize = 256;
 
-/// One operation that is not defined everywhere.
+/// Obligation of an operation that is not defined everywhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Obligation {
-    /// The choices that lead to the operation.
+    /// Conditions of the branches that lead to the operation.
     pub(super) path: Vec<Condition>,
     /// The operation.
     pub(super) part: Expr,
-    /// Conditions each list of which is enough for it to have a value; the first is as the language states it.
+    /// Alternative lists of conditions, each sufficient for the operation to have a value; the
+    /// first is the language's own.
     pub(super) ways: Vec<Vec<Condition>>,
 }
 
-/// Every obligation of some expressions; nothing where they have too many paths of choices.
+/// Returns every obligation of some expressions; `None` if they have too many paths through
+/// conditionals.
 pub(super) fn obligations(pool: &mut Pool, expressions: &[Expr]) -> Option<Vec<Obligation>> {
     let mut found = Vec::new();
     let mut open: Vec<(Vec<Condition>, Vec<Expr>)> = vec![(Vec::new(), expressions.to_vec())];
@@ -57,7 +60,8 @@ pub(super) fn obligations(pool: &mut Pool, expressions: &[Expr]) -> Option<Vec<O
     Some(found)
 }
 
-/// The parts of expressions that are computed whatever is chosen, operands before results, and the outermost choices.
+/// Returns the subexpressions that are computed whichever branches are taken, operands before
+/// results, and the outermost conditionals.
 fn outside_choices(pool: &Pool, roots: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     let (mut parts, mut choices) = (Vec::new(), Vec::new());
     let mut seen: FxHashSet<Expr> = FxHashSet::default();
@@ -79,7 +83,7 @@ fn outside_choices(pool: &Pool, roots: &[Expr]) -> (Vec<Expr>, Vec<Expr>) {
     (parts, choices)
 }
 
-/// The ways in which an operation has a value; none where it always has one.
+/// Returns the alternatives under which an operation has a value; empty if it always has one.
 fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
     let (stated, operation, q) = match pool.node(part).clone() {
         Node::Divide(_, divisor) => {
@@ -109,17 +113,18 @@ fn ways(pool: &mut Pool, part: Expr) -> Vec<Vec<Condition>> {
     std::iter::once(vec![stated]).chain(others).collect()
 }
 
-/// x² + y² ≠ 0, where a kernel has a value of atan2(y, x): on its cut too, which statements leave out.
+/// Returns x² + y² ≠ 0, where a kernel has a value of atan2(y, x): also on its branch cut, which
+/// statements exclude.
 fn off_the_origin(pool: &mut Pool, q: &[Expr]) -> Condition {
     let [(of_y, y), (of_x, x)] = [q[0], q[1]].map(|part| without_number(pool, part));
-    // a number before both, and signs, are left out
+    // signs and a common numeric factor are dropped
     let [y, x] = if of_y == of_x { [y, x] } else { [q[0], q[1]] };
     let [y2, x2] = [y, x].map(|part| pool.power(part, 2.into()));
     let (left, right) = (pool.add(x2, y2), pool.integer(0));
     Condition { left, relation: Relation::NotEqual, right }
 }
 
-/// |c| and q of c q with a number c.
+/// Returns |c| and q of a product c q with a number c.
 fn without_number(pool: &Pool, product: Expr) -> (Rational, Expr) {
     match *pool.node(product) {
         Node::Negate(a) => without_number(pool, a),
@@ -132,7 +137,7 @@ fn without_number(pool: &Pool, product: Expr) -> (Rational, Expr) {
     }
 }
 
-/// Where a kernel has a value of some expressions.
+/// Returns the conditions under which some expressions have a value in a kernel.
 pub(super) fn domain(pool: &mut Pool, expressions: &[Expr]) -> Vec<Condition> {
     let mut conditions = pool.domain(expressions);
     for part in pool.reachable(expressions) {

@@ -1,18 +1,19 @@
-//! Opaque functions: expressions with a variable in the place of every function and radicand, and of every choice if
-//! wanted, for proofs that need not look inside.
+//! Opaque functions: replaces every function and radicand, and optionally every conditional, by a
+//! variable (uninterpreted functions), for proofs that need not look inside.
 //!
-//! A pass rewrites sums and products and leaves functions as they are. So operands of functions are compared first,
-//! innermost functions first, and functions of equal operands become one variable; likewise equal radicands, whose roots
-//! stay. What is left are roots of variables and rational functions, and where they are equal, so are the expressions:
-//! at each point at which the expressions are defined the variables have values. The converse does not hold, as
-//! sin² + cos² = 1 shows.
+//! A pass rewrites sums and products and leaves functions as they are. Operands of functions are
+//! therefore compared first, innermost functions first, and functions of equal operands become one
+//! variable. Equal radicands also become one variable, and their roots stay. The remaining
+//! expressions contain roots of variables and rational functions. If they are equal, so are the
+//! original expressions: at each point at which the expressions are defined the variables have
+//! values. The converse does not hold, as sin² + cos² = 1 shows.
 
 use super::cuts::Cuts;
 use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
 use crate::syntax::ast::Relation;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// What a variable stands for.
+/// Kind of expression that a variable replaces.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Hidden {
     Radicand,
@@ -21,23 +22,25 @@ enum Hidden {
     Quadrature,
 }
 
-/// What has variables in its place.
+/// Kinds of expressions that are replaced by variables.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Depth {
     /// Functions and radicands.
     Functions,
-    /// Choices too, as functions of what they compare and of their branches.
+    /// Conditionals too, as functions of the compared expressions and of the branches.
     Choices,
 }
 
-/// A variable that stands for a function of operands, or for its only operand; they are opaque themselves.
+/// Variable that replaces a function of operands, or its only operand; the operands are opaque
+/// themselves.
 struct Variable {
     hidden: Hidden,
     operands: Vec<Expr>,
     symbol: Expr,
 }
 
-/// The expressions with variables for functions and radicands; equal functions of equal operands are one variable.
+/// Replaces functions and radicands by variables; equal functions of equal operands become one
+/// variable.
 pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec<Expr> {
     let mut images = Images {
         depth,
@@ -48,14 +51,14 @@ pub(super) fn opaque(pool: &mut Pool, expressions: &[Expr], depth: Depth) -> Vec
     images.of(pool, expressions)
 }
 
-/// What stands for the expressions met so far.
+/// Images of the expressions met so far.
 struct Images {
     depth: Depth,
     variables: Variables,
-    /// As summands: a sum is made of what its summands are, so that a part of it that is a radicand elsewhere makes no
-    /// difference.
+    /// Images of expressions as summands: a summand that is also a radicand elsewhere is not
+    /// replaced by a variable in its sum.
     plain: FxHashMap<Expr, Expr>,
-    /// As operands of anything else.
+    /// Images of expressions as operands of any other operation.
     images: FxHashMap<Expr, Expr>,
 }
 
@@ -82,7 +85,7 @@ impl Images {
         expressions.iter().map(|expression| self.images[expression]).collect()
     }
 
-    /// The image of an expression whose operands have theirs.
+    /// Returns the image of an expression whose operands have images.
     fn image(&mut self, pool: &mut Pool, expression: Expr) -> Expr {
         match pool.node(expression).clone() {
             node @ (Node::Add(..) | Node::Negate(_)) => pool.image(expression, node, &self.plain),
@@ -96,7 +99,7 @@ impl Images {
             }
             Node::Jet { function, orders, arguments } if orders.iter().all(|&order| order == 0) => {
                 match pool.integrand_at(function, &arguments) {
-                    // the integrands are compared as functions of their variable
+                    // integrands are compared as functions of their integration variable
                     Some((integrand, _)) => {
                         let mut operands = self.of(pool, &[integrand]);
                         operands.extend(arguments[..2].iter().map(|end| self.images[end]));
@@ -110,7 +113,7 @@ impl Images {
     }
 }
 
-/// The variables so far, and comparisons of what they stand for.
+/// Variables introduced so far, and comparisons of the operands that they replace.
 #[derive(Default)]
 struct Variables {
     known: Vec<Variable>,
@@ -118,7 +121,7 @@ struct Variables {
 }
 
 impl Variables {
-    /// The variable that stands for this.
+    /// Returns the variable that replaces this kind of expression with these operands.
     fn variable(&mut self, pool: &mut Pool, hidden: Hidden, operands: Vec<Expr>) -> Expr {
         for known in self.known.iter().filter(|known| known.hidden == hidden) {
             if self.cuts.are_equal(pool, &known.operands, &operands) {
@@ -137,7 +140,8 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    /// Whether two expressions of x and y are proved to be equal without a look inside functions and choices.
+    /// Whether two expressions of x and y are proved equal without looking inside functions and
+    /// conditionals.
     fn are_alike(left: &str, right: &str) -> bool {
         let (theory, errors) = read_theory(&format!("kernel f(x, y) = ({left}, {right});"));
         assert!(errors.is_empty(), "{errors:?}");

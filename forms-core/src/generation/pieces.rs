@@ -1,19 +1,21 @@
-//! Pieces: expressions with `if` as expressions without, each under the conditions that lead to it.
+//! Pieces: splits expressions with `if` into expressions without, each under the conditions that
+//! lead to it.
 
 use crate::expression::{Condition, Expr, Node, Pool};
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashSet;
 
-/// More pieces than this are not gone through.
+/// Largest number of pieces that are examined.
 pub(super) const MOST_PIECES: usize = 64;
 
-/// Expressions without `if`, where the conditions on the path to them hold.
+/// Expressions without `if`, valid where the conditions on the path to them hold.
 pub(super) struct Piece {
     pub(super) path: Vec<Condition>,
     pub(super) expressions: Vec<Expr>,
 }
 
-/// The pieces of expressions taken together, unless there are too many. Choices that are `alike` are one choice.
+/// Splits expressions together into pieces, unless there are too many. Conditions that are `alike`
+/// are one condition.
 pub(super) fn pieces(
     pool: &mut Pool,
     expressions: &[Expr],
@@ -49,7 +51,7 @@ pub(super) fn pieces(
     Some(pieces)
 }
 
-/// What holds where a condition fails: one condition, or a = b as a ≤ b and a ≥ b.
+/// Negates a condition: the result is one condition, or a = b as a ≤ b and a ≥ b.
 pub(super) fn negated(condition: &Condition) -> Vec<Condition> {
     let with = |relation: Relation| Condition { relation, ..*condition };
     match condition.relation.complement() {
@@ -58,7 +60,7 @@ pub(super) fn negated(condition: &Condition) -> Vec<Condition> {
     }
 }
 
-/// The conditions of every `if`, as far as they contain none themselves, operands before results.
+/// Returns the conditions of every `if` that contain no `if` themselves, operands before results.
 fn choices(pool: &Pool, expressions: &[Expr]) -> Vec<Condition> {
     let mut piecewise: FxHashSet<Expr> = FxHashSet::default();
     let mut choices = Vec::new();
@@ -79,7 +81,7 @@ fn choices(pool: &Pool, expressions: &[Expr]) -> Vec<Condition> {
     choices
 }
 
-/// The choice to make first: the outermost that can be made.
+/// Returns the condition to split on first: the outermost that contains no `if`.
 fn choice(pool: &Pool, expressions: &[Expr]) -> Option<Condition> {
     choices(pool, expressions).pop()
 }

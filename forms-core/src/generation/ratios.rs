@@ -1,7 +1,8 @@
-//! Ratios: a formula of a few lengths is often one of their ratios alone, and has fewer variables by these.
+//! Ratios: a formula of a few lengths often depends on their ratios alone, and has fewer variables
+//! when written in ratios.
 //!
-//! What is equal for all ratios is equal for all lengths; that the ratios are those of positive lengths is all that is kept
-//! of the conditions.
+//! An equality for all ratios holds for all lengths. From the conditions only one fact is used:
+//! ratios of positive lengths are positive.
 
 use super::limit::follow;
 use crate::decide::{Effort, Equations, Finding};
@@ -9,8 +10,8 @@ use crate::expression::{Condition, Expr, Node, Pool, SymbolKind};
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
-/// At how many points the sides of each pair were seen to be equal, if they are shown to be equal as functions of ratios of
-/// variables.
+/// Returns the number of points at which the sides of each pair were seen to be equal, if the sides
+/// are proved equal as functions of ratios of variables.
 pub(super) fn equal_by_ratios(
     pool: &mut Pool,
     sides: &[(Expr, Expr)],

@@ -1,26 +1,28 @@
-//! Residues: values of fractions in roots of variables, modulo a prime. Those that differ tell two of them apart.
+//! Residues: values of fractions in roots of variables, modulo a prime. Different residues prove
+//! that two fractions differ.
 //!
-//! A variable stands for the twelfth power of a fixed element, so that its roots up to the fourth and sixth are elements too
-//! and multiply as they should. What is equal as a fraction has one residue; a difference of residues is therefore certain,
-//! an agreement is not.
+//! A variable is assigned the twelfth power of a fixed field element, so that its roots up to the
+//! fourth and the sixth are field elements too and multiply as they should. Equal fractions have
+//! equal residues; a difference of residues is therefore certain, an agreement is not.
 
 use crate::expression::{Expr, Node, Pool, Rational, Symbol};
 use crate::polynomial::modular::{add, from_integer, inverse, mul, neg, pow, reduce};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
-/// The power of an element that a variable stands for.
+/// Power of the field element that a variable is assigned.
 const POWER: i64 = 12;
 
-/// What stands for π.
+/// Residue assigned to π.
 const PI: u64 = 314_159_265_358_979;
 
-/// The residues of expressions met so far; none where one is undefined or has no meaning here.
+/// Residues of expressions met so far; `None` if a residue is undefined or the operation has no
+/// residue.
 #[derive(Default)]
 pub(super) struct Residues(FxHashMap<Expr, Option<u64>>);
 
 impl Residues {
-    /// The residue of an expression.
+    /// Returns the residue of an expression.
     pub(super) fn of(&mut self, pool: &Pool, expression: Expr) -> Option<u64> {
         if let Some(known) = self.0.get(&expression) {
             return *known;
@@ -29,7 +31,7 @@ impl Residues {
         self.0[&expression]
     }
 
-    /// Finds those of expressions that come after their operands.
+    /// Computes the residues of expressions that are listed after their operands.
     pub(super) fn extend(&mut self, pool: &Pool, expressions: &[Expr]) {
         for &part in expressions {
             if !self.0.contains_key(&part) {
@@ -39,7 +41,7 @@ impl Residues {
         }
     }
 
-    /// Gives an expression a residue in the place of its own.
+    /// Replaces the residue of an expression by a given one.
     pub(super) fn set(&mut self, expression: Expr, residue: Option<u64>) {
         self.0.insert(expression, residue);
     }
@@ -67,7 +69,7 @@ impl Residues {
     }
 }
 
-/// The element whose power stands for a variable.
+/// Returns the field element whose power a variable is assigned.
 fn element(symbol: Symbol) -> u64 {
     reduce((u64::from(symbol.0) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 4)
 }

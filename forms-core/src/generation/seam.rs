@@ -1,9 +1,10 @@
 //! Seams: where the condition of an `if` begins to hold, its two branches have to agree.
 //!
-//! On the boundary a = b of a relation a < b the branches are compared like the sides of a statement, under the
-//! kernel's own conditions and those on the path to the `if`. The boundary is described by one of its parts
-//! in terms of the others, so that no equation is ever assumed, only substituted. A branch that is not defined on the
-//! boundary, as sin(x)/x at 0, has its limit there compared with the value of the other.
+//! On the boundary a = b of a relation a < b the branches are compared like the sides of a
+//! statement, under the kernel's own conditions and the conditions on the path to the `if`. The
+//! boundary is described by one of its parts in terms of the others, so that no equation is ever
+//! assumed, only substituted. If a branch is not defined on the boundary, as sin(x)/x at 0, its
+//! limit there is compared with the value of the other branch.
 
 use super::boundary::{Sheet, Solution, replaced, sheets};
 use super::fault::{Claim, Fault};
@@ -16,27 +17,29 @@ use crate::resolve::Kernel;
 use rustc_hash::FxHashSet;
 use std::cmp::Ordering;
 
-/// A seam is a claim of its author like a statement, but one kernel may have many.
+/// Effort for one seam. A seam is a claim of its author like a statement, but one kernel can have
+/// many.
 const EFFORT: Effort = Effort { work: 10_000_000, candidates: 200, points: 20 };
 
-/// More seams of one kernel than this are not gone through; the same `if` on another path counts again.
+/// Largest number of seams of one kernel that are examined; the same `if` on another path counts
+/// again.
 const MOST_SEAMS: usize = 256;
 
-/// An `if` of a kernel.
+/// Conditional of a kernel.
 struct Choice {
     condition: Condition,
     then: Expr,
     otherwise: Expr,
 }
 
-/// What is found on a seam.
+/// Result of the comparison on a seam.
 enum Agreement {
     Agrees,
     Differs(Witness),
     Undecided(String),
 }
 
-/// What is to be said of the seams of a kernel at which its pieces are not shown to agree.
+/// Returns the faults of a kernel's seams: the seams at which its pieces are not shown to agree.
 pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let claims = with_claims(pool, &kernel.outputs);
     let (mut faults, mut seams) = (Vec::new(), 0);
@@ -71,7 +74,7 @@ pub(super) fn faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     faults
 }
 
-/// What contains an `if` whose branches are to agree.
+/// Returns the expressions that contain an `if` whose branches have to agree.
 fn with_claims(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
     let mut found: FxHashSet<Expr> = FxHashSet::default();
     for expression in pool.reachable(expressions) {
@@ -85,7 +88,7 @@ fn with_claims(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Expr> {
     found
 }
 
-/// Every `if` that an expression contains outside the others.
+/// Returns every `if` that an expression contains outside the other ones.
 fn outermost_choices(pool: &Pool, expression: Expr) -> Vec<Expr> {
     let mut found = Vec::new();
     let mut seen: FxHashSet<Expr> = FxHashSet::default();
@@ -132,7 +135,8 @@ impl Choice {
         None
     }
 
-    /// Whether the branches agree on a sheet: by the first description of it that shows so.
+    /// Decides whether the branches agree on a sheet, by the first description of the sheet that
+    /// shows it.
     fn on_sheet(&self, pool: &mut Pool, sheet: &Sheet, assumed: &[Condition]) -> Agreement {
         let mut undecided = None;
         for solution in sheet.solutions(pool, assumed) {
@@ -180,8 +184,8 @@ impl Choice {
 }
 
 impl Choice {
-    /// Whether the branches agree with a value in the place of a part, if they are defined there as they are written:
-    /// 0·(1/0) is not, although it is 0 once the value is put in.
+    /// Compares the branches with a value substituted for a part, if they are defined there as
+    /// written: 0·(1/0) is not, although it becomes 0 by substitution.
     fn where_defined(&self, pool: &mut Pool, put_in: (Expr, Expr), conditions: &[Condition]) -> Agreement {
         let branches = [self.then, self.otherwise];
         let (values, mut known) = replaced(pool, put_in, &branches, conditions);
@@ -194,7 +198,8 @@ impl Choice {
         compare(pool, values[0], values[1], &known)
     }
 
-    /// The same by limits: the branch that applies on the seam has a value there, the other tends to it.
+    /// Compares the branches by limits: the branch that applies on the seam has a value there, the
+    /// other tends to it.
     fn by_limits(
         &self,
         pool: &mut Pool,
@@ -222,7 +227,8 @@ impl Choice {
     }
 }
 
-/// Whether some of these conditions fail wherever the others hold, and there is such a place.
+/// Whether the conditions contradict the known ones, while the known ones do not contradict each
+/// other.
 pub(super) fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Condition]) -> bool {
     let open: Vec<Condition> =
         conditions.iter().filter(|condition| condition.decided(pool) != Some(true)).copied().collect();
@@ -233,7 +239,7 @@ pub(super) fn is_excluded(pool: &mut Pool, conditions: &[Condition], known: &[Co
     contradiction(pool, &all).is_some() && contradiction(pool, known).is_none()
 }
 
-/// Whether two expressions agree wherever the conditions hold, piece by piece.
+/// Compares two expressions wherever the conditions hold, piece by piece.
 fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -> Agreement {
     let mut expressions = vec![left, right];
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
@@ -255,7 +261,7 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
             Finding::Different(witness) => return Agreement::Differs(witness),
             Finding::Unknown { reason, .. } => return Agreement::Undecided(reason),
             Finding::Empty(reason) => {
-                // either the seam is nowhere in the domain, or a branch is not defined on it
+                // the seam lies nowhere in the domain, or a branch is not defined on it
                 if contradiction(pool, &assumed).is_none() {
                     return Agreement::Undecided(format!("a branch is not defined there: {reason}"));
                 }
@@ -265,7 +271,7 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
     Agreement::Agrees
 }
 
-/// The point, and the value of each branch there.
+/// Formats the point, and the value of each branch there.
 fn values(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     if witness.left == witness.right {

@@ -1,8 +1,9 @@
-//! Special points: where formulas and forms of them part, if anywhere.
+//! Special points: candidates for a point at which a form differs from its formula.
 //!
-//! Arguments are 0, ±1, ±1/2, ±2, … and, where they occur in angles, multiples of π/2, in every mixture; and each is
-//! put where an expression that matters vanishes, solved for it. So points on strata of lower dimension are met,
-//! which points in general position never are. The sequence is the same for the same kernel.
+//! Arguments take the values 0, ±1, ±1/2, ±2, … and, if they occur in angles, multiples of π/2, in
+//! every combination. An argument is also set to where a relevant expression vanishes, by solving
+//! for it. The points thus lie on strata of lower dimension as well, which points in general
+//! position never meet. The sequence is the same for the same kernel.
 
 use super::boundary::sheets;
 use super::exact_point::Point;
@@ -11,29 +12,30 @@ use crate::random::SplitMix;
 use crate::syntax::ast::Relation;
 use rustc_hash::FxHashSet;
 
-/// The numbers, the simplest first; of a fraction p/q the pair.
+/// Numbers that arguments take, the simplest first; a fraction p/q is the pair (p, q).
 const NUMBERS: &[(i64, i64)] =
     &[(0, 1), (1, 1), (-1, 1), (2, 1), (1, 2), (-1, 2), (-2, 1), (1, 4), (3, 1), (-1, 4), (10, 1), (1, 10)];
 
-/// The multiples of π/2 that an angle is put at.
+/// Multiples of π/2 that an angle takes.
 const QUARTER_TURNS: &[i64] = &[2, 1, -1, -2];
 
-/// More solutions of one equation than this are not used.
+/// Largest number of solutions of one equation that are used.
 const MOST_SOLUTIONS: usize = 6;
 
-/// The points of one kernel.
+/// Special points of one kernel.
 pub(super) struct SpecialPoints {
     arguments: Vec<Symbol>,
-    /// What each argument is put at.
+    /// Values that each argument takes.
     values: Vec<Vec<Expr>>,
-    /// An argument and what it is where some expression vanishes.
+    /// Arguments and their values where some expression vanishes.
     solutions: Vec<(Symbol, Expr)>,
     random: SplitMix,
     round: usize,
 }
 
 impl SpecialPoints {
-    /// Those of some arguments, and where these expressions vanish.
+    /// Creates the special points of some arguments, including points where the expressions `zeros`
+    /// vanish.
     pub(super) fn new(pool: &mut Pool, arguments: &[Symbol], expressions: &[Expr], zeros: &[Expr]) -> Self {
         let angles = in_angles(pool, expressions);
         let numbers: Vec<Expr> = NUMBERS.iter().map(|&(p, q)| pool.ratio(p, q)).collect();
@@ -64,7 +66,8 @@ impl SpecialPoints {
         SpecialPoints { arguments: arguments.to_vec(), values, solutions, random: SplitMix(0x5eed), round: 0 }
     }
 
-    /// The values of an argument that are simpler than one of them, the simplest first: numbers before multiples of π.
+    /// Returns the values of an argument that are simpler than the given one, the simplest first:
+    /// numbers before multiples of π.
     pub(super) fn simpler(&self, pool: &Pool, argument: Symbol, value: Expr) -> Vec<Expr> {
         let place = self.arguments.iter().position(|&known| known == argument);
         let mut values = place.map_or_else(Vec::new, |place| self.values[place].clone());
@@ -72,7 +75,7 @@ impl SpecialPoints {
         values.into_iter().take_while(|&known| known != value).collect()
     }
 
-    /// The next point.
+    /// Returns the next point.
     pub(super) fn next(&mut self, pool: &mut Pool) -> Point {
         let round = self.round;
         self.round += 1;
@@ -82,7 +85,7 @@ impl SpecialPoints {
             let index = if self.arguments.len() == 1 {
                 round % values.len()
             } else {
-                // the simplest values the most often
+                // the simplest values are drawn most often
                 let random = self.random.next();
                 let most = if random & 1 == 0 { values.len().min(4) } else { values.len() };
                 (random >> 8) as usize % most
@@ -98,7 +101,7 @@ impl SpecialPoints {
     }
 }
 
-/// The variables that occur in the argument of a sine, cosine or tangent.
+/// Returns the variables that occur in the argument of a sine, cosine or tangent.
 fn in_angles(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Symbol> {
     let mut found = FxHashSet::default();
     for part in pool.reachable(expressions) {
@@ -109,7 +112,7 @@ fn in_angles(pool: &Pool, expressions: &[Expr]) -> FxHashSet<Symbol> {
     found
 }
 
-/// Arguments solved for where expressions vanish, in terms of the others.
+/// Solves for the arguments at which expressions vanish, in terms of the other arguments.
 fn solutions(pool: &mut Pool, arguments: &[Symbol], zeros: &[Expr]) -> Vec<(Symbol, Expr)> {
     let zero = pool.integer(0);
     let mut found: Vec<(Symbol, Expr)> = Vec::new();

@@ -1,7 +1,8 @@
-//! Translation validation: the optimised program, raised to an expression again, is proved equal to the formula, and so is
-//! the form behind `by`.
+//! Translation validation: the optimised program is raised to an expression again and proved equal
+//! to the formula. A form given after `by` is proved equal to the formula in the same way.
 //!
-//! The equation is decided like any other statement, on the kernel's domain and wherever both sides are defined.
+//! The equation is decided like any other statement, on the kernel's domain and wherever both sides
+//! are defined.
 
 use super::boundary::{replaced, sheets};
 use super::cuts::Cuts;
@@ -16,13 +17,14 @@ use crate::resolve::Kernel;
 use crate::syntax::ast::Relation;
 use std::fmt;
 
-/// A kernel is generated inside the compiler of whoever uses it: less is spent on it than on a statement.
+/// Effort for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
+/// than on a statement.
 pub(super) const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
 
-/// A form behind `by` is a claim of its author like a statement.
+/// Effort for a form given after `by`, which is a claim of its author like a statement.
 pub(super) const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
 
-/// What is known of the agreement of a program with its formula.
+/// Verdict on the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Translation {
     /// They are equal wherever both are defined.
@@ -31,9 +33,9 @@ pub enum Translation {
     Refuted(Witness),
     /// Neither was shown.
     Unknown {
-        /// What stood in the way.
+        /// Reason why nothing was shown.
         reason: String,
-        /// At so many exact points both were enclosed and no difference was certain.
+        /// Number of exact points at which both were enclosed and no difference was certain.
         points: usize,
     },
 }
@@ -44,7 +46,7 @@ impl Translation {
         *self == Translation::Proved
     }
 
-    /// What is to be said of a kernel that does not compute its formula.
+    /// Returns the error for a kernel whose program does not compute its formula.
     pub(super) fn objection(&self, kernel: &Kernel) -> Option<Diagnostic> {
         let Translation::Refuted(witness) = self else { return None };
         let message = format!(
@@ -85,7 +87,8 @@ impl fmt::Display for Translation {
     }
 }
 
-/// Raises the program and compares it with the kernel: its outputs on its domain, and the domain itself.
+/// Raises the program and compares it with the kernel: its outputs on its domain, and the domain
+/// itself.
 pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> Translation {
     let raised = program.raise(pool, &kernel.arguments);
     let sides = |condition: &Condition| [condition.left, condition.right];
@@ -96,8 +99,9 @@ pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> T
     equality(pool, &domain, &[], EFFORT).and(equality(pool, &outputs, &kernel.domain, EFFORT))
 }
 
-/// Whether the sides of each pair are equal under the conditions: without a look inside choices or at least inside functions,
-/// which is enough for most programs and costs little, or else with one.
+/// Decides whether the sides of each pair are equal under the conditions. The first attempts do not
+/// look inside conditionals or at least not inside functions, which suffices for most programs and
+/// costs little; the last one does.
 pub(super) fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
@@ -118,7 +122,8 @@ pub(super) fn equality(
     by_pieces(pool, &different, conditions, effort)
 }
 
-/// Whether each expression in an even place equals the one behind it under the conditions, piece by piece.
+/// Decides whether each expression at an even index equals the next one under the conditions, piece
+/// by piece.
 fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effort: Effort) -> Translation {
     let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
@@ -160,8 +165,8 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effo
     }
 }
 
-/// Whether the sides of each pair agree where conditions hold among which a ≤ b and a ≥ b are: with the solution of a = b
-/// put in, they are equal wherever both are defined, or nowhere defined.
+/// Whether the sides of each pair agree under conditions that include a ≤ b and a ≥ b: with the
+/// solution of a = b substituted, they are equal wherever both are defined, or nowhere defined.
 fn agree_on_boundary(
     pool: &mut Pool,
     sides: &[(Expr, Expr)],
@@ -192,7 +197,8 @@ fn agree_on_boundary(
     })
 }
 
-/// Whether two choices are one: the same relation, and the differences of their sides proved equal.
+/// Whether two conditions are one: the same relation, and the differences of their sides proved
+/// equal.
 fn is_same_choice(pool: &mut Pool, a: &Condition, b: &Condition) -> bool {
     let [left, right] = [a, b].map(|condition| pool.subtract(condition.left, condition.right));
     let equations = Equations { sides: &[(left, right)], conditions: &[] };
@@ -224,7 +230,7 @@ mod tests {
         lower(&theory.pool, &source).expect("a kernel")
     }
 
-    /// What is found of each program that has one of the kernel's instructions changed.
+    /// Returns the verdict on each program that has one of the kernel's instructions changed.
     fn with_one_changed(
         source: &str,
         changed: impl Fn(&Instruction) -> Option<Instruction>,
@@ -252,7 +258,7 @@ mod tests {
         })
     }
 
-    /// A sum of functions with coefficients that share sums, in a choice.
+    /// A sum of functions with coefficients that share sums, and with a conditional.
     const SUM_OF_FUNCTIONS: &str =
         "kernel k(a, b, c, d) = atan2((a + b)*(c - d), a*c + b*d)*(a*(b + c) + d*(b + c))
         + clausen(a*(c + d))*(a + b)**2/sqrt(a**2 + b**2 + 1)
@@ -301,7 +307,7 @@ mod tests {
         assert!(matches!(validate(&mut theory.pool, &kernel, &wrong), Translation::Refuted(_)));
     }
 
-    /// What is found of two forms of a function of x.
+    /// Compares two forms of a function of x.
     fn compared(kernels: &str) -> Translation {
         let mut theory = theory(kernels);
         let [kernel, other] = [0, 1].map(|place| theory.kernels[place].clone());

@@ -1,10 +1,11 @@
-//! Addition chains: several powers of one number with the fewest multiplications.
+//! Addition chains: several powers of one number with few multiplications.
 
-/// Beyond this, powers are found by halving instead of by search.
+/// Largest exponent whose chain is searched for; larger exponents are halved instead.
 const SEARCHED: u32 = 64;
 
-/// Each step (i, j) multiplies the i-th and the j-th power into the (i+j)-th; `given` are at hand, `wanted` are
-/// reached in the order of the steps.
+/// Returns the steps that reach the `wanted` powers from the `given` ones. Each step (i, j)
+/// multiplies the i-th and the j-th power into the (i+j)-th; the powers are reached in the order of
+/// the steps.
 pub(super) fn addition_chain(given: &[u32], wanted: &[u32]) -> Vec<(u32, u32)> {
     let mut known: Vec<u32> = given.to_vec();
     let mut steps = Vec::new();
@@ -42,7 +43,8 @@ fn reach(target: u32, known: &mut Vec<u32>, steps: &mut Vec<(u32, u32)>) {
     }
 }
 
-/// The steps of a chain of at most this length that ends in the target, each step using the one before it.
+/// Searches for a chain of at most this length that ends in the target, in which each step uses the
+/// previous one.
 fn search(target: u32, length: u32, known: &[u32], path: &mut Vec<(u32, u32)>) -> Option<Vec<(u32, u32)>> {
     let last = path.last().map(|(i, j)| i + j);
     if last == Some(target) {

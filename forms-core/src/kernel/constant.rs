@@ -1,4 +1,5 @@
-//! Numbers of a kernel: kept exact, rounded to a floating-point number once, when they are used.
+//! Numbers of a kernel: exact until they are used, and then rounded to a floating-point number
+//! once.
 
 use crate::expression::Rational;
 use forms_math::{Number, Real};
@@ -7,14 +8,15 @@ use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::fmt;
 
-/// π to a hundred decimals, so that the words of q πᵏ are right to double-double.
+/// π to a hundred decimals, so that the words of q πᵏ are correct in double-double precision.
 const PI_DIGITS: &str =
     "31415926535897932384626433832795028841971693993751058209749445923078164062862089986280348253421170679";
 
-/// Longer quotients are shown by their size.
+/// Length of the longest quotient that is written in full; a longer one is written by its power of
+/// ten.
 const LONGEST_TEXT: usize = 40;
 
-/// q πᵏ with q rational, exactly.
+/// Exact number q πᵏ with q rational.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Constant {
     /// q
@@ -24,12 +26,12 @@ pub struct Constant {
 }
 
 impl Constant {
-    /// A rational number.
+    /// Creates a rational number.
     pub fn rational(factor: Rational) -> Self {
         Constant { factor, pi_exponent: 0 }
     }
 
-    /// An integer.
+    /// Creates an integer.
     pub fn integer(value: i64) -> Self {
         Self::rational(Rational::from_integer(value.into()))
     }
@@ -39,22 +41,22 @@ impl Constant {
         Constant { factor: Rational::one(), pi_exponent: 1 }
     }
 
-    /// Whether it is 1.
+    /// Whether the number is 1.
     pub fn is_one(&self) -> bool {
         self.pi_exponent == 0 && self.factor.is_one()
     }
 
-    /// Whether it is 0.
+    /// Whether the number is 0.
     pub fn is_zero(&self) -> bool {
         self.factor.is_zero()
     }
 
-    /// Whether it is below 0.
+    /// Whether the number is below 0.
     pub fn is_negative(&self) -> bool {
         self.factor.is_negative()
     }
 
-    /// Whether it is neither infinite as an `f64` nor rounded to zero.
+    /// Whether the number, as an `f64`, is neither infinite nor rounded to zero.
     pub fn is_representable(&self) -> bool {
         let nearest = self.to_f64();
         nearest.is_finite() && (nearest != 0.0 || self.is_zero())
@@ -77,37 +79,38 @@ impl Constant {
         }
     }
 
-    /// c₁ + c₂, where both have the same power of π.
+    /// c₁ + c₂, if both have the same power of π.
     pub(crate) fn plus(&self, other: &Self) -> Option<Self> {
         (self.pi_exponent == other.pi_exponent)
             .then(|| Constant { factor: &self.factor + &other.factor, pi_exponent: self.pi_exponent })
     }
 
-    /// 1/c of a number that is not 0.
+    /// 1/c for c ≠ 0.
     pub(crate) fn reciprocal(&self) -> Self {
         Constant { factor: self.factor.recip(), pi_exponent: -self.pi_exponent }
     }
 
-    /// The nearest `f64`, ties to even.
+    /// Returns the nearest `f64`, ties to even.
     pub fn to_f64(&self) -> f64 {
         nearest_f64(&self.value())
     }
 
-    /// The nearest `f32`, ties to even.
+    /// Returns the nearest `f32`, ties to even.
     pub fn to_f32(&self) -> f32 {
         let value = self.value();
         nearest(value.numer(), value.denom(), SINGLE) as f32
     }
 
-    /// The number as a sum of at most that many `f64`s: each is the nearest to what those before it leave. Exact where
-    /// it is shorter. One infinity where the number is beyond all `f64`s.
+    /// Splits the number into a sum of at most `most` `f64`s, each the nearest to the remainder
+    /// after the previous ones. The sum is exact if it is shorter. A number beyond all `f64`s gives
+    /// one infinity.
     pub fn words(&self, most: usize) -> Vec<f64> {
         let mut left = self.value();
         let mut words = Vec::new();
         while words.is_empty() || (words.len() < most && !left.is_zero()) {
             let word = nearest_f64(&left);
             words.push(word);
-            // what is left is below all f64s, or infinite
+            // the remainder is below all `f64`s, or the number is infinite
             let Some(exact) = Rational::from_float(word).filter(|exact| !exact.is_zero()) else { break };
             left -= exact;
         }
@@ -117,7 +120,7 @@ impl Constant {
         words
     }
 
-    /// The number as it is, in any precision.
+    /// Converts the exact number to any precision.
     pub(crate) fn to_real<T: Real>(&self) -> T {
         let words = self.words(2);
         if self.is_double() {
@@ -128,13 +131,14 @@ impl Constant {
         T::number(Number::new(words, &numerator, &denominator, self.pi_exponent))
     }
 
-    /// Whether it is an `f64`.
+    /// Whether an `f64` holds the number exactly.
     pub(crate) fn is_double(&self) -> bool {
         self.pi_exponent == 0
             && Rational::from_float(self.to_f64()).is_none_or(|nearest| nearest == self.factor)
     }
 
-    /// The sizes of the numerator and the denominator of q, each the least significant word first.
+    /// Returns the magnitudes of the numerator and the denominator of q, each with the least
+    /// significant word first.
     pub(crate) fn natural_words(&self) -> [Vec<u64>; 2] {
         [self.factor.numer(), self.factor.denom()].map(|part| part.magnitude().to_u64_digits())
     }
@@ -152,7 +156,7 @@ impl Constant {
     }
 }
 
-/// q πᵏ with q as a quotient, or by its power of ten where that would be long.
+/// Writes q πᵏ with q as a quotient, or as a power of ten if the quotient is long.
 impl fmt::Display for Constant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let factor = self.factor.to_string();
@@ -171,13 +175,13 @@ impl fmt::Display for Constant {
     }
 }
 
-/// A binary floating-point format: how many bits its mantissa has, and the powers of two it reaches.
+/// Binary floating-point format: the number of bits of its mantissa, and its range of exponents.
 #[derive(Clone, Copy)]
 pub(crate) struct Binary {
     mantissa: i64,
-    /// The exponent of the least number above zero.
+    /// Exponent of the least positive number.
     least: i64,
-    /// The largest exponent of a finite number.
+    /// Largest exponent of a finite number.
     greatest: i64,
 }
 
@@ -186,13 +190,15 @@ pub(crate) const SINGLE: Binary = Binary { mantissa: 24, least: -149, greatest: 
 /// `f64`
 pub(crate) const DOUBLE: Binary = Binary { mantissa: 53, least: -1074, greatest: 1023 };
 
-/// The nearest `f64` to a rational number, ties to even, subnormal numbers and overflow included.
+/// Returns the nearest `f64` to a rational number, ties to even, including subnormal numbers and
+/// overflow.
 pub(crate) fn nearest_f64(value: &Rational) -> f64 {
     nearest(value.numer(), value.denom(), DOUBLE)
 }
 
-/// The number of a binary format that is nearest to a quotient with a denominator above zero, ties to even,
-/// subnormal numbers and overflow included. The quotient need not be in lowest terms.
+/// Returns the number of a binary format that is nearest to a quotient with a positive denominator,
+/// ties to even, including subnormal numbers and overflow. The quotient need not be in lowest
+/// terms.
 pub(crate) fn nearest(numerator: &BigInt, denominator: &BigInt, format: Binary) -> f64 {
     if numerator.is_zero() {
         return 0.0;
@@ -229,7 +235,7 @@ pub(crate) fn nearest(numerator: &BigInt, denominator: &BigInt, format: Binary) 
     }
 }
 
-/// 2^exponent for −1074 ≤ exponent ≤ 1023.
+/// Returns 2^exponent for −1074 ≤ exponent ≤ 1023.
 fn power_of_two(exponent: i64) -> f64 {
     let bits = if exponent >= -1022 { ((exponent + 1023) as u64) << 52 } else { 1u64 << (exponent + 1074) };
     f64::from_bits(bits)

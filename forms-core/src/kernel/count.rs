@@ -1,32 +1,34 @@
-//! What a program costs: its operations by kind, and one weighted number to compare programs by.
+//! Cost of a program: its operations by kind, and one weighted number to compare programs by.
 
 use super::program::{Instruction, Program};
 use std::fmt;
 
-/// A division beside an addition.
+/// Cost of a division relative to an addition.
 const DIVISION: u32 = 4;
-/// A square root beside an addition.
+/// Cost of a square root relative to an addition.
 const SQUARE_ROOT: u32 = 5;
-/// A compensated sum of two products beside an addition: two products, their errors, and the sums of both.
+/// Cost of a compensated sum of two products relative to an addition: two products, their errors,
+/// and the sums of both.
 const PRODUCTS: u32 = 6;
-/// A general power beside an addition.
+/// Cost of a general power relative to an addition.
 const POWER: u32 = 30;
-/// How often an integrand is computed for one integral, about.
+/// Approximate number of evaluations of the integrand for one integral.
 const NODES: u32 = 60;
-/// A choice beside an addition.
+/// Cost of a conditional relative to an addition.
 const SELECT: u32 = 2;
 
-/// The operations of a program; arguments and numbers cost nothing.
+/// Operations of a program; arguments and numbers cost nothing.
 ///
-/// A fused instruction counts as the additions and multiplications it is made of, so that a count says how much
-/// arithmetic a formula takes on any target; [`OperationCount::fused`] says how many instructions that saves.
+/// A fused instruction counts as the additions and multiplications that it consists of, so that a
+/// count gives the arithmetic of a formula on any target; [`OperationCount::fused`] gives the
+/// number of instructions that fusing saves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OperationCount {
     /// Additions and subtractions.
     pub adds: usize,
     /// Multiplications.
     pub multiplies: usize,
-    /// How many of the additions are one instruction with a multiplication.
+    /// Number of additions that are one instruction with a multiplication.
     pub fused: usize,
     /// Changes of sign.
     pub negations: usize,
@@ -34,14 +36,15 @@ pub struct OperationCount {
     pub divisions: usize,
     /// Square roots.
     pub square_roots: usize,
-    /// Functions of the op table, and powers with exponents that need the general power function.
+    /// Functions of the operation table, and powers with exponents that need the general power
+    /// function.
     pub function_calls: usize,
-    /// Choices between two values.
+    /// Conditionals that select one of two values.
     pub selects: usize,
 }
 
 impl OperationCount {
-    /// All arithmetic: everything but function calls and choices.
+    /// Returns the number of arithmetic operations: all but function calls and conditionals.
     pub fn arithmetic(&self) -> usize {
         self.adds + self.multiplies + self.negations + self.divisions + self.square_roots
     }
@@ -68,7 +71,7 @@ impl fmt::Display for OperationCount {
 }
 
 impl Program {
-    /// How many operations of each kind it takes.
+    /// Counts the operations of each kind.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
         for instruction in &self.instructions {
@@ -97,7 +100,7 @@ impl Program {
         count
     }
 
-    /// Its cost in units of one addition.
+    /// Returns the cost in units of one addition.
     pub fn cost(&self) -> u32 {
         let cost = |instruction: &Instruction| match instruction {
             Instruction::Constant(_) | Instruction::Argument(_) => 0,

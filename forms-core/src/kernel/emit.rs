@@ -1,13 +1,15 @@
-//! Emission: a program as source text of some language, every value as the program computes it.
+//! Emission: a program as source text of some language, with every value as the program computes
+//! it.
 //!
 //! ```text
-//! Program ─ blocks ─▶ what each branch alone needs ─ body ─▶ statements ─┬─ rust    ─▶ a function of f32s or f64s
-//!                                                     dialect            ├─ c       ─▶ the same in C or CUDA
-//!                                                     names · docs       ├─ wgsl    ─▶ a function of f32s
-//!                                                                        └─ generic ─▶ a function of any Real
+//! Program ─ blocks ─▶ values of each branch alone ─── body ─▶ statements ─┬─ rust    ─▶ a function of f32s or f64s
+//!                                                     dialect             ├─ c       ─▶ the same in C or CUDA
+//!                                                     names · docs        ├─ wgsl    ─▶ a function of f32s
+//!                                                                         └─ generic ─▶ a function of any Real
 //! ```
-//! Emission never simplifies. A value used once is written where it is used as long as the line stays short;
-//! the others are named `t0`, `t1`, … in the order of their computation. What a language cannot say is an error.
+//! Emission never simplifies. A value used once is written where it is used as long as the line
+//! stays short; the others are named `t0`, `t1`, … in the order of their computation. A feature
+//! that a language lacks is an error.
 
 mod blocks;
 mod body;

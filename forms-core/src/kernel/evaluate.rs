@@ -1,4 +1,4 @@
-//! The plain value of expressions in `f64`: what every kernel is compared with.
+//! Plain evaluation of expressions in `f64`, the reference for every kernel.
 
 use super::constant::nearest_f64;
 use super::program::holds;
@@ -6,8 +6,8 @@ use crate::expression::{Expr, Node, Pool, Symbol};
 use forms_math::Real;
 use rustc_hash::FxHashMap;
 
-/// The values of expressions as they are written, one rounding for each node; nothing where a variable has no
-/// value or an unknown function occurs.
+/// Evaluates expressions as they are written, with one rounding for each node. `None` if a variable
+/// has no value or an unknown function occurs.
 pub fn evaluate_f64(pool: &Pool, expressions: &[Expr], values: &[(Symbol, f64)]) -> Option<Vec<f64>> {
     let mut known: FxHashMap<Expr, f64> = FxHashMap::default();
     for expression in pool.reachable(expressions) {

@@ -1,14 +1,15 @@
-//! Expanding: small products of sums are multiplied out, so that another arrangement of the same polynomial can be
-//! found. (1−u)a + u b and a + u(b−a) meet in a − u a + u b.
+//! Expansion: small products of sums are multiplied out, so that another arrangement of the same
+//! polynomial can be found. (1−u)a + u b and a + u(b−a) both expand to a − u a + u b.
 //!
-//! Only what stays small is expanded: a long sum, or one used in several places, is a variable to the polynomials
-//! around it. And nothing is expanded in which terms cancel, because then the product is the accurate form:
-//! (1−g)(1+g) near g = 1, where 1 − g² has lost its digits, or (1−g)² + 2g(1−c) near g = c = 1.
+//! Only polynomials that stay small are expanded: a long sum, or one used in several places, is a
+//! variable to the polynomials around it. Nothing is expanded if terms cancel, because the product
+//! is then the accurate form: (1−g)(1+g) near g = 1, where 1 − g² has lost its digits, or
+//! (1−g)² + 2g(1−c) near g = c = 1.
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled, joined};
 use std::rc::Rc;
 
-/// How far to expand.
+/// Limits of expansion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Limits {
     /// A product with more terms than this stays a product.
@@ -19,13 +20,13 @@ pub(super) struct Limits {
     pub(super) shared: usize,
 }
 
-/// The highest power of a sum that is multiplied out.
+/// Highest power of a sum that is multiplied out.
 const HIGHEST_POWER: i32 = 4;
 
 /// c Π nᵢ^eᵢ
 type Monomial = (Coefficient, Vec<Factor>);
 
-/// The graph with small products multiplied out.
+/// Returns the graph with small products multiplied out.
 pub(super) fn expand(graph: &Graph, limits: Limits) -> Graph {
     let uses = graph.uses();
     let mut polynomials: Vec<Option<Rc<Vec<Monomial>>>> = vec![None; graph.len()];
@@ -44,14 +45,14 @@ pub(super) fn expand(graph: &Graph, limits: Limits) -> Graph {
     })
 }
 
-/// What is known of the operands of a node: their images, and their terms where they may be opened.
+/// Operands of a node: their images, and their terms if they can be expanded.
 struct Operands<'a> {
     polynomials: &'a [Option<Rc<Vec<Monomial>>>],
     images: &'a [Scaled],
 }
 
 impl Operands<'_> {
-    /// The terms of an operand, one if it is closed.
+    /// Returns the terms of an operand; a single term if the operand is not expanded.
     fn terms(&self, new: &Graph, node: Node) -> Rc<Vec<Monomial>> {
         match &self.polynomials[node.place()] {
             Some(polynomial) => polynomial.clone(),
@@ -113,7 +114,7 @@ fn monomial(graph: &Graph, scaled: Scaled) -> Monomial {
     (scaled.coefficient, factors)
 }
 
-/// Adds a term to those it is like; nothing if they cancel, be it in part.
+/// Adds a term to its like term. `None` if the two cancel, even in part.
 fn add(sum: &mut Vec<Monomial>, (coefficient, factors): Monomial) -> Option<()> {
     match sum.iter_mut().find(|(_, known)| *known == factors) {
         Some((total, _)) if total.is_negative() == coefficient.is_negative() => {

@@ -1,23 +1,25 @@
-//! Factoring: a sum with a factor in common becomes a product, S = f A + B, and so on inside A and B.
+//! Factoring: a sum with a common factor becomes a product, S = f A + B, and recursively inside A
+//! and B.
 //!
-//! Denominators come first: a/c + b/c = (a + b)/c. Then the factor that saves most multiplications, which for a
-//! polynomial is Horner's rule. Among equals the one whose cofactor A is needed anyway is taken, so a map and
-//! its derivatives share their parts: in p = a + v(c−a) + u p_u the cofactor of u is the derivative p_u.
+//! Denominators come first: a/c + b/c = (a + b)/c. The factor that saves most multiplications
+//! follows, which for a polynomial is Horner's rule. Among factors with equal savings, a factor
+//! whose cofactor A is needed anyway is preferred, so that a map and its derivatives share
+//! subexpressions: in p = a + v(c−a) + u p_u the cofactor of u is the derivative p_u.
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled, joined};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 
-/// Which of several factors that save the same is taken.
+/// Preference among factors with equal savings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Order {
-    /// The one that came first in the formula.
+    /// The factor that occurs first in the formula.
     First,
-    /// The one that came last.
+    /// The factor that occurs last.
     Last,
 }
 
-/// The graph with common factors taken out of its sums.
+/// Returns the graph with common factors taken out of its sums.
 pub(super) fn factor(graph: &Graph, order: Order) -> Graph {
     let is_sum = |node: &Node| matches!(graph.form(*node), Form::Sum(_));
     let sums: Vec<Node> = graph.reachable().into_iter().filter(is_sum).collect();
@@ -37,23 +39,23 @@ type Monomial = (Coefficient, Vec<Factor>);
 
 struct Factoring {
     graph: Graph,
-    /// The sums that are computed in any case.
+    /// Sums that are computed in any case.
     needed: FxHashSet<Node>,
     order: Order,
 }
 
-/// A factor that can be taken out of some of the terms.
+/// Factor that can be taken out of some of the terms.
 #[derive(Clone, Copy)]
 struct Candidate {
     base: Node,
-    /// What is taken out of each of them.
+    /// Exponent taken out of each of these terms.
     exponent: Exponent,
-    /// How many operations that saves.
+    /// Weighted number of operations that this saves.
     saving: usize,
 }
 
 impl Candidate {
-    /// Whether a term contains it, and with the same sign of the exponent.
+    /// Returns the index of the factor in a term, with the same sign of the exponent.
     fn place_in(&self, factors: &[Factor]) -> Option<usize> {
         let is_same =
             |(base, e): &Factor| *base == self.base && e.is_negative() == self.exponent.is_negative();
@@ -62,7 +64,7 @@ impl Candidate {
 }
 
 impl Factoring {
-    /// Rewrites one sum and gives the cofactors it made, which are to be factored in turn.
+    /// Rewrites one sum and returns the cofactors that arise, which are to be factored in turn.
     fn factor_sum(&mut self, node: Node) -> Vec<Node> {
         let Form::Sum(terms) = self.graph.form(node).clone() else { return vec![] };
         let mut rest: Vec<Monomial> =
@@ -108,7 +110,7 @@ impl Factoring {
         self.graph.sum(&terms)
     }
 
-    /// The terms that contain the factor, without it, and the others.
+    /// Splits terms into those that contain the factor, divided by it, and the others.
     fn split(&self, terms: &[Monomial], by: Candidate) -> (Vec<Monomial>, Vec<Monomial>) {
         let (mut inside, mut outside) = (Vec::new(), Vec::new());
         for (coefficient, factors) in terms {
@@ -128,7 +130,7 @@ impl Factoring {
         (inside, outside)
     }
 
-    /// The factor to take out next: a denominator, else the one that saves most.
+    /// Returns the factor to take out next: a denominator, or else the factor that saves most.
     fn best(&mut self, terms: &[Monomial]) -> Option<Candidate> {
         let candidates = candidates(terms);
         let most = candidates.iter().map(|candidate| candidate.saving).max()?;
@@ -149,10 +151,10 @@ impl Factoring {
     }
 }
 
-/// What a division saved counts beside a multiplication saved.
+/// Weight of a saved division relative to a saved multiplication.
 const DIVISION: usize = 100;
 
-/// The factors that at least two terms have in common, and that save something.
+/// Returns the factors that at least two terms have in common and that save operations.
 fn candidates(terms: &[Monomial]) -> Vec<Candidate> {
     let mut found: FxHashMap<(Node, bool), (Exponent, usize, usize)> = FxHashMap::default();
     for (coefficient, factors) in terms {

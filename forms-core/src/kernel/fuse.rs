@@ -1,16 +1,18 @@
-//! Fusing: a product that one sum alone uses becomes one instruction with it, and back.
+//! Fusing: a product with a single sum as its user becomes one instruction with that sum, and the
+//! reverse.
 //!
 //! ```text
 //! p = a b;  p + c ─▶ a b + c        p = a b, q = c d;  p − q ─▶ a b − c d, compensated
 //! ```
-//! What is fused differs from what was written in its rounding alone: once instead of twice where the target has
-//! the instruction. Compensation is for forms that were chosen for their accuracy, since it costs as much again.
+//! A fused instruction differs from the original in its rounding alone: one rounding instead of two
+//! if the target has the instruction. Compensation is for forms that were chosen for their
+//! accuracy, since it doubles the cost.
 
 use super::numbering::without_unused;
 use super::program::{Instruction, ProductSum, Program, Value};
 use super::schedule::schedule;
 
-/// The program with products that one sum uses fused into it.
+/// Fuses products that have a single sum as their user into that sum.
 pub(super) fn fuse(program: &Program) -> Program {
     let uses = program.uses();
     let product = |value: Value| match program.instruction(value) {
@@ -34,7 +36,7 @@ pub(super) fn fuse(program: &Program) -> Program {
     })
 }
 
-/// The program with sums and differences of two products compensated, where their terms may cancel.
+/// Compensates the sums and differences of two products whose terms may cancel.
 pub(super) fn compensate(program: &Program) -> Program {
     let uses = program.uses();
     let product = |value: Value| match program.instruction(value) {
@@ -44,7 +46,7 @@ pub(super) fn compensate(program: &Program) -> Program {
     rewritten(program, |instruction| match *instruction {
         Instruction::Add(p, q) => {
             let ([a, b], [c, d]) = (product(p)?, product(q)?);
-            // a sum of squares has no terms that cancel
+            // the terms of a sum of squares do not cancel
             (a != b || c != d).then_some(Instruction::SumOfProducts([a, b, c, d]))
         }
         Instruction::Subtract(p, q) => {
@@ -55,7 +57,7 @@ pub(super) fn compensate(program: &Program) -> Program {
     })
 }
 
-/// The program with some instructions replaced by others of the same value.
+/// Replaces some instructions of a program by others of the same value.
 fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Instruction>) -> Program {
     let instructions = program.instructions.iter();
     let rewritten = instructions.map(|i| replacement(i).unwrap_or_else(|| i.clone())).collect();
@@ -63,17 +65,19 @@ fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Ins
 }
 
 impl Program {
-    /// The same kernel with differences and sums of two products that may cancel computed without loss.
+    /// Returns the same kernel with compensated sums and differences of two products that may
+    /// cancel, computed without loss.
     pub fn compensate(&self) -> Program {
         schedule(&fuse(&compensate(&self.unfused())))
     }
 
-    /// The same kernel in additions, subtractions and multiplications.
+    /// Returns the same kernel with fused and compensated instructions split into additions,
+    /// subtractions and multiplications.
     pub(crate) fn unfused(&self) -> Program {
         self.taken_apart(true)
     }
 
-    /// The same kernel with a rounding of its own for each product that is not compensated.
+    /// Returns the same kernel with a separate rounding for each product that is not compensated.
     pub(crate) fn with_separate_roundings(&self) -> Program {
         self.taken_apart(false)
     }

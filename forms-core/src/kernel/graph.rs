@@ -1,10 +1,11 @@
-//! The form of a kernel that the algebraic passes work on: sums and products of any number of terms.
+//! Representation of a kernel for the algebraic passes: sums and products of any number of terms.
 //!
 //! ```text
 //! Program ─ collect ─▶ Graph ─ expand ─ factor ─ sums ─ quotients ─ products ─▶ Graph ─ linearise ─▶ Program
 //! ```
-//! Signs and small rational coefficients are taken out of every node, so that 2a − 2b and b − a share one node
-//! a − b, and equal nodes are one. A power keeps its base: no x/x is ever cancelled, because it is undefined at 0.
+//! Signs and small rational coefficients are taken out of every node, so that 2a − 2b and b − a
+//! share one node a − b, and equal nodes are one. A power keeps its base: x/x is never cancelled,
+//! because it is undefined at 0.
 
 mod build;
 mod coefficient;
@@ -43,22 +44,22 @@ pub(super) type Term = (Coefficient, Node);
 /// A factor nᵉ of a product.
 pub(super) type Factor = (Node, Exponent);
 
-/// What a node computes.
+/// Operation of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Form {
     /// 1
     One,
     /// An argument of the kernel.
     Argument(u32),
-    /// A number that is no small rational: π, 10⁻³⁰.
+    /// A number that is not a small rational: π, 10⁻³⁰.
     Number(Constant),
-    /// A function of the op table.
+    /// A function of the operation table.
     Call(Operation, Box<[Scaled]>),
-    /// A definite integral: its integrand, then the ends and what else it depends on.
+    /// A definite integral: its integrand, then its limits and the other values that it depends on.
     Quadrature(Box<Program>, Box<[Scaled]>),
-    /// A power whose exponent is no small rational.
+    /// A power whose exponent is not a small rational.
     Power(Scaled, Ratio<i64>),
-    /// A choice: left, relation, right, then, otherwise.
+    /// A conditional: left, relation, right, then, otherwise.
     Select(Relation, Box<[Scaled; 4]>),
     /// Σ cᵢ nᵢ in the order of the nodes.
     Sum(Box<[Term]>),
@@ -66,12 +67,12 @@ pub(super) enum Form {
     Product(Box<[Factor]>),
 }
 
-/// Sums and products with equal nodes made one.
+/// Sums and products in which equal nodes are shared.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Graph {
     forms: Vec<Form>,
     known: FxHashMap<Form, Node>,
-    /// What is asked for, in the order of [`Program::roots`](super::Program::roots).
+    /// Requested values, in the order of [`Program::roots`](super::Program::roots).
     pub(super) roots: Vec<Scaled>,
 }
 
@@ -94,7 +95,7 @@ impl Graph {
         fresh
     }
 
-    /// The nodes that the roots need, operands before results.
+    /// Returns the nodes that the roots need, operands before results.
     pub(super) fn reachable(&self) -> Vec<Node> {
         let mut needed = vec![false; self.forms.len()];
         for root in &self.roots {
@@ -108,12 +109,12 @@ impl Graph {
         (0..self.forms.len()).filter(|&place| needed[place]).map(|place| Node(place as u32)).collect()
     }
 
-    /// Whether both compute the same things in the same order.
+    /// Whether both graphs compute the same values in the same order.
     pub(super) fn is_same_as(&self, other: &Graph) -> bool {
         self.roots == other.roots && self.forms == other.forms
     }
 
-    /// How many nodes and roots use each node.
+    /// Counts the nodes and roots that use each node.
     pub(super) fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.forms.len()];
         for root in &self.roots {
@@ -125,7 +126,8 @@ impl Graph {
         uses
     }
 
-    /// A new graph made node by node; `rewrite` gives the image of a node or leaves it as it is.
+    /// Builds a new graph node by node; `rewrite` returns the image of a node, or `None` to leave
+    /// it as it is.
     pub(super) fn rebuild(
         &self,
         mut rewrite: impl FnMut(&mut Graph, Node, &[Scaled]) -> Option<Scaled>,
@@ -140,12 +142,12 @@ impl Graph {
         new
     }
 
-    /// The image of c n under a rebuilding.
+    /// Returns the image of c n in a rebuilt graph.
     pub(super) fn image(&mut self, scaled: Scaled, images: &[Scaled]) -> Scaled {
         self.scale(scaled.coefficient, images[scaled.node.place()])
     }
 
-    /// The same form over the images of its operands; a product within a product stays closed.
+    /// Copies a form over the images of its operands; a product within a product is not flattened.
     pub(super) fn copied(&mut self, old: &Graph, node: Node, images: &[Scaled]) -> Scaled {
         let form = old.form(node);
         let node = match form {
@@ -183,7 +185,7 @@ impl Graph {
 }
 
 impl Form {
-    /// Calls `visit` with every node it is computed from.
+    /// Calls `visit` with every node that the form is computed from.
     pub(super) fn operands(&self, mut visit: impl FnMut(Node)) {
         match self {
             Form::One | Form::Argument(_) | Form::Number(_) => {}

@@ -1,25 +1,28 @@
-//! In order: a program whose sums and products are grouped as they were written, for forms chosen for their accuracy.
+//! In-order compilation: sums and products stay grouped as they were written, for forms chosen for
+//! their accuracy.
 //!
 //! ```text
 //! written ─ powers as products ─ number_values ─ absorb_signs ─ compensate ─ fuse ─ schedule
 //! ```
-//! The other passes regroup sums and products, since their value does not depend on it; their rounding does.
+//! The other passes regroup sums and products: their value does not depend on the grouping, but
+//! their rounding does.
 
 use super::program::{Instruction, Program, Value};
 use num_integer::Integer;
 use num_rational::Ratio;
 
-/// Powers up to this one are written out.
+/// Largest power that is written out as products.
 const WRITTEN_OUT: i64 = 8;
 
 impl Program {
-    /// The same kernel with every sum and product grouped as it is written; products that may cancel are compensated.
+    /// Returns the same kernel with every sum and product grouped as written; products that may
+    /// cancel are compensated.
     pub fn in_order(&self) -> Program {
         super::optimise::grouped(&written_out(&self.with_integrands(Program::in_order))).compensate()
     }
 }
 
-/// Small integer powers as products, halves of them with one root.
+/// Writes small integer powers as products, and half-integer powers with one root.
 fn written_out(program: &Program) -> Program {
     let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
     let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());

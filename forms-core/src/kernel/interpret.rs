@@ -1,6 +1,7 @@
-//! The interpreter: the values of a program in any precision, instruction by instruction.
+//! Interpreter: the values of a program in any precision, instruction by instruction.
 //!
-//! The precision is a type, as in the generated source: both compute the same operations in the same order.
+//! The precision is a type, as in the generated source: both compute the same operations in the
+//! same order.
 
 use super::program::{Instruction, Program, Value};
 use crate::syntax::ast::Relation;
@@ -9,21 +10,22 @@ use forms_math::{
     row_within,
 };
 
-/// A program with its numbers rounded to one precision.
+/// Program with its numbers rounded to one precision.
 #[derive(Clone, Debug)]
 pub struct Interpreter<'a, T> {
     program: &'a Program,
-    /// The number of each instruction that is one.
+    /// For each instruction, its number if it is a constant.
     constants: Vec<Option<T>>,
 }
 
 impl Program {
-    /// The outputs at these arguments; all NaN outside the kernel's domain. An argument left out is NaN.
+    /// Evaluates the outputs at these arguments; all are NaN outside the kernel's domain. A missing
+    /// argument is NaN.
     pub fn interpret(&self, arguments: &[f64]) -> Vec<f64> {
         self.interpret_as(arguments)
     }
 
-    /// The outputs in the precision of the arguments.
+    /// Evaluates the outputs in the precision of the arguments.
     ///
     /// ```
     /// # use forms_core::compile::{Options, compile};
@@ -35,7 +37,7 @@ impl Program {
         self.interpreter().values(arguments)
     }
 
-    /// The program ready to be run many times in one precision.
+    /// Prepares the program for many evaluations in one precision.
     pub fn interpreter<T: Real>(&self) -> Interpreter<'_, T> {
         let constants = self.instructions.iter().map(|instruction| match instruction {
             Instruction::Constant(constant) => Some(constant.to_real()),
@@ -45,7 +47,7 @@ impl Program {
     }
 }
 
-/// A program in numbers of any kind.
+/// Program that can be evaluated in numbers of any kind.
 struct InAnyPrecision<'a>(&'a Program);
 
 impl Computation for InAnyPrecision<'_> {
@@ -55,29 +57,31 @@ impl Computation for InAnyPrecision<'_> {
 }
 
 impl Program {
-    /// The outputs within so many units of 2⁻⁵³ of their exact values, in as much precision as that takes at these
-    /// arguments; NaN where no precision that is tried does.
+    /// Evaluates the outputs within `within` units of 2⁻⁵³ of their exact values, in the precision
+    /// that this needs at these arguments; NaN if no precision that is tried suffices.
     pub fn interpret_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
         self.interpret_with_tier(arguments, within).into_iter().map(|(value, _)| value).collect()
     }
 
-    /// The same, with the precision that each output was taken from.
+    /// Evaluates the outputs within this error, each with the precision that it was taken from.
     pub fn interpret_with_tier(&self, arguments: &[f64], within: f64) -> Vec<(f64, Tier)> {
         escalate_computation(&InAnyPrecision(self), arguments, self.outputs.len(), within)
     }
 
-    /// The same in the lanes of a batch, where the bound of their errors allows.
+    /// Evaluates the outputs within this error in the lanes of a batch, where the bound of their
+    /// errors allows it.
     pub fn interpret_row_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
         row_within(&InAnyPrecision(self), arguments, self.outputs.len(), within)
     }
 
-    /// The outputs in double-double to 29 digits at least, in as much precision as that takes, with the precision that each
-    /// was taken from; NaN where no precision that is tried does.
+    /// Evaluates the outputs in double-double to at least 29 digits, in the precision that this
+    /// needs, each with the precision that it was taken from; NaN if no precision that is tried
+    /// suffices.
     pub fn interpret_double_double(&self, arguments: &[DoubleDouble]) -> Vec<(DoubleDouble, Tier)> {
         escalate_double_double_computation(&InAnyPrecision(self), arguments, self.outputs.len())
     }
 
-    /// One instruction in `f64`, with all others having these values.
+    /// Evaluates one instruction in `f64`, given the values of all others.
     pub(crate) fn step(&self, place: usize, arguments: &[f64], values: &[f64]) -> f64 {
         match &self.instructions[place] {
             Instruction::Constant(constant) => constant.to_f64(),
@@ -87,7 +91,8 @@ impl Program {
 }
 
 impl<T: Real> Interpreter<'_, T> {
-    /// The outputs at these arguments; all NaN outside the kernel's domain. An argument left out is NaN.
+    /// Evaluates the outputs at these arguments; all are NaN outside the kernel's domain. A missing
+    /// argument is NaN.
     pub fn values(&self, arguments: &[T]) -> Vec<T> {
         let mut values: Vec<T> = Vec::with_capacity(self.program.instructions.len());
         for (instruction, constant) in self.program.instructions.iter().zip(&self.constants) {
@@ -149,7 +154,8 @@ fn value_of<T: Real>(instruction: &Instruction, arguments: &[T], of: impl Fn(Val
     }
 }
 
-/// The first branch where the relation holds, the second where it does not, NaN where the sides cannot be compared.
+/// Selects the first branch if the relation holds, the second if it fails, and NaN if the sides
+/// cannot be compared.
 fn choice<T: Real>([left, right]: [T; 2], relation: Relation, [then, otherwise]: [T; 2]) -> T {
     match relation {
         Relation::Less => T::if_less(left, right, then, otherwise),

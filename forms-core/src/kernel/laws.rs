@@ -1,7 +1,7 @@
-//! The law every pass obeys, as one function of the pass: the kernel's value stays the same.
+//! Invariant of every pass, as a function of the pass: the kernel's value stays the same.
 //!
-//! It is tested exactly, in a finite field, on written kernels and on random ones; and passes that are wrong on
-//! purpose have to break it.
+//! It is tested exactly, in a finite field, on hand-written and on random kernels; deliberately
+//! wrong passes have to violate it.
 
 mod modular;
 mod random;
@@ -23,9 +23,9 @@ use super::sums::share_sums;
 use modular::{PRIME, modular_values};
 use proptest::prelude::*;
 
-/// At how many points two kernels are compared.
+/// Number of points at which two kernels are compared.
 const POINTS: usize = 4;
-/// How many points are tried to find as many at which the kernel is defined.
+/// Number of points that are tried to find [`POINTS`] at which the kernel is defined.
 const TRIED: u64 = 200;
 
 /// A pass over programs.
@@ -34,7 +34,7 @@ type Pass = Box<dyn Fn(&Program) -> Program>;
 /// A change to one instruction, if it applies.
 type Fault = fn(&Instruction) -> Option<Instruction>;
 
-/// Whether the pass keeps the value of the kernel wherever the kernel has one.
+/// Whether the pass preserves the value of the kernel wherever the kernel has one.
 fn keeps_the_value(pass: &dyn Fn(&Program) -> Program, program: &Program) -> bool {
     let changed = pass(program);
     let point = |seed: u64| -> Vec<u64> {
@@ -53,12 +53,12 @@ fn scattered(seed: u64) -> u64 {
     (bits ^ (bits >> 27)) % PRIME
 }
 
-/// A pass over sums and products, as a pass over programs.
+/// Turns a pass over sums and products into a pass over programs.
 fn on_graph(pass: impl Fn(&Graph) -> Graph + 'static) -> Pass {
     Box::new(move |program| linearise(&pass(&collect(program)), program))
 }
 
-/// Every pass by itself and all of them together.
+/// Returns every pass alone and all of them together.
 fn passes() -> Vec<(&'static str, Pass)> {
     let limits = Limits { product: 12, sum: 40, shared: 40 };
     vec![
@@ -82,7 +82,7 @@ fn passes() -> Vec<(&'static str, Pass)> {
     ]
 }
 
-/// Kernels in which every pass finds something to do: variables, outputs.
+/// Kernels to which every pass applies: variables, outputs.
 const WRITTEN: &[(&str, &[&str])] = &[
     ("x y z", &["x/sqrt(x**2+y**2+z**2)**3", "y/sqrt(x**2+y**2+z**2)", "z/(x**2+y**2+z**2)"]),
     ("u v a b", &["(1-u)*(1-v)*a + u*(1-v)*b - (a-b)*u*v", "b - a", "a - b - u + v"]),
@@ -151,12 +151,13 @@ fn every_written_kernel_has_a_value_to_keep() {
     }
 }
 
-/// The optimised program, with products compensated.
+/// Returns the optimised program, with products compensated.
 fn finished(program: &Program) -> Program {
     program.optimise().compensate()
 }
 
-/// The finished program with the first instruction that `change` applies to changed.
+/// Returns the finished program, in which the first instruction that `change` applies to is
+/// changed.
 fn mutated(program: &Program, change: Fault) -> Program {
     let mut mutant = finished(program);
     if let Some((place, changed)) =

@@ -1,7 +1,9 @@
-//! Linearising: sums and products become binary operations again, in the order the outputs need them.
+//! Linearising: sums and products become binary operations again, in the order in which the outputs
+//! need them.
 //!
-//! Σ: the first positive term, then additions and subtractions. Π: the powers above the line, over the product of
-//! the powers below it. All powers of one base come from one addition chain, those with halves from one √.
+//! Σ: the first positive term, then additions and subtractions. Π: the powers in the numerator,
+//! over the product of the powers in the denominator. All powers of one base come from one addition
+//! chain, half-integer ones with one √.
 
 use super::chain::addition_chain;
 use super::constant::Constant;
@@ -11,7 +13,8 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 
-/// The program that computes the graph's roots, with the name, arguments and conditions of `program`.
+/// Returns the program that computes the graph's roots, with the name, arguments and conditions of
+/// `program`.
 pub(super) fn linearise(graph: &Graph, program: &Program) -> Program {
     let mut powers: FxHashMap<Node, Vec<i32>> = FxHashMap::default();
     for node in graph.reachable() {
@@ -38,11 +41,11 @@ pub(super) fn linearise(graph: &Graph, program: &Program) -> Program {
 
 struct Lines<'a> {
     graph: &'a Graph,
-    /// The sizes of the exponents each base is raised to, in 24ths.
+    /// Magnitudes of the exponents that each base is raised to, in 24ths.
     powers: FxHashMap<Node, Vec<i32>>,
     instructions: Vec<Instruction>,
     values: FxHashMap<Node, Value>,
-    /// The powers of each base at hand, by the size of the exponent in 24ths.
+    /// Available powers of each base, by the magnitude of the exponent in 24ths.
     chains: FxHashMap<Node, FxHashMap<i32, Value>>,
 }
 
@@ -62,7 +65,7 @@ impl Lines<'_> {
         if scaled.coefficient.is_negative() { self.push(Instruction::Negate(magnitude)) } else { magnitude }
     }
 
-    /// c n for c ≥ 0; a number among the factors takes the coefficient in.
+    /// c n for c ≥ 0; the coefficient is multiplied into a number among the factors.
     fn multiple(&mut self, coefficient: Coefficient, node: Node) -> Value {
         if coefficient == Coefficient::ONE {
             return self.values[&node];
@@ -78,7 +81,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Whether a product has a number above the line, or nothing else there.
+    /// Whether a product contains a number, or has no factor in its numerator.
     fn is_numeric(&self, factors: &[(Node, Exponent)]) -> bool {
         let is_number = |base: &Node| matches!(self.graph.form(*base), Form::Number(_));
         factors.iter().any(|(base, _)| is_number(base)) || factors.iter().all(|(_, e)| e.is_negative())
@@ -111,7 +114,7 @@ impl Lines<'_> {
         }
     }
 
-    /// Σ cᵢ nᵢ, begun with a positive term if there is one.
+    /// Σ cᵢ nᵢ, starting with a positive term if there is one.
     fn sum(&mut self, terms: &[(Coefficient, Node)]) -> Value {
         let first = terms.iter().position(|(c, _)| !c.is_negative());
         let start = first.unwrap_or(0);
@@ -160,7 +163,7 @@ impl Lines<'_> {
         Some(rest.iter().fold(first, |product, &value| self.push(Instruction::Multiply(product, value))))
     }
 
-    /// The power of a base, from the chain of all its powers.
+    /// Returns a power of a base, from the chain of all its powers.
     fn power(&mut self, base: Node, exponent: i32) -> Value {
         if exponent == Exponent::WHOLE {
             return self.values[&base];
@@ -172,7 +175,8 @@ impl Lines<'_> {
         self.chains[&base][&exponent]
     }
 
-    /// All powers of a base that are asked for, counted in the greatest common unit u of the exponents.
+    /// Computes all powers of a base that occur, counted in the greatest common unit u of the
+    /// exponents.
     fn chain(&mut self, base: Node) -> FxHashMap<i32, Value> {
         let value = self.values[&base];
         let mut exponents = self.powers[&base].clone();

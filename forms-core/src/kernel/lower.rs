@@ -1,4 +1,4 @@
-//! Lowering: a structured expression becomes instructions, one for one, its sharing kept.
+//! Lowering: a structured expression becomes instructions, one for one, with its sharing preserved.
 
 use super::constant::Constant;
 use super::program::{Comparison, Instruction, Program, Value};
@@ -7,40 +7,41 @@ use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// More nodes than this are no kernel but an accident: an expanded normal form, most likely.
+/// Largest number of nodes of a kernel. A larger one is an accident, most likely an expanded normal
+/// form.
 const LARGEST: usize = 200_000;
 
-/// What a kernel is made from.
+/// Expressions and signature that a kernel is lowered from.
 #[derive(Clone, Debug, Default)]
 pub struct KernelSource {
-    /// Its name.
+    /// Name of the kernel.
     pub name: String,
-    /// The lines of its documentation.
+    /// Lines of its documentation.
     pub docs: Vec<String>,
-    /// Whether it is to be seen from outside its module.
+    /// Whether it is visible outside its module.
     pub public: bool,
-    /// The variables it is a function of, in order.
+    /// Variables that it is a function of, in order.
     pub arguments: Vec<Symbol>,
-    /// What it computes.
+    /// Expressions that it computes.
     pub outputs: Vec<Expr>,
-    /// Where it is defined; outside, its value is NaN.
+    /// Conditions under which it is defined; its value is NaN elsewhere.
     pub domain: Vec<Condition>,
 }
 
-/// Why an expression is no kernel.
+/// Reason why an expression cannot be lowered to a kernel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LowerError {
-    /// It contains a variable that is no argument.
+    /// It contains a variable that is not an argument.
     FreeSymbol(String),
     /// It contains an unknown function, which has no value.
     UnknownFunction(String),
-    /// It contains a number other than zero that is infinite or zero as an `f64`.
+    /// It contains a non-zero number that is infinite or zero as an `f64`.
     Unrepresentable(Constant),
     /// It has more nodes than the limit.
     TooLarge {
-        /// How many it has.
+        /// Number of its nodes.
         nodes: usize,
-        /// How many it may have.
+        /// Largest number of nodes allowed.
         limit: usize,
     },
 }
@@ -65,7 +66,7 @@ impl fmt::Display for LowerError {
 
 impl std::error::Error for LowerError {}
 
-/// The kernel as instructions, as it was written.
+/// Lowers a kernel to instructions, as it was written.
 pub fn lower(pool: &Pool, source: &KernelSource) -> Result<Program, LowerError> {
     let roots: Vec<Expr> = source
         .domain
@@ -146,7 +147,8 @@ fn instruction(
     })
 }
 
-/// What a quadrature integrates, as a kernel of its variable and of what else it depends on.
+/// Lowers the integrand of a quadrature to a kernel of its integration variable and its other
+/// variables.
 fn integrand(pool: &Pool, function: FunctionId) -> Result<Program, LowerError> {
     let unknown = || LowerError::UnknownFunction(pool.function(function).name.clone());
     let quadrature = pool.quadrature_of(function).ok_or_else(unknown)?;

@@ -1,13 +1,14 @@
-//! Value numbering: what is computed twice is computed once, and what is not used is not computed.
+//! Value numbering: common subexpressions are computed once, and unused values are not computed.
 //!
-//! Sums and products are looked up in one order of their operands, and a − b and b − a share one subtraction.
-//! Instructions come out in the order in which the outputs need them, those of the domain's conditions first.
+//! Sums and products are looked up in one order of their operands, and a − b and b − a share one
+//! subtraction. Instructions come out in the order in which the outputs need them, after the
+//! instructions of the domain's conditions.
 
 use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 use rustc_hash::FxHashMap;
 
-/// The program with each value computed once.
+/// Returns the program with each value computed once.
 pub(crate) fn number_values(program: &Program) -> Program {
     let program = &program.unfused();
     let mut numbering = Numbering::default();
@@ -21,7 +22,8 @@ pub(crate) fn number_values(program: &Program) -> Program {
     without_unused(&program.with_instructions(numbering.instructions, of))
 }
 
-/// The places of the instructions that the roots need, operands before results, in the order of first use.
+/// Returns the indices of the instructions that the roots need, operands before results, in the
+/// order of first use.
 fn evaluation_order(program: &Program) -> Vec<usize> {
     let mut done = vec![false; program.instructions.len()];
     let mut order = Vec::with_capacity(done.len());
@@ -44,7 +46,7 @@ fn evaluation_order(program: &Program) -> Vec<usize> {
     order
 }
 
-/// The program without the instructions that no root needs.
+/// Removes the instructions that no root needs (dead code).
 pub(super) fn without_unused(program: &Program) -> Program {
     let order = evaluation_order(program);
     let mut places = vec![Value(0); program.instructions.len()];
@@ -73,7 +75,8 @@ impl Numbering {
         fresh
     }
 
-    /// The value of an instruction over numbered values. Signs move outwards, where sums absorb them.
+    /// Returns the value of an instruction over numbered values. Signs move outwards, where sums
+    /// absorb them.
     fn value(&mut self, instruction: Instruction) -> Value {
         match instruction {
             Instruction::Add(a, b) => self.add(a, b),
@@ -101,7 +104,7 @@ impl Numbering {
         }
     }
 
-    /// The value of which this is the negative: of −a it is a, of −3 it is 3.
+    /// Returns the value that this one is the negative of: a for −a, and 3 for −3.
     fn positive_part(&mut self, value: Value) -> Option<Value> {
         match &self.instructions[value.place()] {
             Instruction::Negate(inner) => Some(*inner),
@@ -129,7 +132,7 @@ impl Numbering {
         self.push(Instruction::Add(a.min(b), a.max(b)))
     }
 
-    /// a − (−b) = a + b, (−a) − b = −(a + b), and a − b = −(b − a) where b − a is at hand
+    /// a − (−b) = a + b, (−a) − b = −(a + b), and a − b = −(b − a) if b − a is known already
     fn subtract(&mut self, a: Value, b: Value) -> Value {
         if let Some(positive) = self.positive_part(b) {
             return self.add(a, positive);
@@ -155,7 +158,7 @@ impl Numbering {
         }
     }
 
-    /// A product or a quotient, its sign outside: (−a) b = −(a b).
+    /// Builds a product or a quotient with its sign outside: (−a) b = −(a b).
     fn signed(
         &mut self,
         a: Value,
@@ -170,7 +173,7 @@ impl Numbering {
         let (left, right) = (self.positive_part(a), self.positive_part(b));
         let negative = left.is_some() != right.is_some();
         let value = match build(left.unwrap_or(a), right.unwrap_or(b)) {
-            // a number first, else what was computed first
+            // a number comes first, or else the value computed first
             Instruction::Multiply(a, b) if a > b && self.constant(a).is_none() => Instruction::Multiply(b, a),
             other => other,
         };

@@ -1,12 +1,16 @@
-//! Optimisation: the passes in their order, tried with a few settings, of which the cheapest result is kept.
+//! Optimisation: runs the passes in their order with a few settings, and keeps the cheapest result.
 //!
 //! ```text
-//! number_values ─ collect ─┬─ expand ─ factor ─┬─ share_sums ─ share_reciprocals ─ share_products ─ linearise ─ absorb_signs
-//!                          └───────────────────┘ for each setting, and once without
+//! number_values ─ collect ─┬─ expand ─ factor ─┬─ share_sums ─ share_reciprocals ─ share_products ─┐
+//!                          └───────────────────┘ for each setting, and once without                │
+//!                                                                    ┌─────────────────────────────┘
+//!                                                                    └─ linearise ─ absorb_signs
 //! the cheapest ─ fuse ─ schedule
 //! ```
-//! Every pass keeps the value. What a quadrature integrates is a kernel, and goes through the same passes before. Expansion is tried from the least to the most, and has to make the kernel cheaper
-//! to be kept, because a formula as its author wrote it is usually the accurate one.
+//! Every pass preserves the value. The integrand of a quadrature is a kernel and goes through the
+//! same passes before the kernel that contains it. Expansion is tried from the least to the most,
+//! and is kept only if it makes the kernel cheaper, because a formula as its author wrote it is
+//! usually the accurate one.
 
 use super::expand::{Limits, expand};
 use super::factor::{Order, factor};
@@ -22,18 +26,19 @@ use super::schedule::schedule;
 use super::signs::absorb_signs;
 use super::sums::share_sums;
 
-/// How far to expand, from the least to the most.
+/// Limits of expansion that are tried, from the least to the most.
 const EXPANSIONS: [Limits; 3] = [
     Limits { product: 4, sum: 12, shared: 2 },
     Limits { product: 8, sum: 24, shared: 2 },
     Limits { product: 8, sum: 24, shared: 24 },
 ];
 
-/// Larger kernels are not searched: they are factored as they are written.
+/// Largest number of instructions with a search over expansions; larger kernels are factored as
+/// they are written.
 const SEARCHED: usize = 4_000;
 
 impl Program {
-    /// The same kernel at least cost.
+    /// Returns the same kernel at least cost.
     pub fn optimise(&self) -> Program {
         let numbered = number_values(&self.with_integrands(Program::optimise));
         let written = collect(&numbered).reordered();
@@ -50,22 +55,22 @@ impl Program {
         if is_searched {
             best = cheaper(best, finished(&factor(expansion, Order::Last), &numbered));
         }
-        // numbers that `f64` holds may have a product that it does not
+        // the product of numbers that `f64` can represent may be one that it cannot
         if best.is_representable() { schedule(&fuse(&best)) } else { self.clone() }
     }
 }
 
-/// The program with each value computed once and signs absorbed, and nothing regrouped.
+/// Returns the program with each value computed once and signs absorbed, without any regrouping.
 pub(super) fn grouped(program: &Program) -> Program {
     absorb_signs(&number_values(program))
 }
 
-/// The cheaper of two programs, of equals the first.
+/// Returns the cheaper of two programs, or the first if they cost the same.
 fn cheaper(first: Program, second: Program) -> Program {
     if second.cost() < first.cost() { second } else { first }
 }
 
-/// The graph as written and as far expanded as is tried, each only once.
+/// Returns the distinct graphs to be tried: as written, and expanded within each limit.
 fn expansions(written: &Graph, is_searched: bool) -> Vec<Graph> {
     let mut expansions = vec![written.clone()];
     for limits in EXPANSIONS.into_iter().filter(|_| is_searched) {
@@ -80,7 +85,7 @@ fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {
     }
 }
 
-/// The program of a graph, its common parts shared.
+/// Returns the program of a graph with its common subexpressions shared.
 fn finished(graph: &Graph, program: &Program) -> Program {
     let shared = share_products(&share_reciprocals(&share_sums(graph)));
     absorb_signs(&number_values(&linearise(&shared, program)))

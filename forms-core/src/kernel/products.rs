@@ -1,13 +1,14 @@
-//! Common parts of products: a pair of factors that occurs in several products is multiplied once.
+//! Common subexpressions of products: a pair of factors that occurs in several products is
+//! multiplied once.
 //!
-//! Factors below the line pair like those above it. Powers with one exponent that nothing else needs are taken
-//! together: x² y² = (x y)².
+//! Factors in denominators pair in the same way as factors in numerators. Powers with equal
+//! exponents that no other product needs are grouped: x² y² = (x y)².
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled};
 use super::sharing::{Pairing, share, shareable, without};
 use rustc_hash::FxHashMap;
 
-/// The graph with common pairs of factors in products of their own.
+/// Returns the graph with common pairs of factors in products of their own.
 pub(super) fn share_products(graph: &Graph) -> Graph {
     let mut graph = graph.clone();
     let mut products = shareable::<Products>(&graph);
@@ -38,7 +39,8 @@ impl Pairing for Products {
         pair[0].0
     }
 
-    /// Every product but one is spared a multiplication. Numbers go with the coefficients.
+    /// Sharing saves one multiplication in every product but one. Numbers stay with the
+    /// coefficients.
     fn saving(graph: &Graph, (left, e): Factor, (right, f): Factor) -> Option<(Self::Pair, i32, i32)> {
         let is_number = |node: Node| matches!(graph.form(node), Form::Number(_));
         if e.is_negative() != f.is_negative() || is_number(left) || is_number(right) {
@@ -69,14 +71,14 @@ impl Pairing for Products {
     }
 }
 
-/// Two places where the factors have the pair.
+/// Returns two indices at which the factors contain the pair.
 fn places_of(factors: &[Factor], [left, right]: [Factor; 2]) -> Option<[usize; 2]> {
     let first = factors.iter().position(|&factor| factor == left)?;
     let second = (0..factors.len()).find(|&place| place != first && factors[place] == right)?;
     Some([first, second])
 }
 
-/// Π nᵢᵉ = (Π nᵢ)ᵉ for whole e, where no other product needs one of these powers.
+/// Groups Π nᵢᵉ = (Π nᵢ)ᵉ for integer e, where no other product needs one of these powers.
 fn group_equal_exponents(graph: &mut Graph, products: &mut [(Node, Vec<Factor>)]) {
     let mut counts: FxHashMap<Node, usize> = FxHashMap::default();
     for &(base, _) in products.iter().flat_map(|(_, factors)| factors) {

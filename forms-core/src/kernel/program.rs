@@ -1,14 +1,15 @@
-//! The intermediate form of a kernel: instructions in the order of their evaluation.
+//! Intermediate representation of a kernel: instructions in the order of their evaluation.
 //!
-//! Every instruction computes one value from values before it, and no value is ever changed. The form knows no
-//! precision and no target: numbers are exact, functions are rows of the op table.
+//! Every instruction computes one value from earlier values, and no value ever changes (static
+//! single assignment). The representation is independent of precision and target: numbers are
+//! exact, functions are rows of the operation table.
 
 use super::constant::Constant;
 use crate::expression::Operation;
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// The value an instruction computes, named by the instruction's place.
+/// Value of an instruction, identified by the instruction's index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Value(pub(crate) u32);
 
@@ -18,7 +19,8 @@ impl Value {
     }
 }
 
-/// A sum or difference of a product a b and a number c, its terms in the order they were written in.
+/// Sum or difference of a product a b and a number c, with its terms in the order in which they
+/// were written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum ProductSum {
     /// a b + c
@@ -32,7 +34,7 @@ pub enum ProductSum {
 }
 
 impl ProductSum {
-    /// The left and the right term.
+    /// Returns the left and the right term.
     pub(crate) fn terms<T>(self, product: T, other: T) -> [T; 2] {
         match self {
             ProductSum::ProductPlus | ProductSum::ProductMinus => [product, other],
@@ -40,7 +42,7 @@ impl ProductSum {
         }
     }
 
-    /// The factor a and the number c with the signs that make the sum a b + c of them.
+    /// Returns the factor a and the number c with the signs for which the sum is a b + c.
     pub(crate) fn signed<T>(self, factor: T, other: T, negate: impl FnOnce(T) -> T) -> [T; 2] {
         match self {
             ProductSum::ProductPlus | ProductSum::PlusProduct => [factor, other],
@@ -49,7 +51,7 @@ impl ProductSum {
         }
     }
 
-    /// Whether the right term is taken from the left one.
+    /// Whether the right term is subtracted from the left one.
     pub(crate) fn is_difference(self) -> bool {
         matches!(self, ProductSum::ProductMinus | ProductSum::MinusProduct)
     }
@@ -60,7 +62,7 @@ impl ProductSum {
 pub enum Instruction {
     /// An exact number.
     Constant(Constant),
-    /// An argument of the kernel, by its place.
+    /// An argument of the kernel, by its index.
     Argument(u32),
     /// a + b
     Add(Value, Value),
@@ -70,28 +72,29 @@ pub enum Instruction {
     Multiply(Value, Value),
     /// a / b
     Divide(Value, Value),
-    /// The product of the first two values and the third one, with one rounding where the target can do that.
+    /// The product of the first two values plus or minus the third one, with one rounding if the
+    /// target can do that.
     MultiplyAdd(ProductSum, [Value; 3]),
-    /// a b − c d, compensated: within a few ulp of the exact value even where the products cancel.
+    /// a b − c d, compensated: within a few ulp of the exact value even if the products cancel.
     DifferenceOfProducts([Value; 4]),
-    /// a b + c d, likewise.
+    /// a b + c d, compensated in the same way.
     SumOfProducts([Value; 4]),
     /// −a
     Negate(Value),
     /// √a
     Sqrt(Value),
-    /// aʳ with r rational; the non-negative branch where r is a fraction
+    /// aʳ with r rational; the non-negative branch if r is a fraction
     Power(Value, Ratio<i64>),
-    /// A function of the op table.
+    /// A function of the operation table.
     Call(Operation, Box<[Value]>),
     /// ∫ₐᵇ w dt, computed numerically.
     Quadrature {
-        /// What is integrated, as a kernel of t and of the other values.
+        /// The integrand, as a kernel of t and of the other values.
         integrand: Box<Program>,
-        /// a, b, and the values that the integrand depends on beside t.
+        /// a, b, and the values other than t that the integrand depends on.
         operands: Box<[Value]>,
     },
-    /// `then` where the relation holds, `otherwise` where it does not, NaN where the sides cannot be compared.
+    /// `then` if the relation holds, `otherwise` if it fails, NaN if the sides cannot be compared.
     Select {
         /// The relation's left side.
         left: Value,
@@ -99,15 +102,15 @@ pub enum Instruction {
         relation: Relation,
         /// The relation's right side.
         right: Value,
-        /// The value where it holds.
+        /// The value if the relation holds.
         then: Value,
-        /// The value where it does not.
+        /// The value if the relation fails.
         otherwise: Value,
     },
 }
 
 impl Instruction {
-    /// The values it is computed from.
+    /// Returns the values that the instruction is computed from.
     pub fn operands(&self) -> Vec<Value> {
         match self {
             Instruction::Constant(_) | Instruction::Argument(_) => vec![],
@@ -127,7 +130,7 @@ impl Instruction {
         }
     }
 
-    /// The same operation on other values.
+    /// Returns the same operation on other values.
     pub(crate) fn with_operands(&self, of: impl Fn(Value) -> Value) -> Instruction {
         match self {
             Instruction::Constant(_) | Instruction::Argument(_) => self.clone(),
@@ -170,14 +173,15 @@ pub struct Comparison {
     pub right: Value,
 }
 
-/// Whether a relation holds between two numbers; nothing where one of them is NaN.
+/// Whether a relation holds between two numbers; `None` if a number is NaN.
 pub(super) fn holds(relation: Relation, left: f64, right: f64) -> Option<bool> {
     left.partial_cmp(&right).map(|order| relation.admits(order))
 }
 
-/// A kernel as instructions.
+/// Kernel as instructions.
 ///
-/// Its value is NaN wherever a condition of its domain fails, and wherever an argument it depends on is NaN.
+/// Its value is NaN wherever a condition of its domain fails, and wherever an argument it depends
+/// on is NaN.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Program {
     pub(crate) name: String,
@@ -189,32 +193,32 @@ pub struct Program {
 }
 
 impl Program {
-    /// The kernel's name.
+    /// Returns the kernel's name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether it is to be seen from outside its module.
+    /// Whether the kernel is visible outside its module.
     pub fn is_public(&self) -> bool {
         self.public
     }
 
-    /// The names of its arguments.
+    /// Returns the names of the arguments.
     pub fn arguments(&self) -> &[String] {
         &self.arguments
     }
 
-    /// Its instructions, operands before results.
+    /// Returns the instructions, operands before results.
     pub fn instructions(&self) -> &[Instruction] {
         &self.instructions
     }
 
-    /// The values it returns.
+    /// Returns the output values.
     pub fn outputs(&self) -> &[Value] {
         &self.outputs
     }
 
-    /// The conditions outside of which it is NaN.
+    /// Returns the conditions of the domain, outside which the kernel is NaN.
     pub fn domain(&self) -> &[Comparison] {
         &self.domain
     }
@@ -223,7 +227,7 @@ impl Program {
         &self.instructions[value.place()]
     }
 
-    /// Whether `f64` holds each of its numbers, some in fewer digits.
+    /// Whether `f64` can represent each number of the program, possibly rounded.
     pub(crate) fn is_representable(&self) -> bool {
         self.instructions.iter().all(|instruction| match instruction {
             Instruction::Constant(constant) => constant.is_representable(),
@@ -231,7 +235,7 @@ impl Program {
         })
     }
 
-    /// The same kernel with other programs of what its quadratures integrate.
+    /// Returns the same kernel with the integrands of its quadratures replaced.
     pub(super) fn with_integrands(&self, of: impl Fn(&Program) -> Program) -> Program {
         let instructions = self.instructions.iter().map(|instruction| match instruction {
             Instruction::Quadrature { integrand, operands } => {
@@ -242,7 +246,7 @@ impl Program {
         self.with_instructions(instructions.collect(), |root| root)
     }
 
-    /// How often each value is used, by instructions and from outside.
+    /// Counts the uses of each value, by instructions and as a root.
     pub(crate) fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.instructions.len()];
         for value in self.instructions.iter().flat_map(Instruction::operands).chain(self.roots()) {
@@ -251,7 +255,7 @@ impl Program {
         uses
     }
 
-    /// The values asked for from outside: the sides of the domain's conditions, then the outputs.
+    /// Returns the requested values: the sides of the domain's conditions, then the outputs.
     pub(crate) fn roots(&self) -> impl Iterator<Item = Value> {
         self.domain
             .iter()
@@ -259,7 +263,8 @@ impl Program {
             .chain(self.outputs.iter().copied())
     }
 
-    /// The same kernel computed by other instructions; `of` takes each root to its place among them.
+    /// Returns the same kernel computed by other instructions; `of` maps each root to its value
+    /// among them.
     pub(crate) fn with_instructions(
         &self,
         instructions: Vec<Instruction>,
@@ -269,7 +274,8 @@ impl Program {
         self.with_roots(instructions, &roots)
     }
 
-    /// The same kernel computed by other instructions, with these roots in the order of [`Program::roots`].
+    /// Returns the same kernel computed by other instructions, with these roots in the order of
+    /// [`Program::roots`].
     pub(crate) fn with_roots(&self, instructions: Vec<Instruction>, roots: &[Value]) -> Program {
         let (sides, outputs) = roots.split_at(2 * self.domain.len());
         let conditions = self.domain.iter().zip(sides.chunks_exact(2));

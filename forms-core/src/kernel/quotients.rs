@@ -1,16 +1,18 @@
-//! Quotients: a denominator that three or more quotients share is divided by once.
+//! Quotients: a denominator that three or more quotients share is inverted once.
 //!
-//! x/d, y/d, z/d become x i, y i, z i with i = 1/d. Denominators that are powers of one base share the reciprocal
-//! of its lowest power: 1/r, 1/r², 1/r³ come from i = 1/r. Two quotients keep their divisions, which round once.
+//! x/d, y/d, z/d become x i, y i, z i with i = 1/d. Denominators that are powers of one base share
+//! the reciprocal of its lowest power: 1/r, 1/r², 1/r³ come from i = 1/r. Two quotients keep their
+//! divisions, which round once.
 
 use super::graph::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled};
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
 
-/// From this many quotients on, a reciprocal and multiplications are cheaper and worth their rounding.
+/// Number of quotients from which a reciprocal and multiplications are cheaper and worth their
+/// rounding.
 const SHARED: usize = 3;
 
-/// The graph with shared reciprocals.
+/// Returns the graph with shared reciprocals.
 pub(super) fn share_reciprocals(graph: &Graph) -> Graph {
     let mut denominators: FxHashMap<Vec<Factor>, usize> = FxHashMap::default();
     let mut powers: FxHashMap<Node, Vec<i32>> = FxHashMap::default();
@@ -49,14 +51,14 @@ pub(super) fn share_reciprocals(graph: &Graph) -> Graph {
     })
 }
 
-/// What a product is divided by, numbers apart.
+/// Returns the denominator of a product, without numbers.
 fn below(graph: &Graph, factors: &[Factor]) -> Vec<Factor> {
     let is_number = |base: Node| matches!(graph.form(base), Form::Number(_));
     let denominators = factors.iter().filter(|(base, e)| e.is_negative() && !is_number(*base));
     denominators.map(|&(base, e)| (base, e.negated())).collect()
 }
 
-/// 1/d as a node that stays one.
+/// Returns 1/d as a node that is not merged into products.
 fn inverted(graph: &mut Graph, denominator: Scaled) -> Scaled {
     let node = graph.product_of(vec![(denominator.node, Exponent::MINUS_ONE)]);
     let coefficient = denominator.coefficient.power(-1).unwrap_or(Coefficient::ONE);

@@ -1,20 +1,21 @@
-//! Raising: instructions become expressions again, to be proved equal to what the kernel was lowered from.
+//! Raising: instructions become expressions again, to be proved equal to the expressions the kernel
+//! was lowered from.
 
 use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 use crate::expression::{Condition, Expr, Pool, Seam, Substitution, Symbol, SymbolKind};
 
-/// A program as expressions.
+/// Program as expressions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Raised {
-    /// What it returns.
+    /// Output expressions.
     pub outputs: Vec<Expr>,
-    /// The conditions outside of which it is NaN.
+    /// Conditions of the domain, outside which the program is NaN.
     pub domain: Vec<Condition>,
 }
 
 impl Program {
-    /// The program as expressions of these variables, one for each argument.
+    /// Raises the program to expressions of these variables, one for each argument.
     pub fn raise(&self, pool: &mut Pool, arguments: &[Symbol]) -> Raised {
         debug_assert_eq!(arguments.len(), self.arguments.len());
         let mut values: Vec<Expr> = Vec::with_capacity(self.instructions.len());
@@ -76,7 +77,8 @@ fn raise_instruction(
     }
 }
 
-/// The integrand as an expression of variables of its own, for which the other values are put in afterwards.
+/// Raises an integrand to an expression of its own variables, for which the captured values are
+/// substituted afterwards.
 fn raise_quadrature(integrand: &Program, operands: &[Expr], pool: &mut Pool) -> Expr {
     let [from, to, captured @ ..] = operands else { return pool.integer(0) };
     let names = integrand.arguments().to_vec();

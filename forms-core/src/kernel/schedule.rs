@@ -1,16 +1,18 @@
-//! Scheduling: the order of the instructions that keeps the fewest values alive at once.
+//! Scheduling: the order of the instructions that keeps the fewest values alive at once (register
+//! pressure).
 //!
-//! Backwards from the results: of the instructions that everything after them has been placed for, the one that
-//! brings the fewest new values to life goes last, of equals the one whose result was asked for last. Numbers and
-//! arguments stand in memory and do not count. What the domain needs stays before everything else.
+//! List scheduling runs backwards from the results. Among the instructions whose users have all
+//! been placed, the one that starts the fewest new live ranges goes last; among equals, the one
+//! whose result was requested last. Numbers and arguments are in memory and do not count. The
+//! instructions of the domain stay before all others.
 
 use super::program::{Instruction, Program, Value};
 use std::ops::Range;
 
-/// Longer programs keep their order.
+/// Largest number of instructions of a program that is reordered.
 const LONGEST: usize = 4_000;
 
-/// The program in the order that keeps the fewest values alive, its own of equals.
+/// Returns the program in the order that keeps the fewest values alive; on a tie, in its own order.
 pub(super) fn schedule(program: &Program) -> Program {
     if program.instructions.len() > LONGEST {
         return program.clone();
@@ -22,7 +24,7 @@ pub(super) fn schedule(program: &Program) -> Program {
     if scheduled.live_values() < program.live_values() { scheduled } else { program.clone() }
 }
 
-/// The program with its instructions in this order of their places.
+/// Returns the program with its instructions in the given order of their indices.
 fn reordered(program: &Program, order: &[usize]) -> Program {
     let mut places = vec![Value(0); order.len()];
     let mut instructions = Vec::with_capacity(order.len());
@@ -33,19 +35,19 @@ fn reordered(program: &Program, order: &[usize]) -> Program {
     program.with_instructions(instructions, |root| places[root.place()])
 }
 
-/// Whether a value takes a register.
+/// Whether the value of an instruction occupies a register.
 fn is_computed(instruction: &Instruction) -> bool {
     !matches!(instruction, Instruction::Constant(_) | Instruction::Argument(_))
 }
 
-/// The places of a part of the program in the order of their evaluation.
+/// Returns the indices of a part of the program in the order of their evaluation.
 fn ordered(program: &Program, part: Range<usize>) -> Vec<usize> {
     let mut waiting = vec![0usize; program.instructions.len()];
     for instruction in &program.instructions[part.clone()] {
         instruction.operands().iter().for_each(|operand| waiting[operand.place()] += 1);
     }
     let mut ready: Vec<usize> = part.clone().filter(|&place| waiting[place] == 0).collect();
-    // the results are asked for in their order, so the first comes to be placed last
+    // the results are requested in their order, so the first one is placed last
     ready.reverse();
     let mut alive = vec![false; program.instructions.len()];
     program.roots().for_each(|root| alive[root.place()] = true);
@@ -65,7 +67,7 @@ fn ordered(program: &Program, part: Range<usize>) -> Vec<usize> {
     order
 }
 
-/// Which of the instructions that may be placed brings the fewest values to life.
+/// Returns which of the ready instructions starts the fewest live ranges.
 fn best(program: &Program, ready: &[usize], alive: &[bool]) -> Option<usize> {
     let brought = |place: usize| {
         let mut operands = program.instructions[place].operands();
@@ -78,13 +80,13 @@ fn best(program: &Program, ready: &[usize], alive: &[bool]) -> Option<usize> {
 }
 
 impl Program {
-    /// How many instructions come before the conditions of the domain can be decided.
+    /// Returns the number of instructions before the conditions of the domain can be decided.
     pub(crate) fn head(&self) -> usize {
         let sides = self.domain.iter().flat_map(|condition| [condition.left, condition.right]);
         sides.max().map_or(0, |last| last.place() + 1)
     }
 
-    /// How many computed values are needed later at the place where most are.
+    /// Returns the largest number of computed values that are alive at once.
     pub fn live_values(&self) -> usize {
         let mut last_use = vec![0; self.instructions.len()];
         for (place, instruction) in self.instructions.iter().enumerate() {
@@ -115,7 +117,7 @@ mod tests {
 
     #[test]
     fn sums_of_products_are_finished_one_by_one() {
-        // both products of each sum, and a sum beside the next product
+        // both products of each sum, and a finished sum together with the next product
         let written = program("a b c d", &["a*b", "c*d", "a*c", "b*d"]);
         assert_eq!(written.live_values(), 4);
         let breadth_first =

@@ -1,43 +1,46 @@
-//! Common pairs: two parts that occur together in several sums, or in several products, are put together once.
+//! Common pairs: two parts that occur together in several sums, or in several products, are
+//! combined once (common subexpression elimination).
 //!
-//! Greedy: the pair that saves most goes first, until no pair saves anything. What a pair is, and what it saves,
-//! is the business of sums and of products.
+//! The search is greedy: the pair that saves most goes first, until no pair saves anything. Sums
+//! and products define their pairs and the savings.
 
 use super::graph::{Form, Graph, Node, Scaled};
 use super::tally::Tally;
 use rustc_hash::FxHashMap;
 use std::hash::Hash;
 
-/// Longer sums and products are left as they are.
+/// Largest number of parts of a sum or product that is shared; longer ones are left as they are.
 const LONGEST: usize = 32;
 
-/// What sums and products have in common: parts, two of which make a pair.
+/// Common interface of sums and products: they have parts, two of which make a pair.
 pub(super) trait Pairing {
-    /// A term of a sum, a factor of a product.
+    /// Term of a sum, or factor of a product.
     type Part: Copy;
-    /// Two of them, up to what they may differ by from place to place.
+    /// Two parts, up to the difference that is allowed between their occurrences.
     type Pair: Copy + Ord + Hash;
 
-    /// The parts of a form of this kind.
+    /// Returns the parts of a form of this kind.
     fn parts(form: &Form) -> Option<&[Self::Part]>;
 
-    /// The form with these parts.
+    /// Returns the form with these parts.
     fn form(parts: Vec<Self::Part>) -> Form;
 
-    /// The node of a part.
+    /// Returns the node of a part.
     fn node(part: &Self::Part) -> Node;
 
-    /// A node that every form with this pair has as a part.
+    /// Returns a node that every form with this pair has as a part.
     fn anchor(pair: &Self::Pair) -> Node;
 
-    /// The pair of two parts, what the pair itself costs, and what taking it out of this form saves.
+    /// Returns the pair of two parts, the cost of the pair itself, and the saving of taking it out
+    /// of this form.
     fn saving(graph: &Graph, first: Self::Part, second: Self::Part) -> Option<(Self::Pair, i32, i32)>;
 
-    /// What computes the pair.
+    /// Returns the node that computes the pair.
     fn computed(graph: &mut Graph, pair: Self::Pair) -> Scaled;
 
-    /// The parts with the pair replaced by what computes it, if they contain it and it can be replaced. A part may
-    /// occur several times, because what computes a pair can be a part already: the pair takes one of each with it.
+    /// Replaces the pair by the node that computes it, if the parts contain the pair and it can be
+    /// replaced. A part may occur several times, because the node that computes a pair can be a
+    /// part already: the pair takes one occurrence of each.
     fn shortened(parts: &[Self::Part], pair: Self::Pair, computed: Scaled) -> Option<Vec<Self::Part>>;
 }
 
@@ -58,13 +61,13 @@ pub(super) fn share<P: Pairing>(graph: Graph, nodes: Vec<(Node, Vec<P::Part>)>) 
     sharing.graph.reordered()
 }
 
-/// The nodes of a graph with parts of this kind, unless they are too long.
+/// Returns the nodes of a graph with parts of this kind, unless they are too long.
 pub(super) fn shareable<P: Pairing>(graph: &Graph) -> Vec<(Node, Vec<P::Part>)> {
     let parts = |node: Node| P::parts(graph.form(node)).filter(|parts| parts.len() <= LONGEST);
     graph.reachable().into_iter().filter_map(|node| Some((node, parts(node)?.to_vec()))).collect()
 }
 
-/// The parts but for those at two places.
+/// Returns the parts without the two at these indices.
 pub(super) fn without<T: Copy>(parts: &[T], pair: [usize; 2]) -> Vec<T> {
     (0..parts.len()).filter(|place| !pair.contains(place)).map(|place| parts[place]).collect()
 }
@@ -72,9 +75,9 @@ pub(super) fn without<T: Copy>(parts: &[T], pair: [usize; 2]) -> Vec<T> {
 struct Sharing<P: Pairing> {
     graph: Graph,
     forms: FxHashMap<Node, Vec<P::Part>>,
-    /// The forms that each node has been a part of.
+    /// Forms that each node has been a part of.
     with_part: FxHashMap<Node, Vec<Node>>,
-    /// What each pair saves: operations before, less those after, its own included.
+    /// Saving of each pair: operations before minus operations after, its own included.
     savings: Tally<P::Pair>,
 }
 
@@ -99,7 +102,7 @@ impl<P: Pairing> Sharing<P> {
                 self.insert(node, shorter);
             }
         }
-        // what is left of the pair is the form that computes it
+        // the only remaining occurrence of the pair is the form that computes it
         self.savings.remove(&pair);
         if let Some(parts) = P::parts(self.graph.form(computed.node))
             && !self.forms.contains_key(&computed.node)
@@ -108,7 +111,7 @@ impl<P: Pairing> Sharing<P> {
         }
     }
 
-    /// Counts the pairs of a form in (+1) or out (−1).
+    /// Adds (+1) or removes (−1) the savings of the pairs of a form.
     fn count(&mut self, parts: &[P::Part], sign: i32) {
         for (place, &first) in parts.iter().enumerate() {
             for &second in &parts[place + 1..] {

@@ -1,16 +1,17 @@
-//! Signs: a change of sign moves into a difference or a number that nothing else uses, where it costs nothing.
+//! Signs: a change of sign moves into a difference or a number that has no other user, where it
+//! costs nothing.
 //!
-//! −(a − b) = b − a, −(x (a − b)) = x (b − a), −(3 x) = (−3) x. A difference that other sums use as well is
-//! turned round if they can subtract what they added.
+//! −(a − b) = b − a, −(x (a − b)) = x (b − a), −(3 x) = (−3) x. A difference that other sums also
+//! use is reversed if these sums can subtract instead of add.
 
 use super::numbering::without_unused;
 use super::program::{Instruction, Program, Value};
 use rustc_hash::FxHashSet;
 
-/// How many operations a sign moves through.
+/// Largest number of operations that a sign moves through.
 const DEEPEST: usize = 8;
 
-/// The program with as few changes of sign as that leaves.
+/// Returns the program with its changes of sign absorbed where possible.
 pub(super) fn absorb_signs(program: &Program) -> Program {
     let program = &turn_differences(program);
     let mut signs = Signs { instructions: program.instructions.clone(), uses: program.uses() };
@@ -18,14 +19,15 @@ pub(super) fn absorb_signs(program: &Program) -> Program {
         if let Instruction::Negate(inner) = signs.instructions[place]
             && signs.flip(inner, DEEPEST)
         {
-            // nothing else uses the operand: its new form stands in the negation's place
+            // the operand has no other user, so its new form replaces the negation
             signs.instructions[place] = signs.instructions[inner.place()].clone();
         }
     }
     without_unused(&program.with_instructions(signs.instructions, |value| value))
 }
 
-/// Turns a − b into b − a where a change of sign uses it, and otherwise only sums that can take −(a − b) instead.
+/// Reverses a − b to b − a if a change of sign uses it and all other users are sums that can take
+/// −(a − b) instead.
 fn turn_differences(program: &Program) -> Program {
     let mut instructions = program.instructions.clone();
     let mut images: Vec<Value> = (0..instructions.len() as u32).map(Value).collect();
@@ -34,7 +36,8 @@ fn turn_differences(program: &Program) -> Program {
         instruction.operands().iter().for_each(|operand| users[operand.place()].push(place));
     }
     let roots: FxHashSet<Value> = program.roots().collect();
-    // the last first: a sum of two differences can take the left one turned once it adds the right one
+    // from the last to the first: once a sum of two differences adds the right one, it can take the
+    // left one reversed
     for place in (0..instructions.len()).rev() {
         let value = Value(place as u32);
         let Instruction::Subtract(a, b) = instructions[place] else { continue };
@@ -56,7 +59,7 @@ fn turn_differences(program: &Program) -> Program {
     without_unused(&program.with_instructions(instructions, image))
 }
 
-/// The same sum with −d in place of d.
+/// Returns the same sum with −d in place of d.
 fn with_turned(sum: &Instruction, difference: Value) -> Option<Instruction> {
     match *sum {
         Instruction::Add(a, b) if b == difference && a != b => Some(Instruction::Subtract(a, b)),
@@ -72,7 +75,7 @@ struct Signs {
 }
 
 impl Signs {
-    /// Gives a value the other sign at no cost, if that can be done unseen.
+    /// Changes the sign of a value at no cost, if the value has no other user.
     fn flip(&mut self, value: Value, depth: usize) -> bool {
         if depth == 0 || self.uses[value.place()] != 1 {
             return false;

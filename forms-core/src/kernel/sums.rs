@@ -1,11 +1,12 @@
-//! Common parts of sums: a pair of terms that occurs in several sums, with either sign, is added once.
+//! Common subexpressions of sums: a pair of terms that occurs in several sums, with either sign, is
+//! added once.
 //!
 //! a − b − c + d and a − b share a − b; 2x + 2y + z takes one multiplication as 2(x + y) + z.
 
 use super::graph::{Coefficient, Form, Graph, Node, Scaled, Term};
 use super::sharing::{Pairing, share, shareable, without};
 
-/// The graph with common pairs of terms in sums of their own.
+/// Returns the graph with common pairs of terms in sums of their own.
 pub(super) fn share_sums(graph: &Graph) -> Graph {
     share::<Sums>(graph.clone(), shareable::<Sums>(graph))
 }
@@ -59,7 +60,7 @@ impl Pairing for Sums {
     }
 }
 
-/// How many multiplications c n takes.
+/// Returns the number of multiplications in c n.
 fn multiplications(graph: &Graph, coefficient: Coefficient, node: Node) -> i32 {
     i32::from(!coefficient.is_unit() && !matches!(graph.form(node), Form::One))
 }

@@ -1,14 +1,14 @@
-//! Scores that change while the best is asked for again and again.
+//! Priority queue whose scores change between queries for the best one.
 
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::hash::Hash;
 
-/// Keys with scores. Of several with the best score the least key is the best.
+/// Keys with scores. Among several keys with the best score, the least key is the best.
 pub(super) struct Tally<K: Ord> {
     scores: FxHashMap<K, i32>,
-    /// Every score above zero a key has had; those it no longer has are passed over.
+    /// Every positive score that a key has had; outdated scores are skipped.
     queue: BinaryHeap<(i32, Reverse<K>)>,
 }
 
@@ -19,7 +19,7 @@ impl<K: Ord> Default for Tally<K> {
 }
 
 impl<K: Ord + Hash + Copy> Tally<K> {
-    /// Changes a score, which begins at `start`.
+    /// Changes a score, which starts at `start`.
     pub(super) fn add(&mut self, key: K, start: i32, change: i32) {
         let score = self.scores.entry(key).or_insert(start);
         *score += change;
@@ -28,7 +28,7 @@ impl<K: Ord + Hash + Copy> Tally<K> {
         }
     }
 
-    /// Takes out the key with the best score above zero.
+    /// Removes and returns the key with the best positive score.
     pub(super) fn take_best(&mut self) -> Option<K> {
         while let Some((score, Reverse(key))) = self.queue.pop() {
             if self.scores.get(&key) == Some(&score) {
@@ -38,7 +38,7 @@ impl<K: Ord + Hash + Copy> Tally<K> {
         None
     }
 
-    /// Forgets a key and its score.
+    /// Removes a key and its score.
     pub(super) fn remove(&mut self, key: &K) {
         self.scores.remove(key);
     }

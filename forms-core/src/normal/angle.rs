@@ -1,7 +1,8 @@
 //! Sines and cosines of rational combinations of quantities.
 //!
-//! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and cosine in one
-//! comparison is a polynomial in the functions of integer multiples of the same units.
+//! An argument Σ qₖ mₖ with rational qₖ is written in units uₖ = mₖ/dₖ, so that every sine and
+//! cosine in one comparison is a polynomial in the functions of integer multiples of the same
+//! units.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -12,17 +13,19 @@ use crate::polynomial::Polynomial;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 
-/// The largest multiple of one unit, and the finest unit, that are expanded.
+/// Largest multiple of one unit, and largest divisor of a unit, that are expanded.
 const LARGEST_MULTIPLE: u32 = 48;
 
-/// An angle of more parts is not expanded: its sine has twice the terms with each of them.
+/// Largest number of parts of an angle that is expanded: each part doubles the number of terms of
+/// its sine.
 const MOST_PARTS: usize = 10;
 
 /// cos and sin of one angle.
 pub(super) type Point = (Fraction, Fraction);
 
 impl Tower {
-    /// The quantities an element is a rational combination of.
+    /// Returns the quantities that an element is a rational combination of, with their
+    /// coefficients.
     pub(crate) fn linear_parts(
         &mut self,
         argument: &Fraction,
@@ -38,7 +41,7 @@ impl Tower {
             .collect())
     }
 
-    /// The multiple of a unit that q · quantity is; a finer unit starts the walk again.
+    /// Expresses q · quantity as a multiple of a unit. A finer unit restarts the normalisation.
     fn multiple(&mut self, quantity: &Quantity, coefficient: &Rational) -> Result<(Unit, i64), Obstacle> {
         let outside =
             || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
@@ -122,7 +125,7 @@ impl Tower {
     }
 }
 
-/// Real and imaginary part of (x + iy)ⁿ.
+/// Returns the real and imaginary part of (x + iy)ⁿ.
 fn complex_power(x: &Polynomial, y: &Polynomial, n: u32) -> (Polynomial, Polynomial) {
     let (mut re, mut im) = (Polynomial::one(), Polynomial::zero());
     for _ in 0..n {

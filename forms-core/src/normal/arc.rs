@@ -1,10 +1,12 @@
-//! Arcs: inverse trigonometric functions as angles of points, so that a sine or cosine of them is algebraic.
+//! Arcs: inverse trigonometric functions as angles of points, so that their sines and cosines
+//! are algebraic.
 //!
 //! ```text
 //! atan q = ∠(1, q)   asin q = ∠(√(1 − q²), q)   acos q = ∠(q, √(1 − q²))   atan2(y, x) = ∠(x, y)
 //! ```
-//! with ∠(x, y) the angle of the point (x, y) in (−π, π], whose cosine and sine are x/r and y/r, r = √(x² + y²).
-//! Half of such an angle lies in (−π/2, π/2], where the cosine is not negative: cos(α/2) = √((1 + cos α)/2).
+//! with ∠(x, y) the angle of the point (x, y) in (−π, π], whose cosine and sine are x/r and y/r,
+//! r = √(x² + y²). Half of such an angle lies in (−π/2, π/2], where the cosine is not negative:
+//! cos(α/2) = √((1 + cos α)/2).
 
 use super::angle::Point;
 use super::fraction::Fraction;
@@ -17,19 +19,20 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
 
-/// The largest multiple of an arc that is expanded.
+/// Largest multiple of an arc that is expanded.
 const LARGEST_MULTIPLE: u32 = 16;
 
-/// How often an arc is halved at most.
+/// Largest number of times an arc is halved.
 const MOST_HALVINGS: u32 = 4;
 
-/// Whether a function of the op table is an angle.
+/// Whether a function of the operation table is an angle.
 pub(crate) fn is_arc(operation: Operation) -> bool {
     matches!(operation, Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2)
 }
 
 impl Tower {
-    /// The inverse function that a quantity consists of, if it is a single one, with its arguments.
+    /// Returns the inverse function that a quantity consists of, if it is a single one, with its
+    /// arguments.
     pub(crate) fn arc_of(&self, quantity: &Quantity) -> Option<(Operation, Vec<Fraction>)> {
         match self.generator(quantity.as_variable()?) {
             Generator::Opaque { operation, arguments } if is_arc(*operation) => {
@@ -71,7 +74,7 @@ impl Tower {
         Ok((cosine, sine))
     }
 
-    /// The point of the unit circle in the direction of an arc.
+    /// Returns the point of the unit circle in the direction of an arc.
     fn point_of_arc(&mut self, operation: Operation, arguments: &[Fraction]) -> Result<Point, Obstacle> {
         let q = &arguments[0];
         match operation {
@@ -82,7 +85,8 @@ impl Tower {
         }
     }
 
-    /// The same for twice the arc, without roots for an arc tangent: ((x² − y²)/r², 2xy/r²).
+    /// Returns the point for twice the arc, without roots for an arc tangent: ((x² − y²)/r²,
+    /// 2xy/r²).
     fn point_of_twice_the_arc(
         &mut self,
         operation: Operation,
@@ -127,7 +131,7 @@ impl Tower {
         Ok(self.magnitude_power(q, Ratio::new(1, 2))?.0)
     }
 
-    /// cos(α/2) = √((1 + q)/2), sin(α/2) = √((1 − q)/2) of α = acos q in [0, π], which may be π.
+    /// cos(α/2) = √((1 + q)/2), sin(α/2) = √((1 − q)/2) for α = acos q in [0, π], including π.
     fn point_of_half_an_arc_cosine(&mut self, q: &Fraction) -> Result<Point, Obstacle> {
         let half = Fraction::number(&Rational::new(1.into(), 2.into()));
         let (above, below) = (self.add(&Fraction::one(), q)?, self.subtract(&Fraction::one(), q)?);
@@ -135,9 +139,9 @@ impl Tower {
         Ok((self.root_of(&above)?, self.root_of(&below)?))
     }
 
-    /// The point at half the angle, for an angle in (−π, π): cos(α/2) = √((1 + cos α)/2),
-    /// sin(α/2) = sin α/(2 cos(α/2)). All arcs but those of `acos` and parts of arcs lie there: the cut of `atan2` is
-    /// excluded.
+    /// Returns the point at half the angle, for an angle in (−π, π): cos(α/2) = √((1 + cos α)/2),
+    /// sin(α/2) = sin α/(2 cos(α/2)). All arcs except `acos`, and all parts of arcs, lie there: the
+    /// branch cut of `atan2` is excluded.
     pub(super) fn halved(&mut self, (cosine, sine): &Point) -> Result<Point, Obstacle> {
         let above = self.add(&Fraction::one(), cosine)?;
         if above.is_zero() {
@@ -168,7 +172,8 @@ impl Tower {
         Ok(result)
     }
 
-    /// tan q. Where q has half an arc in it, sin 2q/(1 + cos 2q), which needs no root of a root.
+    /// Returns tan q. If q contains half an arc, this is sin 2q/(1 + cos 2q), which needs no root
+    /// of a root.
     pub(super) fn tangent(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
         let parts = self.linear_parts(argument)?;
         let is_half = |(quantity, coefficient): &(Quantity, Rational)| {
@@ -186,9 +191,10 @@ impl Tower {
         self.multiply(&above, &inverse)
     }
 
-    /// Rational combinations of arcs and of what else there is whose vanishing makes an element vanish: the element
-    /// itself with integers at its arcs, what is left of it by a factor its arcs share, or its parts by monomials.
-    /// Nothing if it has no arc or is not linear in them.
+    /// Returns rational combinations of arcs and other terms whose vanishing makes an element
+    /// vanish: the element itself if the coefficients of its arcs are integers, the element divided
+    /// by a common factor of these coefficients, or its parts by monomials. `None` if the element
+    /// has no arc or is not linear in its arcs.
     pub(crate) fn combinations_of_arcs(&mut self, a: &Fraction) -> Result<Option<Vec<Fraction>>, Obstacle> {
         let (arcs, others): (Vec<u32>, Vec<u32>) =
             a.numerator.variables().into_iter().partition(|&variable| self.is_arc_generator(variable));

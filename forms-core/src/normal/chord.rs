@@ -1,13 +1,14 @@
 //! Chords: 2 cos(2π/q) and 2 sin(2π/q) of a regular polygon with q = pᵏ sides, p odd.
 //!
-//! With Cₙ(2 cos α) = 2 cos nα, C₀ = 2, C₁ = x, Cₙ₊₁ = x Cₙ − Cₙ₋₁, the chord δ = 2 cos(2π/q) is a root of
+//! With Cₙ(2 cos α) = 2 cos nα, C₀ = 2, C₁ = x, Cₙ₊₁ = x Cₙ − Cₙ₋₁, the chord δ = 2 cos(2π/q) is a
+//! root of
 //!
 //! ```text
 //! Ψ_p = 1 + C₁ + C₂ + … + C_{(p−1)/2},      Ψ_q = Ψ_p(C_{q/p}),
 //! ```
-//! which is irreducible over ℚ and has the leading coefficient 1. The sine comes from σ² = 4 − δ² for a prime p, and
-//! from sin α = sin pα/(1 + C₂ + C₄ + … + C_{p−1}) for a higher power. (Watkins and Zeitlin, The minimal polynomial of
-//! cos(2π/n), American Mathematical Monthly 100, 1993.)
+//! which is irreducible over ℚ and has the leading coefficient 1. The sine comes from σ² = 4 − δ²
+//! for a prime p, and from sin α = sin pα/(1 + C₂ + C₄ + … + C_{p−1}) for a higher power. (Watkins
+//! and Zeitlin, The minimal polynomial of cos(2π/n), American Mathematical Monthly 100, 1993.)
 
 use super::angle::Point;
 use super::fraction::Fraction;
@@ -18,10 +19,10 @@ use crate::enclosure::{Enclosure, Precision};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
 
-/// Bits to which a chord is enclosed.
+/// Precision, in bits, of the enclosure of a chord.
 const PRECISION: Precision = Precision(48);
 
-/// Numbers that a chord lies between.
+/// Returns a lower and an upper bound of a chord.
 pub(crate) fn chord_bounds(sides: u32, sine: bool) -> (Rational, Rational) {
     let turn = Enclosure::exact(&Rational::new(2.into(), sides.into()), PRECISION);
     let angle = turn.mul(&Enclosure::pi(PRECISION));
@@ -31,7 +32,7 @@ pub(crate) fn chord_bounds(sides: u32, sine: bool) -> (Rational, Rational) {
 }
 
 impl Tower {
-    /// e^{iπ share/q}: a power of e^{2πi/q}, as e^{iπ} = −1 makes the share even.
+    /// e^{iπ share/q}: a power of e^{2πi/q}, since e^{iπ} = −1 makes the share even.
     pub(super) fn corner_by_chord(&mut self, q: u32, share: u32) -> Result<Point, Obstacle> {
         let first = self.first_corner(q)?;
         let is_even = share.is_multiple_of(2);

@@ -18,10 +18,11 @@ pub struct Together {
 }
 
 impl Tower {
-    /// Writes fractions over their least common denominator. Factors above the line stay there if all have them.
+    /// Writes fractions over their least common denominator. A factor of the numerator stays
+    /// factored if all fractions have it.
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub fn together(&mut self, fractions: &[Fraction]) -> Result<Together, Obstacle> {
         let mut divisor = BigInt::one();
         let mut factors = fractions.iter().find(|f| !f.is_zero()).map_or(vec![], |f| f.factors.clone());
@@ -39,10 +40,10 @@ impl Tower {
         Ok(Together { numerators, inverse })
     }
 
-    /// Σ a over one denominator, looked at for common factors once.
+    /// Σ a over one denominator, checked for common factors once.
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub(super) fn sum(&mut self, fractions: &[Fraction]) -> Result<Fraction, Obstacle> {
         let together = self.together(fractions)?;
         let mut sum = Polynomial::zero();

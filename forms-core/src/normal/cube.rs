@@ -1,15 +1,16 @@
 //! Cubes among numbers A + Bρ with ρ² = r: (2 + √5) = ((1 + √5)/2)³.
 //!
-//! With h³ = A + Bρ, N = h h̄ and t = h + h̄: N³ = A² − B² r, t³ − 3 N t = 2A and h = (A + Bρ + t N)/(t² − N). Both N
-//! and t are integers, as h is an algebraic integer.
+//! With h³ = A + Bρ, N = h h̄ and t = h + h̄: N³ = A² − B² r, t³ − 3 N t = 2A and
+//! h = (A + Bρ + t N)/(t² − N). Both N and t are integers, as h is an algebraic integer.
 
 use num_bigint::BigInt;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-/// Small candidates beyond this many are not tried.
+/// Largest magnitude of the small candidates that are tried.
 const MOST_TRIED: i64 = 1 << 12;
 
-/// t N and t² − N for a cube A + Bρ of the norm n, if it is one: h = (A + Bρ + t N)/(t² − N).
+/// Returns t N and t² − N for a number A + Bρ of norm n that is a cube:
+/// h = (A + Bρ + t N)/(t² − N).
 pub(super) fn cube_root(a: &BigInt, norm: &BigInt) -> Option<(BigInt, BigInt)> {
     let root = norm.cbrt();
     if &root * &root * &root != *norm {
@@ -21,8 +22,9 @@ pub(super) fn cube_root(a: &BigInt, norm: &BigInt) -> Option<(BigInt, BigInt)> {
     (!below.is_zero()).then(|| (t * root, below))
 }
 
-/// The largest integer t with t³ − 3 N t = c, if there is one. Beyond 2√|N| in magnitude the cubic rises, and there
-/// bisection finds a root; nearer to zero its few integers are tried one by one.
+/// Returns the largest integer t with t³ − 3 N t = c, if there is one. Beyond 2√|N| in magnitude
+/// the cubic increases, and bisection finds a root there; nearer to zero the few integers are tried
+/// one by one.
 fn integer_root(n: &BigInt, c: &BigInt) -> Option<BigInt> {
     let value = |t: &BigInt| -> BigInt { t * t * t - n * t * 3 - c };
     let turn: BigInt = n.abs().sqrt() * 2 + 2;
@@ -49,7 +51,8 @@ fn integer_root(n: &BigInt, c: &BigInt) -> Option<BigInt> {
 mod tests {
     use super::*;
 
-    /// h with its numerator's two parts, from the parts of f = A + Bρ.
+    /// Returns the two parts of the numerator of h and its denominator, from the parts of
+    /// f = A + Bρ.
     fn root_of(a: i64, b: i64, r: i64) -> Option<(i64, i64, i64)> {
         let norm = BigInt::from(a * a - b * b * r);
         let (shift, below) = cube_root(&a.into(), &norm)?;

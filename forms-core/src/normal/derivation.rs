@@ -1,7 +1,8 @@
 //! The tower as a ring of coefficients: partial derivatives of fractions.
 //!
-//! By the chain rule over the generators, with Dρ = Df/(n ρⁿ⁻¹) for ρⁿ = f, Dcos u = −sin u Du, Dsin u = cos u Du,
-//! Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du, Dlog|g| = Dg/g, and the chain rule for jets.
+//! They follow from the chain rule over the generators, with Dρ = Df/(n ρⁿ⁻¹) for ρⁿ = f,
+//! Dcos u = −sin u Du, Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du,
+//! Dlog|g| = Dg/g, and the chain rule for jets.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -16,7 +17,8 @@ impl Tower {
     /// ∂a/∂x
     ///
     /// # Errors
-    /// Where the derivative grows beyond the limit, or an opaque function without a rule occurs.
+    /// If the derivative grows beyond the limit, or an opaque function without a derivative rule
+    /// occurs.
     pub fn derivative(&mut self, a: &Fraction, by: Symbol) -> Result<Fraction, Obstacle> {
         if let Some(derivative) = self.plain_divergence(&[(1, a, by)])? {
             return Ok(derivative);
@@ -108,7 +110,7 @@ impl Tower {
         Ok(sum)
     }
 
-    /// The products ±a b without denominators, their work counted.
+    /// Returns the products ±a b without denominators, with their work counted.
     fn charged<'f>(
         &mut self,
         terms: &[Product<'f, Fraction>],
@@ -127,7 +129,7 @@ impl Tower {
         Ok(self.reduce(Polynomial::sum_of_products(&products))?.into())
     }
 
-    /// The same for each group.
+    /// Σ ±a b without denominators for each group, each reduced once.
     fn sums_of_polynomial_products(
         &mut self,
         groups: &[Vec<Product<'_, Fraction>>],
@@ -151,7 +153,7 @@ impl Tower {
         self.multiply(outer, &inner)
     }
 
-    /// A quantity as a fraction.
+    /// Returns a quantity as a fraction.
     pub(super) fn quantity(&self, quantity: &Quantity) -> Fraction {
         let numerator = Polynomial::one().multiply_by_monomial(&quantity.monomial);
         self.cancel(numerator, One::one(), quantity.factors.clone())
@@ -206,8 +208,9 @@ impl Tower {
     }
 }
 
-/// Fractions as coefficients of forms. The first obstacle is kept and every later result is zero, so whoever
-/// uses forms over this ring asks [`Normal::obstacle`] before believing one.
+/// Fractions as coefficients of forms. The first obstacle is kept and every later result is zero,
+/// so code that uses forms over this ring has to check [`Normal::obstacle`] before it trusts a
+/// result.
 pub struct Normal<'a> {
     tower: &'a mut Tower,
     coordinates: &'a [Symbol],
@@ -215,12 +218,12 @@ pub struct Normal<'a> {
 }
 
 impl<'a> Normal<'a> {
-    /// The ring over a tower; `coordinates` gives each coordinate's variable.
+    /// Creates the ring over a tower; `coordinates` gives the variable of each coordinate.
     pub fn new(tower: &'a mut Tower, coordinates: &'a [Symbol]) -> Self {
         Normal { tower, coordinates, obstacle: None }
     }
 
-    /// What stopped a computation, if anything did.
+    /// Returns the first obstacle that a computation met, if any.
     pub fn obstacle(&self) -> Option<&Obstacle> {
         self.obstacle.as_ref()
     }

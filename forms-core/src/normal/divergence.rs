@@ -1,13 +1,14 @@
-//! Divergences: Σ ±∂aᵢ/∂xᵢ over one denominator; a derivative is one of a single term.
+//! Divergences: Σ ±∂aᵢ/∂xᵢ over one denominator; a derivative is a divergence with a single term.
 //!
 //! With aᵢ = Nᵢ ∏ γ^(−e_γ) ∏ Gⱼ^(−gⱼ), where γ are generators and Gⱼ sums of several terms,
 //! ```text
 //! Σᵢ ±∂ᵢaᵢ = (T ∏G − Σⱼ gⱼ Uⱼ ∏_{k≠j} G_k) ∏ γ^(−e_γ) ∏ Gⱼ^(−gⱼ−1)
 //! T  = Σ_γ Σᵢ ± r_γᵢ D_γ Nᵢ,    Uⱼ = Σ_γ D_γ Gⱼ (Σᵢ ± r_γᵢ Nᵢ)
-//! D_γ = ∂/∂γ,  r_γᵢ = ∂ᵢγ    or, for roots and what stands below the line,    D_γ = γ ∂/∂γ − e_γ,  r_γᵢ = ∂ᵢγ/γ
+//! D_γ = ∂/∂γ,  r_γᵢ = ∂ᵢγ    or, for roots and factors of the denominator,    D_γ = γ ∂/∂γ − e_γ,  r_γᵢ = ∂ᵢγ/γ
 //! ```
-//! (e_γ = 0 in D_γ Gⱼ; a root of a sum Gⱼ below the line is a gⱼ that is a fraction). The rate r of a root ρⁿ = f is ∂f/(n f), so that no polynomial is multiplied by a radicand for
-//! each variable. T and the Uⱼ are summed, and looked at for common factors, before anything is multiplied by a Gⱼ: in
+//! (e_γ = 0 in D_γ Gⱼ; a root of a sum Gⱼ in the denominator has a fractional gⱼ). The rate r of a
+//! root ρⁿ = f is ∂f/(n f), so that no polynomial is multiplied by a radicand for each variable. T
+//! and the Uⱼ are summed, and checked for common factors, before anything is multiplied by a Gⱼ: in
 //! a Laplacian most of T cancels.
 
 use super::factor::{FactorPower, merge_powers};
@@ -20,17 +21,17 @@ use num_bigint::BigInt;
 use num_traits::One;
 use std::collections::BTreeSet;
 
-/// ±Nᵢ with the variables they are differentiated by.
+/// ±Nᵢ with the variables that they are differentiated by.
 type Components = Vec<(i8, Polynomial, Symbol)>;
 
-/// A factor Fᵍ, as G^(g/n) with a sum G.
+/// Factor Fᵍ, as G^(g/n) with a sum G.
 struct Sum {
     polynomial: Polynomial,
     power: FactorPower,
     order: u32,
 }
 
-/// The rates r_γᵢ of one generator over one denominator.
+/// Rates r_γᵢ of one generator over one denominator.
 struct Rates {
     generator: u32,
     /// Whether r is ∂γ/γ.
@@ -41,7 +42,7 @@ struct Rates {
 }
 
 impl Rates {
-    /// D_γ P with the power of γ below P.
+    /// D_γ P, with the exponent of γ in the denominator of P.
     fn derivative(&self, polynomial: &Polynomial, below: i32) -> Polynomial {
         let partial = polynomial.derivative(self.generator);
         if !self.logarithmic {
@@ -60,7 +61,7 @@ impl Tower {
     /// Σ ±∂a/∂x
     ///
     /// # Errors
-    /// As for a derivative.
+    /// The same as for a derivative.
     pub(super) fn divergence(&mut self, terms: &[(i8, &Fraction, Symbol)]) -> Result<Fraction, Obstacle> {
         if let Some(sum) = self.plain_divergence(terms)? {
             return Ok(self.cancel(sum.numerator, sum.divisor, sum.factors));
@@ -110,8 +111,8 @@ impl Tower {
         self.over_all_factors(&summands, &dependent, factors)
     }
 
-    /// The generators below the line, and the sums: factors of several terms, and radicands that hold roots
-    /// themselves, where their own root occurs nowhere else.
+    /// Splits the denominator into generators and sums. The sums are factors of several terms, and
+    /// radicands that contain roots themselves if their own root occurs nowhere else.
     fn separated(&self, components: &Components, powers: &[FactorPower]) -> (Vec<FactorPower>, Vec<Sum>) {
         let (mut single, mut sums) = (Vec::new(), Vec::new());
         for &power in powers {
@@ -166,7 +167,7 @@ impl Tower {
         Ok(Fraction { numerator, divisor: together.inverse.divisor, factors })
     }
 
-    /// The rates of all generators that occur and change.
+    /// Returns the rates of all generators that occur and change.
     fn rates(
         &mut self,
         components: &Components,
@@ -227,8 +228,8 @@ impl Tower {
         Ok(rates.over_denominator(numerator, self))
     }
 
-    /// D_γ G and flow_γ. A γ below the flow goes against that of γ ∂G/∂γ, so that the flows need fewer roots over one
-    /// denominator.
+    /// D_γ G and flow_γ. A γ in the denominator of the flow cancels the γ of γ ∂G/∂γ, so that the
+    /// flows need fewer roots over one denominator.
     fn along_flow(&self, factor: &Polynomial, rate: &Rates, flow: &Fraction) -> (Polynomial, Fraction) {
         let is_own = |power: &FactorPower| {
             rate.logarithmic

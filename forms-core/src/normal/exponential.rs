@@ -4,9 +4,10 @@
 //! exponent Σ qₖ mₖ / D ─ one denominator D for all, remainders modulo D ─▶ E(m₁/D)^n₁ E(m₂/D)^n₂ … |g|^q
 //! log |c ∏ gᵢ^eᵢ exp u| ─ coprime factors of all radicands and arguments ─▶ Σ eᵢ log|gᵢ| + u
 //! ```
-//! The exponents m/D that occur are linearly independent over ℚ, since a fraction over one denominator has one
-//! remainder only; exp(q log|g|) with a number q is a power of |g|, and any other product with a logarithm is an
-//! exponent like all others. A logarithm needs no sign: log q speaks of q > 0, where it is log|q|.
+//! The exponents m/D that occur are linearly independent over ℚ, since a fraction over one
+//! denominator has only one remainder; exp(q log|g|) with a number q is a power of |g|, and any
+//! other product with a logarithm is an exponent like all others. A logarithm needs no sign: log q
+//! is defined for q > 0 only, where it is log|q|.
 
 use super::factor::{FactorPower, common_powers, merge_powers};
 use super::factored::Power;
@@ -22,13 +23,13 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// The largest power of one exponential, and the finest part of an exponent, that are made.
+/// Largest power of one exponential, and largest divisor of an exponent, that are formed.
 const LARGEST_MULTIPLE: u32 = 1 << 12;
 
-/// A common denominator of exponents of more terms is not formed.
+/// Largest number of terms of a common denominator of exponents.
 const LARGEST_DENOMINATOR: usize = 64;
 
-/// A monomial, ordered lexicographically: the variable of the smallest number counts most.
+/// Monomial in lexicographic order: the variable with the smallest number counts most.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Lexicographic(Vec<(u32, u32)>);
 
@@ -71,11 +72,11 @@ impl Lexicographic {
     }
 }
 
-/// A polynomial with rational coefficients as its terms.
+/// Terms of a polynomial with rational coefficients.
 type RationalTerms = BTreeMap<Lexicographic, Rational>;
 
 impl Tower {
-    /// exp q as a product of powers of generators.
+    /// Returns exp q as a product of powers of generators.
     pub(super) fn exponential(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
         let mut product = Fraction::one();
         for (quantity, coefficient) in self.exponent_parts(argument)? {
@@ -85,7 +86,7 @@ impl Tower {
         Ok(product)
     }
 
-    /// sinh, cosh: (e^q ∓ e^−q)/2
+    /// (cosh q, sinh q): (e^q ± e^−q)/2
     pub(super) fn hyperbolic(&mut self, argument: &Fraction) -> Result<(Fraction, Fraction), Obstacle> {
         let up = self.exponential(argument)?;
         let down = self.inverse(&up)?;
@@ -94,7 +95,7 @@ impl Tower {
         Ok((self.multiply(&half, &sum)?, self.multiply(&half, &difference)?))
     }
 
-    /// log q for q > 0, by the factors of q.
+    /// Returns log q for q > 0, from the factors of q.
     pub(super) fn logarithm(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
         if argument.is_zero() {
             return Err(Obstacle::Outside("the logarithm of zero".into()));
@@ -110,7 +111,7 @@ impl Tower {
         Ok(sum)
     }
 
-    /// Σ e u of a product of powers (exp u)ᵉ.
+    /// Returns the exponent Σ e u of a product of powers (exp u)ᵉ.
     pub(super) fn exponent_of(&mut self, powers: &[(u32, Ratio<i64>)]) -> Result<Fraction, Obstacle> {
         let mut sum = Fraction::zero();
         for &(variable, exponent) in powers {
@@ -123,7 +124,7 @@ impl Tower {
         Ok(sum)
     }
 
-    /// exp(c m/D), which is |g|^c where m/D is log|g|.
+    /// exp(c m/D), which is |g|^c if m/D is log|g|.
     fn exponential_of_part(
         &mut self,
         quantity: Quantity,
@@ -152,7 +153,8 @@ impl Tower {
         self.integer_power(&generator, multiple.ok_or_else(outside)?)
     }
 
-    /// The exponents m/D whose rational combination an element is.
+    /// Returns the exponents m/D that an element is a rational combination of, with their
+    /// coefficients.
     fn exponent_parts(&mut self, argument: &Fraction) -> Result<Vec<(Quantity, Rational)>, Obstacle> {
         let argument = self.expanded(argument)?;
         if argument.factors.is_empty() && self.exponent_denominator.is_empty() {
@@ -195,8 +197,8 @@ impl Tower {
         Ok(product)
     }
 
-    /// N/(d ∏ Fᵉ) with F free of bound generators: 1/ρ is ρⁿ⁻¹/f, and 1/(A + Bρ) has a conjugate. Nothing where
-    /// a factor has neither.
+    /// N/(d ∏ Fᵉ) with F free of bound generators: 1/ρ is ρⁿ⁻¹/f, and 1/(A + Bρ) has a conjugate.
+    /// `None` if a factor has neither.
     fn over_free_denominator(
         &mut self,
         a: &Fraction,
@@ -233,7 +235,7 @@ impl Tower {
         Ok(Some((numerator, divisor, below)))
     }
 
-    /// G and n, free of bound generators, with F G = n.
+    /// Returns G and n, free of bound generators, with F G = n.
     fn rationalised(&mut self, factor: &Polynomial) -> Result<Option<(Polynomial, Polynomial)>, Obstacle> {
         if let [(variable, 1)] = factor.monomial_content().as_slice()
             && factor.term_count() == 1

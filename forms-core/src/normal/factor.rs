@@ -8,10 +8,10 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-/// A conjugate of more terms is not used for division.
+/// Largest number of terms of a conjugate that is used for division.
 const LARGEST_CONJUGATE: usize = 60;
 
-/// Fᵉ below the line, or above it for e < 0.
+/// Fᵉ in the denominator, or in the numerator for e < 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct FactorPower {
     pub(super) factor: FactorId,
@@ -24,14 +24,16 @@ impl FactorPower {
     }
 }
 
-/// Two factor lists over one: the larger exponents, and what each side lacks of them.
+/// Common denominator of two factor lists: the larger exponents, and the powers that each side
+/// lacks.
 pub(super) struct CommonPowers {
     pub(super) all: Vec<FactorPower>,
     pub(super) lacking_left: Vec<FactorPower>,
     pub(super) lacking_right: Vec<FactorPower>,
 }
 
-/// The least common denominator of two factor lists. A factor that a side does not have counts as F⁰.
+/// Returns the least common denominator of two factor lists. A factor that a side does not have
+/// counts as F⁰.
 pub(super) fn common_powers(left: &[FactorPower], right: &[FactorPower]) -> CommonPowers {
     let mut factors: Vec<FactorId> = left.iter().chain(right).map(|power| power.factor).collect();
     factors.sort_unstable();
@@ -58,7 +60,7 @@ fn exponent_of(powers: &[FactorPower], factor: FactorId) -> i32 {
     powers.binary_search_by_key(&factor, |power| power.factor).map_or(0, |place| powers[place].exponent)
 }
 
-/// The product of two factor lists.
+/// Returns the product of two factor lists.
 pub(super) fn merge_powers(a: &[FactorPower], b: &[FactorPower]) -> Vec<FactorPower> {
     let mut all: Vec<FactorPower> = a.to_vec();
     for power in b {
@@ -72,7 +74,8 @@ pub(super) fn merge_powers(a: &[FactorPower], b: &[FactorPower]) -> Vec<FactorPo
 }
 
 impl Tower {
-    /// content · ∏ factors of a polynomial: generators that divide it, radicands, known factors, the rest.
+    /// Splits a polynomial into content · ∏ factors: generators that divide it, radicands, known
+    /// factors, the remainder.
     pub(super) fn split(&mut self, polynomial: &Polynomial) -> Result<(BigInt, Vec<FactorPower>), Obstacle> {
         let mut content = polynomial.content();
         if polynomial.leading_coefficient().is_negative() {
@@ -104,8 +107,8 @@ impl Tower {
         Ok((content, powers.into_iter().fold(Vec::new(), |all, power| merge_powers(&all, &[power]))))
     }
 
-    /// Divides out roots ρ, and radicands as their powers ρⁿ: what is a product of a root with a sum is known by the
-    /// sum, wherever that occurs without the root.
+    /// Divides out roots ρ, and radicands as their powers ρⁿ. A product of a root and a sum is then
+    /// recognised by the sum, wherever the sum occurs without the root.
     fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
         for number in 0..self.relations.len() {
             let relation = self.relations[number].clone();
@@ -120,7 +123,7 @@ impl Tower {
         }
     }
 
-    /// Divides out known factors; those with roots by their conjugates.
+    /// Divides out known factors; factors with roots are divided out by their conjugates.
     fn split_known(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) -> Result<(), Obstacle> {
         for number in 0..self.factors.len() {
             let known = self.factors[number].clone();
@@ -140,14 +143,14 @@ impl Tower {
         Ok(())
     }
 
-    /// Whether a factor holds no root of another case.
+    /// Whether a factor contains no root of another sign case.
     pub(super) fn is_current(&self, factor: FactorId) -> bool {
         let foreign =
             |v: &u32| matches!(self.generator(*v), Generator::Root { .. }) && !self.is_current_root(*v);
         !self.factor_polynomial(factor).variables().iter().any(foreign)
     }
 
-    /// Divides by a factor as often as it goes, by its conjugate if it has roots.
+    /// Divides by a factor as often as possible, by its conjugate if it has roots.
     pub(super) fn divide_out_factor(
         &mut self,
         rest: &mut Polynomial,
@@ -159,8 +162,8 @@ impl Tower {
         }
     }
 
-    /// Divides by F as often as it goes, as N/F = N G/n. A unit, one with n = ±1 such as 1 + √2, divides everything
-    /// without end, and is left where it is.
+    /// Divides by F as often as possible, as N/F = N G/n. A unit, which has n = ±1 such as 1 + √2,
+    /// divides everything infinitely often and is not divided out.
     fn divide_out_by_norm(
         &mut self,
         rest: &mut Polynomial,
@@ -180,8 +183,8 @@ impl Tower {
         Ok(exponent)
     }
 
-    /// For a factor F with square roots in it: G with F G = n free of roots, so that N/F = N G/n.
-    /// One root after the other: (A + Bρ)(A − Bρ) = A² − B² f.
+    /// For a factor F that contains square roots, returns G with F G = n free of roots, so that
+    /// N/F = N G/n. The roots are removed one after the other: (A + Bρ)(A − Bρ) = A² − B² f.
     pub(super) fn conjugate(
         &mut self,
         factor: &Polynomial,
@@ -204,8 +207,8 @@ impl Tower {
         Ok(found.then_some((conjugate, norm)))
     }
 
-    /// N / (d ∏ Fᵉ) with every factor divided out of N that divides it, and free generators multiplied in
-    /// where they stand above the line.
+    /// N / (d ∏ Fᵉ) with every factor cancelled that divides N, and free generators of the
+    /// numerator multiplied in.
     pub(super) fn cancel(
         &self,
         mut numerator: Polynomial,
@@ -257,7 +260,8 @@ impl Tower {
         }
     }
 
-    /// N/ρ; for a bound ρ with ρⁿ = f: (Σ A_k ρᵏ)/ρ = Σ_{k≥1} A_k ρᵏ⁻¹ + (A₀/f) ρⁿ⁻¹ where f divides A₀.
+    /// N/ρ; for a bound ρ with ρⁿ = f: (Σ A_k ρᵏ)/ρ = Σ_{k≥1} A_k ρᵏ⁻¹ + (A₀/f) ρⁿ⁻¹ if f divides
+    /// A₀.
     pub(super) fn divide_by_generator(&self, numerator: &Polynomial, variable: u32) -> Option<Polynomial> {
         if let Some(quotient) = numerator.divide_by_monomial(&[(variable, 1)]) {
             return Some(quotient);
@@ -282,7 +286,7 @@ impl Tower {
     }
 }
 
-/// Divides as often as it goes.
+/// Divides as often as possible.
 fn divide_out(rest: &mut Polynomial, divide: impl Fn(&Polynomial) -> Option<Polynomial>) -> i32 {
     let mut exponent = 0;
     while rest.as_constant().is_none()

@@ -1,4 +1,4 @@
-//! Elements as products of powers: of factors of radicands, and of exponentials.
+//! Elements as products of powers of factors of radicands and of exponentials.
 
 use super::root::SignConstraint;
 use num_bigint::BigInt;
@@ -6,12 +6,14 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 
-/// gᵉ with rational e. Beside factors g themselves it may come from roots of ±g, which are not negative.
+/// gᵉ with rational e. It arises from factors g themselves and from roots of ±g, which are
+/// non-negative.
 #[derive(Clone)]
 pub(super) struct Power {
     pub(super) base: usize,
     pub(super) exponent: Ratio<i64>,
-    /// Whether g itself, apart from its roots, occurs to an odd power, so that the product has its sign.
+    /// Whether g itself, apart from its roots, occurs to an odd power, so that the product has its
+    /// sign.
     pub(super) odd: bool,
 }
 
@@ -20,9 +22,9 @@ pub(super) struct Power {
 pub(super) struct Factored {
     pub(super) constant: BigInt,
     pub(super) powers: Vec<Power>,
-    /// Exponential generators with their exponents.
+    /// Exponential generators, with their exponents.
     pub(super) exponentials: Vec<(u32, Ratio<i64>)>,
-    /// How many nested radicals were taken apart on the way.
+    /// Number of nested radicals that were denested so far.
     pub(super) denested: u32,
 }
 

@@ -1,7 +1,8 @@
-//! The first tier: expressions evaluated modulo p = 2⁶¹ − 1 at random points of the tower.
+//! First tier: expressions evaluated modulo p = 2⁶¹ − 1 at random points of the tower.
 //!
-//! Evaluation is a homomorphism where no denominator vanishes, so an image other than zero shows that the
-//! normal form is not zero, in a few operations a node. An image of zero shows nothing; the exact walk decides.
+//! Evaluation is a homomorphism where no denominator vanishes, so a non-zero image shows that the
+//! normal form is not zero, in a few operations per node. A zero image shows nothing; the exact
+//! conversion decides.
 
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -11,12 +12,12 @@ use crate::expression::{Expr, Node, Pool, Rational};
 use crate::polynomial::modular;
 use crate::random::SplitMix;
 
-/// How many points are looked at for one at which every radicand is a square.
+/// Number of points that are tried to find one at which every radicand is a square.
 const TRIES: u64 = 32;
 
 impl Normalised {
-    /// Which of the expressions certainly have a normal form other than zero. All `false` if no usable point
-    /// was found: the filter may only fail to help.
+    /// Returns which of the expressions certainly have a non-zero normal form. All are `false` if
+    /// no usable point was found: in that case the filter does not help, but it is never wrong.
     pub fn certainly_not_zero(&self, tower: &Tower, pool: &Pool) -> Vec<bool> {
         let mut found = vec![false; self.roots().len()];
         let mut random = SplitMix(0x9e37_79b9_7f4a_7c15);
@@ -41,7 +42,7 @@ impl Normalised {
     }
 }
 
-/// The images of expressions by their numbers.
+/// Images of expressions, by their numbers.
 struct Images(Vec<u64>);
 
 impl Images {
@@ -50,7 +51,8 @@ impl Images {
     }
 }
 
-/// Values of the generators that satisfy every relation, or nothing if a radicand is not a square there.
+/// Returns values of the generators that satisfy every relation; `None` if a radicand is not a
+/// square there, or if a chord occurs.
 fn point(tower: &Tower, random: &mut SplitMix) -> Option<Vec<u64>> {
     let mut values = vec![0; tower.generators.len()];
     for number in 0..values.len() {
@@ -83,7 +85,7 @@ fn on_the_circle(t: u64) -> Option<(u64, u64)> {
     Some((modular::mul(modular::sub(1, square), inverse), modular::mul(modular::add(t, t), inverse)))
 }
 
-/// A root of order 2ᵏ, taken one square root after the other.
+/// Returns a root of order 2ᵏ, as repeated square roots.
 fn root(value: u64, order: u32) -> Option<u64> {
     if !order.is_power_of_two() {
         return None;

@@ -1,4 +1,5 @@
-//! Elements of the tower's field: a reduced polynomial over an integer, times powers of known factors.
+//! Elements of the tower's field: a reduced polynomial over an integer, times powers of known
+//! factors.
 
 use super::factor::{FactorPower, common_powers, merge_powers};
 use super::tower::{Obstacle, Tower};
@@ -8,11 +9,11 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-/// The largest power that is kept as a factor; beyond it the power is refused or multiplied out.
+/// Largest power that stays a factor; a higher power is refused or multiplied out.
 const LARGEST_FACTORED_POWER: i32 = 1024;
 
-/// N / (d ∏ Fᵉ) with d > 0 and known factors F. A factor above the line (e < 0) stays factored until a sum
-/// needs it multiplied out, so that it can cancel. Zero has neither d nor factors.
+/// N / (d ∏ Fᵉ) with d > 0 and known factors F. A factor of the numerator (e < 0) stays factored
+/// until a sum needs it multiplied out, so that it can cancel. Zero has neither d nor factors.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Fraction {
     pub(super) numerator: Polynomial,
@@ -37,7 +38,7 @@ impl Fraction {
         Polynomial::one().into()
     }
 
-    /// A number.
+    /// Creates a number.
     pub fn number(value: &Rational) -> Self {
         Fraction {
             numerator: Polynomial::constant(value.numer().clone()),
@@ -46,12 +47,12 @@ impl Fraction {
         }
     }
 
-    /// Whether it is zero; for a reduced fraction this is a proof.
+    /// Whether the fraction is zero; for a reduced fraction this is a proof.
     pub fn is_zero(&self) -> bool {
         self.numerator.is_zero()
     }
 
-    /// The number it is, if it is one.
+    /// Returns the number, if the fraction is one.
     pub fn as_number(&self) -> Option<Rational> {
         if !self.factors.is_empty() {
             return None;
@@ -59,17 +60,17 @@ impl Fraction {
         Some(Rational::new(self.numerator.as_constant()?, self.divisor.clone()))
     }
 
-    /// The numerator, if there is no denominator but a number, which is positive.
+    /// Returns the numerator, if the denominator is only a number, which is positive.
     pub fn as_polynomial(&self) -> Option<&Polynomial> {
         self.factors.is_empty().then_some(&self.numerator)
     }
 
-    /// The positive number below the line.
+    /// Returns the positive integer of the denominator.
     pub fn divisor(&self) -> &BigInt {
         &self.divisor
     }
 
-    /// The reduced numerator.
+    /// Returns the reduced numerator.
     pub fn numerator(&self) -> &Polynomial {
         &self.numerator
     }
@@ -84,7 +85,7 @@ impl Tower {
     /// a + b
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub fn add(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         if a.is_zero() {
             return Ok(b.clone());
@@ -111,7 +112,7 @@ impl Tower {
         Ok(self.cancel(sum, divisor, common.all))
     }
 
-    /// The numerator brought over a larger denominator.
+    /// Brings a numerator over a larger denominator.
     pub(super) fn raised(
         &mut self,
         numerator: &Polynomial,
@@ -136,10 +137,11 @@ impl Tower {
         self.reduce(raised)
     }
 
-    /// A polynomial that has the sign of N / ∏ Fᵉ wherever that is defined: N times the odd powers.
+    /// Returns a polynomial that has the sign of N / ∏ Fᵉ wherever this is defined: N times the odd
+    /// powers.
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub(crate) fn with_the_sign_of(&mut self, a: &Fraction) -> Result<Polynomial, Obstacle> {
         let is_odd = |power: &&FactorPower| power.exponent % 2 != 0;
         let odd: Vec<FactorPower> =
@@ -147,10 +149,10 @@ impl Tower {
         self.raised(&a.numerator, &BigInt::one(), &odd)
     }
 
-    /// The same element with every factor above the line multiplied out.
+    /// Returns the same element with every factor of the numerator multiplied out.
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub(crate) fn expanded(&mut self, a: &Fraction) -> Result<Fraction, Obstacle> {
         let (above, below): (Vec<FactorPower>, Vec<FactorPower>) =
             a.factors.iter().partition(|power| power.exponent < 0);
@@ -169,7 +171,7 @@ impl Tower {
     /// a − b
     ///
     /// # Errors
-    /// As for a sum.
+    /// The same as for a sum.
     pub fn subtract(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         let negated = self.negate(b);
         self.add(a, &negated)
@@ -178,7 +180,7 @@ impl Tower {
     /// a b
     ///
     /// # Errors
-    /// [`Obstacle::TooLarge`] where the work passes the tower's limit.
+    /// [`Obstacle::TooLarge`] if the work exceeds the tower's limit.
     pub fn multiply(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {
         if a.is_zero() || b.is_zero() {
             return Ok(Fraction::zero());
@@ -205,8 +207,8 @@ impl Tower {
         Ok(Fraction { numerator: reduced, divisor, factors })
     }
 
-    /// The numerator of `a` over the denominator of `b`. A factor that `a` itself has below the line does not
-    /// divide its numerator, so it is not tried again.
+    /// Returns the numerator of `a` over the denominator of `b`. A factor that `a` itself has in
+    /// its denominator does not divide its numerator, so it is not tried again.
     fn cancel_in_product(&mut self, a: &Fraction, b: &Fraction) -> Fraction {
         if b.is_polynomial() {
             return a.numerator.clone().into();
@@ -223,7 +225,7 @@ impl Tower {
         over
     }
 
-    /// aⁿ for a product of generators without a number, by its exponents.
+    /// aⁿ for a product of generators without a numeric coefficient, by its exponents.
     fn power_of_generators(&mut self, a: &Fraction, n: u64) -> Result<Option<Fraction>, Obstacle> {
         if !a.is_polynomial() || a.numerator.term_count() != 1 || !a.numerator.leading_coefficient().is_one()
         {
@@ -254,10 +256,11 @@ impl Tower {
         Ok(self.cancel(numerator, content.abs(), merge_powers(&above, &below)))
     }
 
-    /// aⁿ with a sum in the numerator kept as a factor, so that it is multiplied out only where a sum needs it.
+    /// aⁿ with a sum in the numerator kept as a factor, so that it is multiplied out only if a sum
+    /// needs it.
     ///
     /// # Errors
-    /// As for [`Tower::integer_power`].
+    /// The same as for [`Tower::integer_power`].
     pub(super) fn factored_power(&mut self, a: &Fraction, exponent: i64) -> Result<Fraction, Obstacle> {
         let times = i32::try_from(exponent).ok().filter(|n| (2..=LARGEST_FACTORED_POWER).contains(n));
         let Some(times) = times.filter(|_| a.numerator.term_count() > 1) else {
@@ -274,7 +277,8 @@ impl Tower {
     /// aⁿ
     ///
     /// # Errors
-    /// [`Obstacle::DivisionByZero`] for a negative power of 0, [`Obstacle::TooLarge`] beyond the limits.
+    /// [`Obstacle::DivisionByZero`] for a negative power of 0, [`Obstacle::TooLarge`] beyond the
+    /// limits.
     pub fn integer_power(&mut self, a: &Fraction, exponent: i64) -> Result<Fraction, Obstacle> {
         if exponent < 0 {
             let inverse = self.inverse(a)?;

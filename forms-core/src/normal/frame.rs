@@ -4,28 +4,30 @@
 //! s = s′ + Σ_f v_sf f      (every f = f′)      an automorphism of the polynomials over ℤ
 //! ∂s′/∂f = −v_sf,  ∂s′/∂s = 1
 //! ```
-//! What depends on corners and an observer by their differences alone is free of the observer in the frame that
-//! moves with it, so its polynomials have as many variables fewer. Nothing else changes: elements, their derivatives
-//! and what is raised from them are those of the same functions.
+//! An expression that depends on corners and an observer through their differences alone does not
+//! contain the observer in the frame that moves with the observer, so its polynomials have
+//! correspondingly fewer variables. Nothing else changes: elements, their derivatives and the
+//! expressions raised from them represent the same functions.
 
 use super::generator::Generator;
 use super::tower::Tower;
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 
-/// s moves with f at a speed v.
+/// Motion of s with f at a speed v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Drift {
     /// s
     pub moved: Symbol,
-    /// f, which moves with nothing.
+    /// f, which moves with no variable.
     pub with: Symbol,
     /// v
     pub speed: i64,
 }
 
 impl Tower {
-    /// The same tower with some variables relative to others. No variable moves and is moved with.
+    /// Returns the same tower with some variables written relative to others. A variable that moves
+    /// is not one that others move with.
     #[must_use]
     pub fn in_frame(mut self, drifts: Vec<Drift>) -> Self {
         debug_assert!(drifts.iter().all(|a| drifts.iter().all(|b| a.moved != b.with)));
@@ -44,7 +46,8 @@ impl Tower {
         sum
     }
 
-    /// The variables s′ that a partial derivative by a variable acts on, with ∂s′/∂f.
+    /// Returns the variables s′ that a partial derivative with respect to a variable acts on, with
+    /// ∂s′/∂f.
     pub(super) fn motion(&mut self, by: Symbol) -> Vec<(u32, i64)> {
         let drifts: Vec<Drift> = self.frame.iter().copied().filter(|drift| drift.with == by).collect();
         let mut motion = vec![(self.variable_of(Generator::Variable(by)), 1)];

@@ -1,37 +1,38 @@
-//! Generators of the field in which expressions are compared: each is one variable of the polynomials.
+//! Generators of the field in which expressions are compared; each is one variable of the
+//! polynomials.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
 use crate::expression::{FunctionId, Operation, Symbol};
 
-/// The number of an interned denominator factor.
+/// Number of an interned denominator factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct FactorId(pub(super) u32);
 
-/// A product of generators over known factors, without a number in front: what an angle or an exponent is a
-/// rational combination of.
+/// Product of generators over known factors, without a numeric coefficient. An angle or an exponent
+/// is a rational combination of quantities.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Quantity {
     pub(super) monomial: Vec<(u32, u32)>,
     pub(super) factors: Vec<FactorPower>,
 }
 
-/// A function of one unit u = quantity/divisor of an angle or exponent.
+/// Unit u = quantity/divisor of an angle or exponent, of which a generator is a function.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Unit {
-    /// What is divided …
+    /// The quantity that is divided …
     pub(super) quantity: Quantity,
     /// … into this many parts.
     pub(super) divisor: u32,
 }
 
 impl Quantity {
-    /// The product of generators, if nothing is divided by.
+    /// Returns the product of generators, if there is no denominator.
     pub(crate) fn as_monomial(&self) -> Option<&[(u32, u32)]> {
         self.factors.is_empty().then_some(&self.monomial)
     }
 
-    /// The one generator that it is, if it is no more than that.
+    /// Returns the generator that the quantity consists of, if it is a single one.
     pub(super) fn as_variable(&self) -> Option<u32> {
         match self.as_monomial()? {
             [(variable, 1)] => Some(*variable),
@@ -41,18 +42,19 @@ impl Quantity {
 }
 
 impl Unit {
-    /// The product of generators that is divided into parts, if it has no denominator of its own.
+    /// Returns the product of generators that is divided into parts, if it has no denominator of
+    /// its own.
     pub fn as_monomial(&self) -> Option<&[(u32, u32)]> {
         self.quantity.as_monomial()
     }
 
-    /// Into how many parts the quantity is divided.
+    /// Returns the number of parts that the quantity is divided into.
     pub fn divisor(&self) -> u32 {
         self.divisor
     }
 }
 
-/// What one polynomial variable stands for.
+/// Function that one polynomial variable represents.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Generator {
     /// A real variable.
@@ -63,9 +65,9 @@ pub enum Generator {
     Jet {
         /// The function.
         function: FunctionId,
-        /// How often it is differentiated by each argument.
+        /// Order of differentiation in each argument.
         orders: Vec<u32>,
-        /// Where it is taken.
+        /// Arguments at which it is evaluated.
         arguments: Vec<Fraction>,
     },
     /// 2 cos(2π/q) or 2 sin(2π/q), bound by its minimal polynomial
@@ -83,21 +85,21 @@ pub enum Generator {
     HalfTangent(Unit),
     /// exp u
     Exponential(Unit),
-    /// (±g)^(1/n) for the base g of that number, with the sign that makes ±g positive
+    /// (±g)^(1/n) for the base g with this number, with the sign that makes ±g positive
     Root {
-        /// The base's number.
+        /// Number of the base.
         base: usize,
         /// n
         order: u32,
         /// Whether the root is of −g.
         negated: bool,
     },
-    /// log |g| for the base g of that number
+    /// log |g| for the base g with this number
     Logarithm {
-        /// The base's number.
+        /// Number of the base.
         base: usize,
     },
-    /// A function of the op table that nothing more is known of.
+    /// A function of the operation table without further known relations.
     Opaque {
         /// The function.
         operation: Operation,

@@ -1,4 +1,4 @@
-//! What elements are made of, for whoever writes a proof down: generators, units, bases of radicands.
+//! Constituents of elements, for writing proofs: generators, units, bases of radicands.
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
@@ -8,14 +8,14 @@ use crate::expression::Expr;
 use rustc_hash::FxHashSet;
 
 impl Base {
-    /// The order of its root, 1 if none was asked for.
+    /// Returns the order of its root, or 1 if no root was needed.
     pub(crate) fn order(&self) -> u32 {
         self.order
     }
 }
 
 impl Tower {
-    /// The bases whose logarithms are generators.
+    /// Returns the bases whose logarithms are generators.
     pub(crate) fn logarithmic_bases(&self) -> FxHashSet<usize> {
         let base = |generator: &Generator| match generator {
             Generator::Logarithm { base } => Some(*base),
@@ -24,14 +24,14 @@ impl Tower {
         self.generators.iter().filter_map(base).collect()
     }
 
-    /// The unit as a fraction.
+    /// Returns the unit as a fraction.
     pub(crate) fn unit_value(&self, unit: &Unit) -> Fraction {
         let mut quantity = self.quantity(&unit.quantity);
         quantity.divisor *= unit.divisor;
         quantity
     }
 
-    /// The bases that the roots and magnitudes among some expressions are factored over.
+    /// Returns the bases that the roots and magnitudes among some expressions are factored over.
     pub(crate) fn bases_of(&self, parts: &[Expr]) -> Vec<usize> {
         let met = parts.iter().filter_map(|part| self.met_by.get(part)).flatten();
         let mut all: Vec<usize> = met.copied().filter(|base| !self.base(*base).is_retired()).collect();
@@ -40,7 +40,7 @@ impl Tower {
         all
     }
 
-    /// The element of an expression, if it has been computed.
+    /// Returns the element of an expression, if it has been computed.
     pub(crate) fn element_of(&self, expression: Expr) -> Option<&Fraction> {
         self.elements.get(&expression)
     }

@@ -1,16 +1,17 @@
 //! Nested radicals: factors A + Bρ that contain roots themselves, with ρ² = f.
 //!
-//! The norm n = A² − B² f ties such a factor to its conjugate A − Bρ and, where it is a square, to simpler
-//! factors:
+//! The norm n = A² − B² f relates such a factor to its conjugate A − Bρ and, if n is a square, to
+//! simpler factors (denesting):
 //! ```text
 //! A + Bρ = n / (A − Bρ)                          where the conjugate is a factor already
 //! A + Bρ = (A + m + Bρ)² / (2 (A + m))           where n = m²: √(3 + 2√2) = (4 + 2√2)/√8 = 1 + √2
 //! A + Bρ = s² / g                                where its product with a known factor g is a square s²
 //! A + Bρ = h³                                    where numbers A and B make it a cube
 //! ```
-//! Each is an identity of the field, so it serves roots and logarithms alike. What it divides by has to have a norm
-//! other than zero, down to an element without roots: that shows it not to be zero in disguise. Where the norm vanishes
-//! the identity says nothing, which the tower records (`normal/strata.rs`). A factor to which none applies joins the basis.
+//! Each is an identity of the field, so it serves both roots and logarithms. Its divisor must have
+//! a non-zero norm, down to an element without roots, which shows that the divisor is not a hidden
+//! zero. Where the norm vanishes the identity makes no statement, which the tower records
+//! (`normal/strata.rs`). A factor without an applicable identity joins the basis.
 
 use super::cube::cube_root;
 use super::factored::Factored;
@@ -23,16 +24,16 @@ use crate::polynomial::Polynomial;
 use num_rational::Ratio;
 use num_traits::Signed;
 
-/// Factors of more terms are not searched for relations.
+/// Largest number of terms of a factor that is searched for relations.
 const MOST_TERMS: usize = 40;
 
-/// Norms within norms that a square root is looked for through.
+/// Largest depth of norms within norms in the search for a square root.
 const DEEPEST_ROOT: u32 = 8;
 
-/// How many radicals within radicals one element may have taken apart.
+/// Largest number of nested radicals that are denested in one element.
 const MOST_DENESTED: u32 = 24;
 
-/// Products with more nested factors than this are not tried as squares.
+/// Largest number of nested factors whose products are tried as squares.
 const MOST_PRODUCTS: usize = 8;
 
 /// A + Bρᵏ with ρ²ᵏ = f
@@ -130,7 +131,7 @@ impl Tower {
         Ok(true)
     }
 
-    /// (A + Bρ)ᵉ = (A + m + Bρ)²ᵉ (2 (A + m))⁻ᵉ where m² = A² − B² f
+    /// (A + Bρ)ᵉ = (A + m + Bρ)²ᵉ (2 (A + m))⁻ᵉ if m² = A² − B² f
     fn denest(
         &mut self,
         split: &Split,
@@ -153,7 +154,7 @@ impl Tower {
         Ok(true)
     }
 
-    /// A + m or A − m with its norm: one that is a number, where one is.
+    /// Returns A + m or A − m with its norm; the one whose norm is a number is preferred.
     fn sum_to_divide_by(
         &mut self,
         split: &Split,
@@ -228,7 +229,7 @@ impl Tower {
         Ok(false)
     }
 
-    /// Multiplies by qᵉ, the number below included.
+    /// Multiplies by qᵉ, including the integer of its denominator.
     fn raise_fraction(
         &mut self,
         q: &Fraction,
@@ -240,9 +241,10 @@ impl Tower {
         Ok(())
     }
 
-    /// s with s² = q in the field of q and the available roots, if it is found there.
+    /// Returns s with s² = q in the field of q and the available roots, if it is found there.
     ///
-    /// The root of a norm may bring back the very root that the norm was free of, so the depth is bounded.
+    /// The root of a norm can reintroduce the root that the norm was free of, so the depth is
+    /// bounded.
     fn square_root(
         &mut self,
         q: &Polynomial,
@@ -299,7 +301,7 @@ impl Tower {
         Ok(Some(self.multiply(&root, &inverse)?))
     }
 
-    /// √(c ∏ pᵢ^eᵢ): what occurs to an odd power has to be a product of available radicands.
+    /// √(c ∏ pᵢ^eᵢ): the factors with odd powers have to form a product of available radicands.
     fn root_free_square_root(
         &mut self,
         q: &Polynomial,
@@ -342,7 +344,7 @@ impl Tower {
         self.reduce(split.rational.square().sub(&irrational))
     }
 
-    /// The product of all conjugates, free of roots; nothing if there is none or it is zero.
+    /// Returns the product of all conjugates, free of roots; `None` if there is none or it is zero.
     pub(super) fn full_norm(&mut self, polynomial: &Polynomial) -> Result<Option<Polynomial>, Obstacle> {
         let mut norm = polynomial.clone();
         while let Some(variable) = self.roots_in(&norm).pop() {
@@ -355,7 +357,7 @@ impl Tower {
         Ok((!norm.is_zero()).then_some(norm))
     }
 
-    /// The polynomial as A + Bρᵏ with ρ²ᵏ = f, if no other powers of ρ occur.
+    /// Splits the polynomial into A + Bρᵏ with ρ²ᵏ = f, if no other powers of ρ occur.
     fn split_at(&self, polynomial: &Polynomial, variable: u32) -> Option<Split> {
         let Relation { order, value, .. } = self.relation_of(variable)?.clone();
         let half = order / 2;
@@ -376,13 +378,14 @@ impl Tower {
         Some(split)
     }
 
-    /// The roots that occur, those of simpler radicands first.
+    /// Returns the roots that occur, roots of simpler radicands first.
     fn roots_in(&self, polynomial: &Polynomial) -> Vec<u32> {
         let is_root = |variable: &u32| matches!(self.generator(*variable), Generator::Root { .. });
         polynomial.variables().into_iter().filter(is_root).collect()
     }
 
-    /// A root of a radicand that contains roots, if one is in use: it may depend on others in ways unknown here.
+    /// Returns a root of a radicand that contains roots, if one is in use: it can depend on others
+    /// in unknown ways.
     pub fn nested_radical(&self) -> Option<Fraction> {
         let nested = |&variable: &u32| {
             self.is_current_root(variable)

@@ -1,7 +1,8 @@
-//! The walk from structured expressions to fractions.
+//! Conversion of structured expressions to fractions.
 //!
-//! First the atoms (variables, jets, roots, functions) with everything their arguments consist of, exactly:
-//! this fixes the generators. Then the rest, either exactly or, as a filter, modulo a prime.
+//! The atoms (variables, jets, roots, functions) are converted first, exactly, with everything in
+//! their arguments: this fixes the generators. The other expressions follow, either exactly or, as
+//! a filter, modulo a prime.
 
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -13,25 +14,29 @@ use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// How often generators may be refined before the walk is given up; each refinement splits a factor or a unit.
+/// Largest number of refinements of the generators before the conversion is given up; each one
+/// splits a factor or a unit.
 const MOST_REFINEMENTS: usize = 64;
 
-/// Some expressions whose generators are fixed.
+/// Expressions whose generators are fixed.
 #[derive(Clone, Debug)]
 pub struct Normalised {
     order: Vec<Expr>,
     roots: Vec<Expr>,
-    /// What has to be non-negative for the radicands met to be so, as far as that depends on no open sign.
+    /// Constraints under which the radicands met are non-negative, for radicands that depend on no
+    /// open sign.
     pub constraints: Vec<SignConstraint>,
-    /// The bases whose open signs were asked for first: by radicands that depend on no other open sign.
+    /// The bases whose open signs are needed first: by radicands that depend on no other open sign.
     pub open: Vec<usize>,
     provisional: FxHashSet<Expr>,
 }
 
-/// Fixes the generators of some expressions. What the tower knows already is not computed again.
+/// Fixes the generators of some expressions. Elements that the tower knows already are not computed
+/// again.
 ///
 /// # Errors
-/// An [`Obstacle`] other than [`Obstacle::Refine`] where an atom lies outside the class that is decided.
+/// An [`Obstacle`] other than [`Obstacle::Refine`] if an atom lies outside the class that is
+/// decided.
 pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Normalised, Obstacle> {
     let order = pool.reachable(roots);
     let within_atoms = arguments_of_atoms(pool, &order);
@@ -43,7 +48,7 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
             Err(Obstacle::Refine) => tower.start_again(),
             result => {
                 let prepared = Normalised::of(tower, pool, order, roots, wanted);
-                // with another sign there may be no obstacle
+                // with another sign the obstacle can disappear
                 return if prepared.open.is_empty() { result.map(|()| prepared) } else { Ok(prepared) };
             }
         }
@@ -52,7 +57,7 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
 }
 
 impl Normalised {
-    /// What depends on which open sign, operands before results.
+    /// Determines which expressions depend on which open sign, operands before results.
     fn of(
         tower: &Tower,
         pool: &Pool,
@@ -81,17 +86,17 @@ impl Normalised {
         Normalised { order, roots: roots.to_vec(), constraints, open, provisional }
     }
 
-    /// The fractions of the expressions, in their order.
+    /// Returns the fractions of the expressions, in their order.
     ///
     /// # Errors
-    /// Where one divides by zero everywhere or grows beyond the limit.
+    /// If one divides by zero everywhere or grows beyond the limit.
     pub fn exact(&self, tower: &mut Tower, pool: &Pool) -> Result<Vec<Fraction>, Obstacle> {
         let steps = steps(tower, pool, &self.roots);
         walk(tower, pool, |walk| walk.follow(steps))?;
         Ok(self.roots.iter().map(|root| tower.elements[root].clone()).collect())
     }
 
-    /// Whether a normal form holds whatever the open signs are.
+    /// Whether the normal forms are valid for all values of the open signs.
     pub fn is_unconditional(&self) -> bool {
         self.open.is_empty() || !self.roots.iter().any(|root| self.provisional.contains(root))
     }
@@ -128,7 +133,7 @@ fn is_atom(pool: &Pool, expression: Expr) -> bool {
     }
 }
 
-/// Whether each expression, by its number, is part of an atom's argument.
+/// Returns for each expression, by its number, whether it is part of an atom's argument.
 fn arguments_of_atoms(pool: &Pool, order: &[Expr]) -> Vec<bool> {
     let mut arguments: Vec<Expr> = Vec::new();
     for &expression in order {
@@ -147,7 +152,7 @@ struct Walk<'a> {
     tower: &'a mut Tower,
     pool: &'a Pool,
     elements: FxHashMap<Expr, Fraction>,
-    /// The inverses of divisors: the coefficients of a form are often divided by the same.
+    /// Inverses of divisors: the coefficients of a form often have the same divisor.
     inverses: FxHashMap<Expr, Fraction>,
 }
 

@@ -1,11 +1,11 @@
 //! Functions that are generators of their own: the same arguments give the same generator.
 //!
-//! Inverse trigonometric functions, and the functions that are known by their derivatives:
+//! These are inverse trigonometric functions, and functions that are known by their derivatives:
 //! ```text
 //! erf(−q) = −erf q      E₂(q) = e⁻ᵠ − q E₁(q)      Li₂(0) = 0, Li₂(1) = π²/6      Cl₂(−q) = −Cl₂(q)
 //!                       E₃(q) = (e⁻ᵠ − q E₂(q))/2                                  Cl₂(q + 2πk) = Cl₂(q), Cl₂(πk) = 0
 //! ```
-//! The relations of E₂ and E₃ hold at q = 0 too, whatever number is taken for E₁ there.
+//! The relations of E₂ and E₃ also hold at q = 0, for any value assigned to E₁ there.
 
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -13,7 +13,7 @@ use super::tower::{Obstacle, Tower};
 use crate::expression::{Operation, Rational};
 use crate::polynomial::Polynomial;
 
-/// Whether a function is, or is made of, generators that a tower has no derivatives of.
+/// Whether a function is, or consists of, generators for which a tower has no derivatives.
 pub(super) fn is_opaque(operation: Operation) -> bool {
     matches!(
         operation,
@@ -30,7 +30,7 @@ pub(super) fn is_opaque(operation: Operation) -> bool {
 }
 
 impl Tower {
-    /// A function as a generator of its own.
+    /// Returns a function as a generator of its own.
     pub(super) fn opaque(
         &mut self,
         operation: Operation,
@@ -45,7 +45,8 @@ impl Tower {
         Ok(self.element(generator))
     }
 
-    /// A known generator of the same kind whose arguments differ by zero, or the fresh one.
+    /// Returns a known generator of the same kind whose arguments differ by zero, or else the fresh
+    /// one.
     pub(super) fn with_same_arguments(
         &mut self,
         arguments: &[Fraction],
@@ -84,7 +85,8 @@ impl Tower {
         self.odd(Operation::Clausen, q, is_period)
     }
 
-    /// An odd function whose values agree at arguments with such a difference.
+    /// Returns the value of an odd function that has equal values at arguments whose difference
+    /// satisfies `agree`.
     fn odd(
         &mut self,
         operation: Operation,
@@ -111,7 +113,7 @@ impl Tower {
         Ok(self.element(Generator::Opaque { operation, arguments: vec![q.clone()] }))
     }
 
-    /// k of an argument kπ with an integer k.
+    /// Returns k for an argument kπ with an integer k.
     fn half_turns(&self, q: &Fraction) -> Option<Rational> {
         if q.is_zero() {
             return Some(Rational::from_integer(0.into()));

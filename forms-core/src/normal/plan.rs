@@ -1,17 +1,18 @@
-//! Which expressions are computed on the way to some results, and how.
+//! Evaluation plan: the expressions that are computed on the way to some results, and how.
 //!
-//! A derivative of a derivative, or a sum of several derivatives, is not computed as the calculus writes it: a sum of many
-//! quotients over powers of the same denominators. Its operands are brought to normal form and differentiated there, over
-//! one denominator: such a sum is a divergence.
+//! A derivative of a derivative, or a sum of several derivatives, is not computed as the calculus
+//! writes it: a sum of many quotients over powers of the same denominators. Instead its operands
+//! are brought to normal form and differentiated there, over one denominator: such a sum is a
+//! divergence.
 
 use super::opaque::is_opaque;
 use super::tower::Tower;
 use crate::expression::{Expr, Node, Pool, Symbol};
 
-/// A divergence of more terms is computed term by term.
+/// Largest number of terms of a divergence; a longer one is computed term by term.
 const MOST_TERMS: usize = 64;
 
-/// How an expression is computed.
+/// Way in which an expression is computed.
 pub(super) enum Step {
     /// By the operation of its node.
     Operation,
@@ -19,7 +20,8 @@ pub(super) enum Step {
     Divergence(Vec<(i8, Expr, Symbol)>),
 }
 
-/// The steps to some expressions from the elements that a tower knows, operands before results.
+/// Returns the steps to some expressions from the elements that a tower knows, operands before
+/// results.
 pub(super) fn steps(tower: &Tower, pool: &Pool, roots: &[Expr]) -> Vec<(Expr, Step)> {
     let Some(last) = roots.iter().max() else { return Vec::new() };
     let mut wanted = vec![false; last.0 as usize + 1];
@@ -45,7 +47,8 @@ pub(super) fn steps(tower: &Tower, pool: &Pool, roots: &[Expr]) -> Vec<(Expr, St
     steps
 }
 
-/// Σ ±∂f/∂x, if the expression is written as such a sum and every f has a normal form over the known atoms.
+/// Σ ±∂f/∂x, if the expression is written as such a sum and every f has a normal form over the
+/// known atoms.
 fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, Expr, Symbol)>> {
     let mut terms = Vec::new();
     let mut repeated = false;
@@ -70,7 +73,8 @@ fn divergence(tower: &Tower, pool: &Pool, expression: Expr) -> Option<Vec<(i8, E
     (worthwhile && are_differentiable(tower, pool, &operands)).then_some(terms)
 }
 
-/// Whether expressions consist of known atoms whose derivatives have normal forms over the same generators.
+/// Whether expressions consist of known atoms whose derivatives have normal forms over the same
+/// generators.
 fn are_differentiable(tower: &Tower, pool: &Pool, expressions: &[Expr]) -> bool {
     pool.reachable(expressions).into_iter().all(|part| match pool.node(part) {
         Node::Jet { .. } | Node::Select { .. } => false,

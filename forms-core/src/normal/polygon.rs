@@ -1,13 +1,15 @@
 //! Sines and cosines of rational multiples of π, as algebraic numbers.
 //!
-//! p/q is split into partial fractions over the prime powers in q, and e^{iπp/q} into the product of powers of
+//! p/q is split into partial fractions over the prime powers in q, and e^{iπp/q} into a product of
+//! powers of
 //!
 //! ```text
 //! e^{iπ/2ᵃ}: halving from e^{iπ/2} = i      e^{iπ/3} = (1 + i√3)/2      e^{iπ/10} = (√(10 + 2√5) + i(√5 − 1))/4
 //! ```
-//! so that the corners of polygons that are constructible by few square roots are polynomials in these, all of
-//! manifestly positive radicands. For any other prime power q the chord δ = 2 cos(2π/q) is a generator, bound by its
-//! minimal polynomial, and 2 sin(2π/q) is another (see [`super::chord`]).
+//! The corners of polygons that can be constructed by few square roots are therefore polynomials in
+//! these, and all radicands are manifestly positive. For any other prime power q the chord
+//! δ = 2 cos(2π/q) is a generator, bound by its minimal polynomial, and 2 sin(2π/q) is another (see
+//! [`super::chord`]).
 
 use super::angle::Point;
 use super::fraction::Fraction;
@@ -20,10 +22,10 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
 
-/// π is halved at most this often.
+/// Largest number of times π is halved.
 const MOST_HALVINGS: u32 = 6;
 
-/// The largest odd prime power that a polygon's number of sides may contain.
+/// Largest odd prime power in a polygon's number of sides.
 const LARGEST_ODD_PART: u32 = 31;
 
 impl Tower {
@@ -45,7 +47,7 @@ impl Tower {
             let corner = self.corner_of_part(part, share)?;
             point = self.angle_sum(&point, &corner)?;
         }
-        // what is left is a whole number of half turns
+        // the remainder is a whole number of half turns
         if rest.to_integer().is_odd() {
             point = (self.negate(&point.0), self.negate(&point.1));
         }
@@ -66,8 +68,8 @@ impl Tower {
         self.repeated(&first, times)
     }
 
-    /// e^{iπ/2ⁿ}, halving π: cos(α/2) = √(2 + 2 cos α)/2, sin(α/2) = sin α/(2 cos(α/2)), where 2 cos α is a root of
-    /// a sum of roots.
+    /// e^{iπ/2ⁿ}, by halving π: cos(α/2) = √(2 + 2 cos α)/2, sin(α/2) = sin α/(2 cos(α/2)), where
+    /// 2 cos α is a root of a sum of roots.
     fn halved_turn(&mut self, halvings: u32) -> Result<Point, Obstacle> {
         let (mut cosine, mut sine) = match halvings {
             0 => return Ok((ratio(-1, 1), Fraction::zero())),
@@ -98,8 +100,8 @@ impl Tower {
         Ok(self.magnitude_power(&ratio(number, 1), Ratio::new(1, 2))?.0)
     }
 
-    /// Whether a polynomial is a sum of positive terms in squares and in generators that are positive by their nature,
-    /// so that it is nowhere negative.
+    /// Whether a polynomial is a sum of positive terms in squares and in inherently positive
+    /// generators, so that it is nowhere negative.
     pub(crate) fn is_manifestly_not_negative(&self, polynomial: &Polynomial) -> bool {
         let positive = |&(variable, exponent): &(u32, u32)| {
             exponent % 2 == 0
@@ -119,7 +121,8 @@ pub(super) fn ratio(p: i64, q: i64) -> Fraction {
     Fraction::number(&Rational::new(p.into(), q.into()))
 }
 
-/// The numerator k of r's partial fraction k/part: r = k/part + a number whose denominator is prime to it.
+/// Returns the numerator k of r's partial fraction k/part: r = k/part + a number whose denominator
+/// is coprime to `part`.
 fn share_of(r: &Rational, part: u32) -> u32 {
     let part = BigInt::from(part);
     let cofactor = r.denom() / &part;
@@ -127,7 +130,7 @@ fn share_of(r: &Rational, part: u32) -> u32 {
     (r.numer() * inverse).mod_floor(&part).to_u32().unwrap_or(0)
 }
 
-/// The prime powers whose product a number is, as long as each is small.
+/// Returns the prime powers whose product is the number, if each is small.
 fn prime_powers(number: u32) -> Option<Vec<u32>> {
     let halvings = number.trailing_zeros();
     let mut rest = number >> halvings;

@@ -1,11 +1,13 @@
-//! The quotient rule in one step, for fractions whose generators are variables and roots of their polynomials.
+//! Quotient rule in one step, for fractions whose generators are variables and roots of polynomials
+//! in them.
 //!
 //! With a = N ∏ Gⱼ^(−eⱼ/nⱼ), the product over the factors that depend on a variable xᵢ,
 //! ```text
 //! Σᵢ ±∂ᵢaᵢ = (∏G Σᵢ ±∂ᵢNᵢ − Σᵢ ±Nᵢ Lᵢ) ∏ Gⱼ^(−eⱼ/nⱼ−1),    Lᵢ = Σⱼ (eⱼ/nⱼ) ∂ᵢGⱼ ∏_{k≠j} G_k
 //! ```
-//! for fractions over one denominator, as the coefficients of a form mostly are. Their partial derivatives are summed
-//! before they are multiplied by ∏G, and only the sum is looked at for common factors.
+//! for fractions over one denominator, as the coefficients of a form mostly are. Their partial
+//! derivatives are summed before they are multiplied by ∏G, and only the sum is checked for common
+//! factors.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -15,19 +17,19 @@ use super::tower::{Obstacle, Tower};
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 
-/// A factor Fᵉ, as G^(e/n) with a polynomial G in variables only.
+/// Factor Fᵉ, as G^(e/n) with a polynomial G in variables only.
 struct Plain {
     polynomial: Polynomial,
     exponent: i32,
     order: u32,
 }
 
-/// What a partial derivative by a variable acts on.
+/// Variables that a partial derivative acts on, with their rates.
 type Motion = Vec<(u32, i64)>;
 
 impl Tower {
-    /// Σ ±∂a/∂x by the quotient rule, not looked at for common factors; nothing if denominators differ or a generator
-    /// needs a chain rule of its own.
+    /// Σ ±∂a/∂x by the quotient rule, not checked for common factors. `None` if denominators differ
+    /// or a generator needs a chain rule of its own.
     pub(super) fn plain_divergence(
         &mut self,
         terms: &[(i8, &Fraction, Symbol)],
@@ -61,7 +63,8 @@ impl Tower {
         Ok(Some(Fraction { numerator, divisor: &first.divisor * order, factors }))
     }
 
-    /// The factors that depend on one of the variables, and all factors with the exponents of a derivative.
+    /// Returns the factors that depend on one of the variables, and all factors with the exponents
+    /// of a derivative.
     fn raised_factors(
         &self,
         powers: &[FactorPower],

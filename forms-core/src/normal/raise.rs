@@ -1,4 +1,4 @@
-//! Fractions back to structured expressions, for people to read.
+//! Raising: fractions become structured expressions again, for readers.
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
@@ -11,16 +11,17 @@ use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 
-/// A numerator of more terms is not searched for factors.
+/// Largest number of terms of a numerator that is searched for factors.
 const LARGEST_FACTORED: usize = 60;
 
 impl Tower {
-    /// The fraction as an expression: a number, factors of the numerator, factors of the denominator.
+    /// Raises the fraction to an expression: a number, factors of the numerator, factors of the
+    /// denominator.
     pub fn raise(&self, pool: &mut Pool, fraction: &Fraction) -> Expr {
         Raising { tower: self, pool, generators: FxHashMap::default() }.fraction(fraction)
     }
 
-    /// The angle or exponent that a generator is a function of.
+    /// Raises the angle or exponent that a generator is a function of.
     pub fn raise_unit(&self, pool: &mut Pool, unit: &Unit) -> Expr {
         self.raise(pool, &self.angle_of(unit))
     }
@@ -46,11 +47,11 @@ impl Tower {
     }
 }
 
-/// The expressions of one tower. A generator is raised once: it may be part of many that stand on it.
+/// Expressions of one tower. A generator is raised once, since many others can depend on it.
 struct Raising<'a> {
     tower: &'a Tower,
     pool: &'a mut Pool,
-    /// What is known of each generator: of a root its radicand, of any other itself.
+    /// Raised generators: for a root its radicand, for any other generator the generator itself.
     generators: FxHashMap<u32, Expr>,
 }
 
@@ -119,7 +120,7 @@ impl Raising<'_> {
         self.pool.power(base, n / Ratio::from_integer(i64::from(order)))
     }
 
-    /// A generator, or the radicand of a root.
+    /// Raises a generator, or the radicand of a root.
     fn generator_base(&mut self, generator: &Generator) -> Expr {
         match generator {
             Generator::Variable(symbol) => self.real_variable(*symbol),
@@ -181,7 +182,7 @@ impl Raising<'_> {
     }
 }
 
-/// number · ∏ factors, the number left out if it is 1
+/// number · ∏ factors, without the number if it is 1
 fn product(pool: &mut Pool, number: &BigInt, factors: &[Expr]) -> Expr {
     let mut result = pool.number(Rational::from_integer(number.clone()));
     for &factor in factors {

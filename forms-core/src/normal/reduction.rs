@@ -1,13 +1,13 @@
-//! Reduction: every bound generator below the order of its relation.
+//! Reduction: brings every bound generator below the order of its relation.
 //!
-//! With ρᵢ^nᵢ = fᵢ a polynomial Σ Aₖ ∏ ρᵢ^(nᵢ kᵢ) becomes Σ Aₖ ∏ fᵢ^kᵢ, all relations at once and in one accumulator.
-//! Where an fᵢ holds an earlier bound generator, the sum is looked at again.
+//! With ρᵢ^nᵢ = fᵢ a polynomial Σ Aₖ ∏ ρᵢ^(nᵢ kᵢ) becomes Σ Aₖ ∏ fᵢ^kᵢ, all relations at once and
+//! in one accumulator. If an fᵢ contains an earlier bound generator, the sum is reduced again.
 
 use super::tower::{Obstacle, Relation, Tower};
 use crate::polynomial::Polynomial;
 
 impl Tower {
-    /// Writes a polynomial in reduced form.
+    /// Brings a polynomial to reduced form.
     pub(super) fn reduce(&mut self, polynomial: Polynomial) -> Result<Polynomial, Obstacle> {
         let mut reduced = polynomial;
         loop {

@@ -1,9 +1,10 @@
 //! Known factors that turn out to be products of others.
 //!
-//! A factor G keeps the name it was met under. Where a sum brings it together with a factor F that divides it, both
-//! over the field of the tower, G = ±∏ Fᵉ H is remembered, and the sum is taken over F and H instead: N² + D² of a
-//! solid angle is the product of the denominators of its edges. Factors are primitive, so no other number than ±1 stands
-//! before the product; with roots it may be −1, since reduction changes leading terms.
+//! A factor G keeps the number under which it was met. If a sum combines it with a factor F that
+//! divides it, both over the field of the tower, G = ±∏ Fᵉ H is recorded, and the sum is taken over
+//! F and H instead: N² + D² of a solid angle is the product of the denominators of its edges.
+//! Factors are primitive, so the coefficient of the product is ±1; with roots it can be −1, since
+//! reduction changes leading terms.
 
 use super::factor::{FactorPower, merge_powers};
 use super::fraction::Fraction;
@@ -19,8 +20,8 @@ pub(super) struct Product {
 }
 
 impl Tower {
-    /// Two fractions whose factors that only one of them has are tried against each other; nothing if none divides
-    /// another.
+    /// Tries the factors that only one of two fractions has against each other. `None` if no factor
+    /// divides another.
     pub(super) fn over_finer_factors(
         &mut self,
         a: &Fraction,
@@ -45,7 +46,7 @@ impl Tower {
         a.factors.iter().all(|power| !self.products.contains_key(&power.factor))
     }
 
-    /// Divides the longer of two factors by the other, once.
+    /// Divides the longer of two factors by the other one, once per pair.
     fn try_division(&mut self, left: FactorId, right: FactorId) -> Result<(), Obstacle> {
         let terms = |factor: FactorId| self.factor_polynomial(factor).term_count();
         let (short, long) = if terms(left) <= terms(right) { (left, right) } else { (right, left) };
@@ -70,7 +71,8 @@ impl Tower {
         Ok(())
     }
 
-    /// The same element with every factor that is known to be a product written as one.
+    /// Returns the same element with every factor that is known to be a product replaced by that
+    /// product.
     fn refined(&self, a: &Fraction) -> Fraction {
         let mut refined = a.clone();
         while let Some(place) = refined.factors.iter().position(|p| self.products.contains_key(&p.factor)) {

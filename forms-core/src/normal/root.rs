@@ -1,9 +1,10 @@
-//! Roots: radicands are written over a basis of coprime factors, with one root generator a factor.
+//! Roots: radicands are written over a coprime basis, with one root generator per factor.
 //!
 //! For a radicand c ∏ gᵢ^eᵢ (basis factors gᵢ, signs σᵢ with σᵢ gᵢ ≥ 0 in the region considered)
-//! |c ∏ gᵢ^eᵢ|^r = |c|^r ∏ (σᵢ gᵢ)^(r eᵢ), and (σᵢ gᵢ)^(1/n) is a generator. A factor whose sign matters and
-//! is not known is reported; whoever decides goes through the cases. Exponentials are factors of no basis: their
-//! powers are exponentials. The same factors are those of logarithms.
+//! |c ∏ gᵢ^eᵢ|^r = |c|^r ∏ (σᵢ gᵢ)^(r eᵢ), and (σᵢ gᵢ)^(1/n) is a generator.
+//! A factor whose sign matters and is unknown is reported; the decision procedure goes through the
+//! cases. Exponentials are not factors of the basis: their powers are exponentials. Logarithms use
+//! the same factors.
 
 use super::factor::FactorPower;
 use super::factored::{Factored, Power};
@@ -16,22 +17,22 @@ use num_integer::Integer;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
 
-/// The largest order of a root that is made a generator.
+/// Largest order of a root generator.
 const LARGEST_ORDER: u32 = 64;
 
-/// Primes up to this bound are found in the radicand of a number.
+/// Bound below which the prime factors of the radicand of a number are found.
 const PRIME_BOUND: u32 = 4096;
 
-/// A factor of radicands: primitive, coprime to the others, not a constant unless a prime.
+/// Factor of radicands: primitive, coprime to the others, not a constant unless a prime.
 #[derive(Clone, Debug)]
 pub struct Base {
     /// The factor.
     pub polynomial: Polynomial,
-    /// The order of its root: the least common multiple of those asked for.
+    /// The order of its root: the least common multiple of the orders that were needed.
     pub(super) order: u32,
-    /// Whether it is replaced by finer factors.
+    /// Whether finer factors have replaced it.
     pub(super) retired: bool,
-    /// The sign it has in the region considered, once that is known or assumed.
+    /// Its sign in the region considered, once the sign is known or assumed.
     pub sign: Option<Sign>,
     /// Whether its sign was needed.
     pub sign_needed: bool,
@@ -44,7 +45,7 @@ impl Base {
     }
 }
 
-/// The sign of a factor in a region, zero allowed: σ with σ g ≥ 0.
+/// Sign of a factor in a region, zero allowed: σ with σ g ≥ 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     /// g ≥ 0
@@ -53,19 +54,20 @@ pub enum Sign {
     Negative,
 }
 
-/// A product of a number and basis factors: its sign and the factors that occur to an odd power.
+/// Sign of a product of a number and basis factors, with the factors that occur to an odd power.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SignConstraint {
-    /// Whether the number in front is negative.
+    /// Whether the number is negative.
     pub negative: bool,
-    /// The bases to an odd power.
+    /// The bases with an odd power.
     pub odd: Vec<usize>,
-    /// The bases to any other power: they only matter where they vanish.
+    /// The bases with any other power: they matter only where they vanish.
     pub other: Vec<usize>,
 }
 
 impl Tower {
-    /// |q|^r for q ≠ 0, with the sign constraint of q itself unless that depends on an open sign.
+    /// Returns |q|^r for q ≠ 0, with the sign constraint of q itself unless this depends on an open
+    /// sign.
     pub(super) fn magnitude_power(
         &mut self,
         q: &Fraction,
@@ -86,7 +88,7 @@ impl Tower {
         Ok((result, constraint))
     }
 
-    /// |q| over the basis, the numbers in front among its factors.
+    /// Factors |q| over the basis, including its numeric factors.
     pub(super) fn factor_magnitude(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let factored = self.factor_radicand(q)?;
         let mut factored = self.with_numbers(factored, &q.divisor);
@@ -94,12 +96,12 @@ impl Tower {
         Ok(factored)
     }
 
-    /// The sign constraint of an element over the bases known so far.
+    /// Returns the sign constraint of an element over the bases known so far.
     pub fn sign_constraint(&mut self, q: &Fraction) -> Result<SignConstraint, Obstacle> {
         Ok(self.factor_radicand(q)?.constraint())
     }
 
-    /// (σ g)^e by the root of g, or by g itself where e is an integer.
+    /// (σ g)^e as a power of the root of g, or of g itself if e is an integer.
     pub(super) fn base_power(&mut self, base: usize, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
         let order = u32::try_from(*exponent.denom()).ok().filter(|n| *n <= LARGEST_ORDER);
         let order =
@@ -120,8 +122,8 @@ impl Tower {
         self.root_power(root, order, times)
     }
 
-    /// ρᵏ. Where ρⁿ is a sum, a power from n on is kept as a known factor, so that the sum is multiplied out only
-    /// where another sum needs it.
+    /// ρᵏ. If ρⁿ is a sum, a power with k ≥ n is kept as a known factor, so that the sum is
+    /// multiplied out only if another sum needs it.
     fn root_power(&mut self, root: u32, order: u32, times: i64) -> Result<Fraction, Obstacle> {
         let radicand_terms = self.relation_of(root).map_or(1, |relation| relation.value.term_count());
         let exponent = match i32::try_from(times) {
@@ -137,7 +139,7 @@ impl Tower {
         })
     }
 
-    /// Whether −g is the positive one; asks for the sign unless an even power makes it irrelevant.
+    /// Whether −g is the positive one; requests the sign unless an even power makes it irrelevant.
     fn base_is_negative(&mut self, base: usize, exponent: Ratio<i64>) -> bool {
         if self.is_manifestly_not_negative(&self.bases[base].polynomial) {
             return false;
@@ -149,7 +151,7 @@ impl Tower {
         self.bases[base].sign == Some(Sign::Negative)
     }
 
-    /// The generator ρ with ρⁿ = ±g.
+    /// Returns the generator ρ with ρⁿ = ±g.
     fn root(&mut self, base: usize, order: u32, negated: bool) -> u32 {
         let polynomial = &self.bases[base].polynomial;
         let value = if negated { polynomial.neg() } else { polynomial.clone() };
@@ -158,14 +160,15 @@ impl Tower {
         variable
     }
 
-    /// Whether a generator is the root of ±g with the sign that g has here. One of another case is imaginary.
+    /// Whether a generator is the root of ±g with the sign that g has here. A root of the other
+    /// sign case is imaginary.
     pub(super) fn is_current_root(&self, variable: u32) -> bool {
         let Generator::Root { base, order, negated } = *self.generator(variable) else { return false };
         let base = &self.bases[base];
         !base.retired && base.order == order && (base.sign == Some(Sign::Negative)) == negated
     }
 
-    /// Numerator and denominator over the basis of radicands; new factors join it.
+    /// Factors numerator and denominator over the basis of radicands; new factors join the basis.
     fn factor_radicand(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let mut factored =
             Factored { constant: BigInt::one(), powers: Vec::new(), exponentials: Vec::new(), denested: 0 };
@@ -174,7 +177,7 @@ impl Tower {
         Ok(factored)
     }
 
-    /// Multiplies by qᵉ, but for the number below.
+    /// Multiplies by qᵉ, without the integer of its denominator.
     pub(super) fn factor_fraction_into(
         &mut self,
         q: &Fraction,
@@ -230,7 +233,8 @@ impl Tower {
         Ok(())
     }
 
-    /// The constant of a denominator goes to the numerator with the same sign and the same root.
+    /// Multiplies by cᵉ for a number c. The sign of a constant in the denominator moves to the
+    /// numerator; its magnitude stays a power with the same exponent.
     pub(super) fn multiply_constant(
         &mut self,
         factored: &mut Factored,
@@ -247,7 +251,8 @@ impl Tower {
         }
     }
 
-    /// A generator in a radicand: ρ^k is g^(k/n) for a root, any other is a factor of its own.
+    /// Multiplies by a power of a generator in a radicand: ρ^k is g^(k/n) for a root, any other
+    /// generator is a factor of its own.
     fn raise_variable(
         &mut self,
         variable: u32,
@@ -256,7 +261,7 @@ impl Tower {
     ) -> Result<(), Obstacle> {
         match *self.generator(variable) {
             Generator::Root { base, order, .. } => {
-                // the root is that of g only as long as g is taken to be positive
+                // this is the root of g only as long as g is assumed to be positive
                 if self.bases[base].sign.is_none()
                     && !self.is_manifestly_not_negative(&self.bases[base].polynomial)
                 {
@@ -274,7 +279,8 @@ impl Tower {
         self.raise_part(&Polynomial::variable(variable), exponent, factored)
     }
 
-    /// A squarefree factor: equal to a base, coprime to all, or a reason to split one.
+    /// Multiplies by a power of a square-free factor: it equals a base, is coprime to all bases, or
+    /// splits one.
     pub(super) fn raise_part(
         &mut self,
         part: &Polynomial,
@@ -327,7 +333,7 @@ impl Tower {
         })
     }
 
-    /// The numbers in front, numerator over divisor, as powers of primes.
+    /// Writes the numeric factor, constant over divisor, as powers of primes.
     fn with_numbers(&mut self, mut factored: Factored, divisor: &BigInt) -> Factored {
         let constant = factored.constant.abs();
         self.raise_number(&constant, Ratio::one(), &mut factored);
@@ -344,7 +350,8 @@ impl Tower {
     }
 }
 
-/// A positive number as a product of small primes and a rest that is reduced to its root if it is a power.
+/// Factors a positive number into small primes and a remainder, which is replaced by its square
+/// root if it is a square.
 pub(crate) fn prime_powers(number: &BigInt) -> Vec<(BigInt, u32)> {
     let mut rest = number.clone();
     let mut powers = Vec::new();

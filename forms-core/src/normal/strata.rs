@@ -1,13 +1,14 @@
-//! Strata: the points at which a normal form says nothing of the expression that it stands for.
+//! Strata: the points at which a normal form makes no statement about its expression.
 //!
 //! ```text
 //! half-angle tangents   cos u = (1 − t²)/(1 + t²)      not where cos u = −1, the poles of t
-//! nested radicals       A + Bρ = n/(A − Bρ), …         not where what is divided by vanishes
+//! nested radicals       A + Bρ = n/(A − Bρ), …         not where the divisor vanishes
 //! exponents             1/(A + Bρ) = (A − Bρ)/n        not where the norm n vanishes
 //! ```
-//! A tower records both kinds while it computes. Everywhere else its steps are identities of real functions. Whoever
-//! concludes something for every point decides these strata one by one: at a half turn (cos u, sin u) is (−1, 0), and
-//! [`Tower::at_half_turns`] computes with that.
+//! A tower records these poles and zeros while it computes. Everywhere else its steps are
+//! identities of real functions. A conclusion for every point requires that these strata are
+//! decided one by one: at a half turn (cos u, sin u) is (−1, 0), and [`Tower::at_half_turns`]
+//! computes with these values.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -16,21 +17,22 @@ use super::tower::{Obstacle, Tower};
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 
-/// Choices among more units are not gone through.
+/// Largest number of units whose choices are gone through.
 const MOST_UNITS: usize = 4;
 
 impl Tower {
-    /// The units u whose half-angle tangent was used: nothing is known where cos u = −1.
+    /// Returns the units u whose half-angle tangent was used: nothing is known where cos u = −1.
     pub(crate) fn poles(&self) -> &[Unit] {
         &self.poles
     }
 
-    /// Polynomials without roots that were divided by: nothing is known where one of them vanishes.
+    /// Returns the polynomials without roots that were divisors: nothing is known where one
+    /// vanishes.
     pub(crate) fn excluded(&self) -> &[Polynomial] {
         &self.excluded
     }
 
-    /// Whether what was computed holds at every point at which the expressions are defined.
+    /// Whether the computed elements are valid at every point at which the expressions are defined.
     pub(crate) fn holds_everywhere(&self) -> bool {
         self.poles.is_empty() && self.excluded.is_empty()
     }
@@ -40,15 +42,15 @@ impl Tower {
         !self.frame.is_empty()
     }
 
-    /// Whether a unit was used together with a finer one of the same quantity, as happens before the finer one is
-    /// known to be needed.
+    /// Whether a unit was used together with a finer one of the same quantity, which happens before
+    /// the finer one is known to be needed.
     pub(crate) fn has_coarser_poles(&self) -> bool {
         let finer =
             |unit: &Unit, other: &Unit| unit.quantity == other.quantity && unit.divisor != other.divisor;
         self.poles.iter().any(|unit| self.poles.iter().any(|other| finer(unit, other)))
     }
 
-    /// The same generators with nothing computed and nothing recorded.
+    /// Returns a tower with the same generators, with nothing computed and nothing recorded.
     pub(crate) fn apart(&self) -> Tower {
         let mut tower = self.clone();
         tower.poles.clear();
@@ -58,15 +60,16 @@ impl Tower {
         tower
     }
 
-    /// The same generators with nothing computed, for the points at which these units, and no others, are at an odd
-    /// multiple of π.
+    /// Returns a tower with the same generators and nothing computed, for the points at which these
+    /// units, and no others, are at an odd multiple of π.
     pub(crate) fn at_half_turns(&self, units: &[Unit]) -> Tower {
         let mut tower = self.apart();
         tower.half_turns = units.to_vec();
         tower
     }
 
-    /// Every choice of some of the units whose half-angle tangents were used; nothing if there are too many.
+    /// Returns every non-empty choice of the units whose half-angle tangents were used; `None` if
+    /// there are too many.
     pub(crate) fn choices_of_half_turns(&self) -> Option<Vec<Vec<Unit>>> {
         if self.poles.len() > MOST_UNITS {
             return None;
@@ -78,14 +81,15 @@ impl Tower {
         Some((1..1 << self.poles.len()).map(chosen).collect())
     }
 
-    /// The angle that a unit is.
+    /// Returns the angle of a unit.
     pub(crate) fn angle_of(&self, unit: &Unit) -> Fraction {
         let quantity = self.quantity(&unit.quantity);
         Fraction { divisor: quantity.divisor * unit.divisor, ..quantity }
     }
 
-    /// Notes that a half-angle tangent is used, unless its unit is at a half turn here. A unit that is divided more
-    /// finely than the one at a half turn has no known sine there.
+    /// Records that a half-angle tangent is used, unless its unit is at a half turn here, and
+    /// returns whether it is. A unit that is divided more finely than the one at a half turn has no
+    /// known sine there.
     pub(super) fn is_at_half_turn(&mut self, unit: &Unit) -> Result<bool, Obstacle> {
         if self.half_turns.contains(unit) {
             return Ok(true);
@@ -99,8 +103,8 @@ impl Tower {
         Ok(false)
     }
 
-    /// Notes that a polynomial without roots was divided by. A polynomial in π alone vanishes nowhere, nor does an
-    /// exponential.
+    /// Records that a polynomial without roots was a divisor. A polynomial in π alone vanishes
+    /// nowhere, and neither does an exponential.
     pub(super) fn exclude_zeros(&mut self, polynomial: Polynomial) {
         let mut powers = polynomial.monomial_content();
         powers.retain(|&(variable, _)| matches!(self.generator(variable), Generator::Exponential(_)));
@@ -114,7 +118,8 @@ impl Tower {
         }
     }
 
-    /// Notes that the factors below the line of a fraction were divided by; whether their norms are known.
+    /// Records that the factors of a fraction's denominator were divisors, and returns whether
+    /// their norms are known.
     pub(super) fn exclude_zeros_below(&mut self, fraction: &Fraction) -> Result<bool, Obstacle> {
         let below: Vec<FactorPower> =
             fraction.factors.iter().filter(|power| power.exponent > 0).copied().collect();
@@ -126,14 +131,15 @@ impl Tower {
         Ok(true)
     }
 
-    /// Whether a polynomial that is not zero vanishes on a thin set at most: its generators are variables, derivatives of
-    /// unknown functions, half-angle tangents and π, which no relation binds.
+    /// Whether a non-zero polynomial vanishes at most on a thin set: its generators are variables,
+    /// derivatives of unknown functions, half-angle tangents and π, which no relation binds.
     pub(crate) fn vanishes_on_a_thin_set(&self, polynomial: &Polynomial) -> bool {
         !polynomial.is_zero()
             && polynomial.variables().into_iter().all(|variable| self.is_independent(variable))
     }
 
-    /// Whether a unit takes no value on an open set: a product of generators as above, at least one of them no number.
+    /// Whether a unit is constant on no open set: a product of generators as above, at least one of
+    /// which is not a number.
     pub(crate) fn is_never_constant(&self, unit: &Unit) -> bool {
         let quantity = self.quantity(&unit.quantity);
         let variables = self.variables_of(&quantity);
@@ -141,8 +147,9 @@ impl Tower {
         variables.iter().all(|&variable| self.is_independent(variable)) && variables.iter().any(varies)
     }
 
-    /// Whether what is left out are single values of a variable, whatever the others are: poles of angles that are
-    /// multiples of powers of it, and zeros of polynomials in it whose coefficients are not all zero at once.
+    /// Whether the omitted points are single values of a variable, whatever the others are: poles
+    /// of angles that are multiples of powers of it, and zeros of polynomials in it whose
+    /// coefficients are not all zero at once.
     pub(crate) fn leaves_out_single_values_of(&self, symbol: Symbol) -> bool {
         let is_it = |variable: u32| *self.generator(variable) == Generator::Variable(symbol);
         let plain =

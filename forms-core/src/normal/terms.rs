@@ -1,4 +1,5 @@
-//! A fraction as a sum of c · xᵏ cosᵖ(κx) sin^q(κx) in one variable, where it is one.
+//! Decomposition of a fraction into a sum of c · xᵏ cosᵖ(κx) sin^q(κx) in one variable, if there is
+//! one.
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
@@ -9,7 +10,7 @@ use crate::polynomial::Polynomial;
 /// coefficient · xᵏ cosᵖ(κx) sin^q(κx)
 #[derive(Clone, Debug)]
 pub struct Term {
-    /// What does not depend on x.
+    /// Factor that does not depend on x.
     pub coefficient: Fraction,
     /// k
     pub power: u32,
@@ -19,7 +20,7 @@ pub struct Term {
     pub sines: u32,
 }
 
-/// A sum of terms and the frequency κ they share, if any of them oscillates.
+/// Sum of terms, with the frequency κ that they share if any of them oscillates.
 #[derive(Clone, Debug)]
 pub struct Terms {
     /// The terms.
@@ -29,10 +30,10 @@ pub struct Terms {
 }
 
 impl Tower {
-    /// The fraction by powers of a variable and of one sine and cosine.
+    /// Splits the fraction by powers of a variable and of one sine and cosine.
     ///
     /// # Errors
-    /// Says what else depends on the variable.
+    /// The reason, which names the other part that depends on the variable.
     pub fn terms_in(&mut self, pool: &Pool, fraction: &Fraction, symbol: Symbol) -> Result<Terms, String> {
         let name = pool.symbol_name(symbol).to_string();
         let fraction = &self.expanded(fraction).map_err(|_| "the integrand is too large".to_string())?;
@@ -66,7 +67,8 @@ impl Tower {
         Ok(Terms { terms, frequency })
     }
 
-    /// The one unit κx whose sine or cosine occurs, κ being a number times a power of π.
+    /// Returns the single unit κx whose sine or cosine occurs, where κ is a number times a power of
+    /// π.
     fn oscillation(
         &self,
         pool: &Pool,
@@ -98,7 +100,7 @@ impl Tower {
         Ok(found)
     }
 
-    /// κ of the unit κx
+    /// Returns κ of the unit κx.
     fn frequency(&self, unit: &Unit, x: u32) -> Fraction {
         let quantity = self.quantity(&unit.quantity);
         let numerator = quantity.numerator.divide_by_monomial(&[(x, 1)]).unwrap_or(quantity.numerator);

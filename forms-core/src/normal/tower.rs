@@ -1,4 +1,5 @@
-//! The tower: the generators in use, the relations that bind some of them, and the known factors.
+//! Tower of extensions: the generators in use, the relations that bind some of them, and the known
+//! factors.
 
 use super::factor::FactorPower;
 use super::fraction::Fraction;
@@ -13,12 +14,13 @@ use num_traits::Signed;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 
-/// Why an expression has no normal form here.
+/// Reason why an expression has no normal form here.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Obstacle {
-    /// A generator has to be chosen finer (a half angle, a factor of a radicand); the walk starts again.
+    /// A finer generator is needed (a half angle, a factor of a radicand); the conversion starts
+    /// again.
     Refine,
-    /// It divides by something that is zero everywhere.
+    /// The expression divides by zero everywhere.
     DivisionByZero,
     /// A part lies outside the class that is decided; the text says which.
     Outside(String),
@@ -26,7 +28,7 @@ pub enum Obstacle {
     TooLarge(String),
 }
 
-/// How sines and cosines are represented.
+/// Representation of sines and cosines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Trigonometry {
     /// By c and s with s² = 1 − c²: small and readable, but not a ring with unique factorisation.
@@ -43,7 +45,7 @@ pub(super) struct Relation {
     pub(super) value: Polynomial,
 }
 
-/// The generators, relations and factors that the fractions of one comparison refer to.
+/// Generators, relations and factors that the fractions of one comparison refer to.
 #[derive(Clone, Debug)]
 pub struct Tower {
     pub(super) generators: Vec<Generator>,
@@ -52,37 +54,37 @@ pub struct Tower {
     factor_numbers: FxHashMap<Polynomial, FactorId>,
     /// Factors that turned out to be products of others.
     pub(super) products: FxHashMap<FactorId, Product>,
-    /// Pairs of factors the second of which was divided by the first.
+    /// Pairs of factors for which division of the second by the first was tried.
     pub(super) divisions_tried: FxHashSet<(FactorId, FactorId)>,
     pub(super) relations: Vec<Relation>,
     pub(super) bases: Vec<Base>,
-    /// The bases whose signs were asked for by the element being computed.
+    /// Bases whose signs the element being computed needs.
     asked: Vec<usize>,
     asked_by: FxHashMap<Expr, Vec<usize>>,
-    /// The bases that the element being computed is factored over, and those of the elements known.
+    /// Bases that the element being computed is factored over, and the bases of each known element.
     pub(super) met: Vec<usize>,
     pub(super) met_by: FxHashMap<Expr, Vec<usize>>,
     pub(super) divisors: FxHashMap<Quantity, u32>,
-    /// Into how many parts the exponents are divided.
+    /// Number of parts that each exponent is divided into.
     pub(super) exponent_divisors: FxHashMap<Quantity, u32>,
-    /// The denominator that all exponents are brought over.
+    /// Common denominator of all exponents.
     pub(super) exponent_denominator: Vec<FactorPower>,
     /// Units at an odd multiple of π here: cos u = −1, sin u = 0.
     pub(super) half_turns: Vec<Unit>,
-    /// Units whose half-angle tangents were used, and polynomials that were divided by.
+    /// Units whose half-angle tangents were used, and polynomials that were divisors.
     pub(super) poles: Vec<Unit>,
     pub(super) excluded: Vec<Polynomial>,
     pub(super) trigonometry: Trigonometry,
     pub(super) elements: FxHashMap<Expr, Fraction>,
     constraints: FxHashMap<Expr, SignConstraint>,
-    /// The variables that are written relative to others.
+    /// Variables that are written relative to others.
     pub(super) frame: Vec<Drift>,
     pub(super) work: u64,
     pub(super) work_limit: u64,
 }
 
 impl Tower {
-    /// A tower without generators.
+    /// Creates a tower without generators.
     pub fn new(trigonometry: Trigonometry) -> Self {
         Tower {
             generators: Vec::new(),
@@ -112,34 +114,34 @@ impl Tower {
         }
     }
 
-    /// The same with a limit on the products of terms it may cost.
+    /// Returns the tower with a limit on its work, in products of terms.
     #[must_use]
     pub fn with_work_limit(mut self, limit: u64) -> Self {
         self.work_limit = limit;
         self
     }
 
-    /// How many generators there are.
+    /// Returns the number of generators.
     pub fn generator_count(&self) -> u32 {
         self.generators.len() as u32
     }
 
-    /// The bases of radicands in use, by their numbers.
+    /// Returns the bases of radicands in use, with their numbers.
     pub fn bases(&self) -> impl Iterator<Item = (usize, &Base)> {
         self.bases.iter().enumerate().filter(|(_, base)| !base.retired)
     }
 
-    /// The base of radicands of that number.
+    /// Returns the base of radicands with this number.
     pub fn base(&self, number: usize) -> &Base {
         &self.bases[number]
     }
 
-    /// How sines and cosines are represented so far.
+    /// Returns the representation of sines and cosines so far.
     pub fn trigonometry(&self) -> Trigonometry {
         self.trigonometry
     }
 
-    /// The generators that occur in a fraction.
+    /// Returns the generators that occur in a fraction.
     pub fn variables_of(&self, fraction: &Fraction) -> BTreeSet<u32> {
         let factors = fraction.factors.iter().map(|power| self.factor_polynomial(power.factor));
         std::iter::once(&fraction.numerator).chain(factors).flat_map(Polynomial::variables).collect()
@@ -150,8 +152,8 @@ impl Tower {
         self.variables_of(fraction).into_iter().any(|variable| self.is_trigonometric(variable))
     }
 
-    /// Fixes the signs that bases of radicands have in the region considered; all others are open, and taken
-    /// to be positive for the time being.
+    /// Fixes the signs of bases of radicands in the region considered. All other signs are open,
+    /// and provisionally assumed to be positive.
     pub fn fix_signs(&mut self, signs: &[(usize, Sign)]) {
         let mut changed = false;
         for (number, base) in self.bases.iter_mut().enumerate() {
@@ -164,29 +166,29 @@ impl Tower {
         }
     }
 
-    /// Notes that the sign of a base matters.
+    /// Records that the sign of a base matters.
     pub(super) fn ask_for_sign(&mut self, base: usize) {
         self.bases[base].sign_needed = true;
         self.asked.push(base);
     }
 
-    /// How many signs have been asked for since they were last taken.
+    /// Returns the number of signs requested since they were last taken.
     pub(super) fn signs_asked(&self) -> usize {
         self.asked.len()
     }
 
-    /// The signs asked for since the last call.
+    /// Takes the signs requested since the last call.
     pub(super) fn take_signs_asked(&mut self) -> Vec<usize> {
         std::mem::take(&mut self.asked)
     }
 
-    /// The open ones among the signs asked for since the last call.
+    /// Takes the signs requested since the last call, and returns the open ones.
     pub(crate) fn open_signs_asked(&mut self) -> Vec<usize> {
         let asked = self.take_signs_asked();
         asked.into_iter().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
-    /// Remembers the signs that an expression itself depends on, and the bases it is factored over.
+    /// Records the signs that an expression itself depends on, and the bases it is factored over.
     pub(super) fn note_signs_asked(&mut self, expression: Expr) {
         let met = std::mem::take(&mut self.met);
         if !met.is_empty() {
@@ -200,13 +202,15 @@ impl Tower {
         }
     }
 
-    /// The open signs that an expression itself depends on, not those its operands depend on.
+    /// Returns the open signs that an expression itself depends on, without the signs that only its
+    /// operands depend on.
     pub(super) fn open_signs(&self, expression: Expr) -> Vec<usize> {
         let asked = self.asked_by.get(&expression).into_iter().flatten();
         asked.copied().filter(|&base| self.bases[base].sign.is_none()).collect()
     }
 
-    /// Forgets every element, since a generator has changed: the next walk computes them anew.
+    /// Discards every element because a generator has changed; the next conversion computes them
+    /// anew.
     pub fn start_again(&mut self) {
         self.elements.clear();
         self.constraints.clear();
@@ -217,7 +221,7 @@ impl Tower {
         self.bases.iter_mut().for_each(|base| base.sign_needed = false);
     }
 
-    /// What has to hold for a radicand not to be negative.
+    /// Returns the constraint under which a radicand is non-negative.
     pub(super) fn constraint_of(&self, radicand: Expr) -> Option<&SignConstraint> {
         self.constraints.get(&radicand)
     }
@@ -226,13 +230,13 @@ impl Tower {
         self.constraints.insert(radicand, constraint);
     }
 
-    /// n and f for a root ρⁿ = f of the case at hand.
+    /// Returns n and f for a root ρⁿ = f of the current sign case.
     pub fn radicand_of(&self, variable: u32) -> Option<(u32, &Polynomial)> {
         let relation = self.relation_of(variable).filter(|_| self.is_current_root(variable))?;
         Some((relation.order, &relation.value))
     }
 
-    /// A polynomial with the sign of the exponent u of the generator exp u.
+    /// Returns a polynomial with the sign of the exponent u of the generator exp u.
     pub fn sign_of_exponent(&self, variable: u32) -> Option<Polynomial> {
         let Generator::Exponential(unit) = self.generator(variable) else { return None };
         let quantity = self.quantity(&unit.quantity);
@@ -242,19 +246,19 @@ impl Tower {
         }))
     }
 
-    /// m and d of the generator exp(m/d), if m is a polynomial.
+    /// Returns m and d of the generator exp(m/d), if m is a polynomial.
     pub fn exponent(&self, variable: u32) -> Option<(Polynomial, u32)> {
         let Generator::Exponential(unit) = self.generator(variable) else { return None };
         let quantity = self.quantity(&unit.quantity);
         quantity.is_polynomial().then_some((quantity.numerator, unit.divisor))
     }
 
-    /// What a polynomial variable stands for.
+    /// Returns the generator that a polynomial variable represents.
     pub fn generator(&self, variable: u32) -> &Generator {
         &self.generators[variable as usize]
     }
 
-    /// The polynomial variable of a generator, new if it has none yet.
+    /// Returns the polynomial variable of a generator, which is created if needed.
     pub(super) fn variable_of(&mut self, generator: Generator) -> u32 {
         if let Some(&known) = self.numbers.get(&generator) {
             return known;
@@ -265,18 +269,19 @@ impl Tower {
         fresh
     }
 
-    /// The polynomial variable that is π, if it occurs.
+    /// Returns the polynomial variable of π, if π occurs.
     pub(crate) fn pi(&self) -> Option<u32> {
         self.numbers.get(&Generator::Pi).copied()
     }
 
-    /// A generator as a fraction.
+    /// Returns a generator as a fraction.
     pub fn element(&mut self, generator: Generator) -> Fraction {
         let variable = self.variable_of(generator);
         Fraction::from(Polynomial::variable(variable))
     }
 
-    /// The generators in the order in which they came, each with n and f where a relation ρⁿ = f binds it.
+    /// Returns the generators in the order of their creation, each with n and f if a relation
+    /// ρⁿ = f binds it.
     pub fn generators(&self) -> impl Iterator<Item = (u32, &Generator, Option<(u32, &Polynomial)>)> {
         self.generators.iter().enumerate().map(|(number, generator)| {
             let relation = self.relation_of(number as u32);
@@ -295,7 +300,7 @@ impl Tower {
         self.relations.iter().find(|relation| relation.variable == variable)
     }
 
-    /// Whether a generator is one of sine, cosine and half-angle tangent.
+    /// Whether a generator is a sine, cosine or half-angle tangent.
     pub(super) fn is_trigonometric(&self, variable: u32) -> bool {
         matches!(
             self.generator(variable),
@@ -303,7 +308,7 @@ impl Tower {
         )
     }
 
-    /// The number of a primitive factor with positive leading coefficient.
+    /// Returns the number of a primitive factor with positive leading coefficient.
     pub(super) fn factor(&mut self, polynomial: Polynomial) -> FactorId {
         debug_assert!(polynomial.leading_coefficient().is_positive());
         if let Some(&known) = self.factor_numbers.get(&polynomial) {
@@ -319,7 +324,7 @@ impl Tower {
         &self.factors[factor.0 as usize]
     }
 
-    /// The variable a factor consists of, if it is a single one.
+    /// Returns the variable that a factor consists of, if it is a single one.
     pub(super) fn factor_variable(&self, factor: FactorId) -> Option<u32> {
         let polynomial = self.factor_polynomial(factor);
         if polynomial.term_count() != 1 {

@@ -1,4 +1,5 @@
-//! Polynomials in one generator over the field of the others: what integration needs of them.
+//! Polynomials in one generator over the field of the others: the operations that integration
+//! needs.
 
 use super::fraction::Fraction;
 use super::generator::Generator;
@@ -7,7 +8,7 @@ use crate::expression::Symbol;
 use crate::polynomial::{Polynomial, coprime_basis};
 use num_bigint::BigInt;
 
-/// Σ aₖ xᵏ, the coefficients in ascending order; the last one is not zero.
+/// Σ aₖ xᵏ, with the coefficients in ascending order; the last one is not zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Univariate(Vec<Fraction>);
 
@@ -27,7 +28,7 @@ impl Univariate {
         self.0.is_empty()
     }
 
-    /// The degree; that of 0 counts as 0.
+    /// Returns the degree; the degree of 0 counts as 0.
     pub(crate) fn degree(&self) -> usize {
         self.0.len().saturating_sub(1)
     }
@@ -36,7 +37,7 @@ impl Univariate {
         &self.0
     }
 
-    /// The coefficient of xᵏ.
+    /// Returns the coefficient of xᵏ.
     pub(crate) fn coefficient(&self, k: usize) -> Fraction {
         self.0.get(k).cloned().unwrap_or_else(Fraction::zero)
     }
@@ -85,7 +86,7 @@ impl Tower {
         Ok(power)
     }
 
-    /// Quotient and remainder.
+    /// Returns quotient and remainder.
     pub(crate) fn univariate_division(
         &mut self,
         a: &Univariate,
@@ -108,7 +109,7 @@ impl Tower {
         Ok((Univariate::new(quotient), Univariate::new(rest)))
     }
 
-    /// The inverse of a modulo m, where they have no common factor.
+    /// Returns the inverse of a modulo m, if they have no common factor.
     pub(crate) fn univariate_inverse(&mut self, a: &Univariate, m: &Univariate) -> Computed<Univariate> {
         let (mut r, mut s) = (m.clone(), self.univariate_division(a, m)?.1);
         let (mut u, mut v) = (Univariate::new(vec![]), Univariate::one());
@@ -134,7 +135,7 @@ impl Tower {
         Ok(value)
     }
 
-    /// The generators that depend on a real variable and occur in an element.
+    /// Returns the generators that depend on a real variable and occur in an element.
     pub(crate) fn generators_in(&self, a: &Fraction, symbol: Symbol) -> Vec<u32> {
         let mut found: Vec<u32> = a.numerator.variables();
         found.extend(a.factors.iter().flat_map(|power| self.factor_polynomial(power.factor).variables()));
@@ -144,7 +145,8 @@ impl Tower {
         found
     }
 
-    /// The element as a rational function of one generator on which no other one in it depends.
+    /// Returns the element as a rational function of a generator on which no other generator in the
+    /// element depends.
     pub(crate) fn rational_function(&mut self, a: &Fraction, variable: u32) -> Computed<RationalFunction> {
         let a = self.expanded(a)?;
         let mut constant = Fraction { numerator: Polynomial::one(), ..a.clone() };
@@ -180,7 +182,7 @@ impl Tower {
         Ok(RationalFunction { numerator: self.univariate_scaled(&numerator, &constant)?, denominator })
     }
 
-    /// A polynomial by the powers of one generator.
+    /// Returns a polynomial by the powers of one generator.
     pub(crate) fn univariate(&self, polynomial: &Polynomial, variable: u32) -> Univariate {
         let mut coefficients = vec![Fraction::zero(); polynomial.degree(variable) as usize + 1];
         for (exponent, coefficient) in polynomial.coefficients_in(variable) {
@@ -189,7 +191,7 @@ impl Tower {
         Univariate::new(coefficients)
     }
 
-    /// The element with some generators replaced by others' values.
+    /// Substitutes values for some generators of the element.
     pub(crate) fn replaced(&mut self, a: &Fraction, values: &[(u32, Fraction)]) -> Computed<Fraction> {
         let mut result = self.replaced_in(&a.numerator, values)?;
         for power in &a.factors {
@@ -216,7 +218,8 @@ impl Tower {
         Ok(sum)
     }
 
-    /// The element by exponents of some generators, negative ones allowed, if its denominator has no other part in them.
+    /// Splits the element by exponents of some generators, which can be negative, if its
+    /// denominator contains these generators in no other way.
     pub(crate) fn laurent_terms(
         &mut self,
         a: &Fraction,
@@ -245,8 +248,9 @@ impl Tower {
         Some(terms.collect())
     }
 
-    /// The element as a sum of products: a factor free of a real variable times a monomial of generators that depend on
-    /// it over the part of the denominator that does.
+    /// Splits the element into a sum of products of two factors. The first is free of a real
+    /// variable; the second is a monomial of the generators that depend on it, over the part of the
+    /// denominator that depends on it.
     pub(crate) fn products(&mut self, a: &Fraction, symbol: Symbol) -> Computed<Vec<(Fraction, Fraction)>> {
         let a = self.expanded(a)?;
         let generators = self.generators_in(&a, symbol);
@@ -263,24 +267,24 @@ impl Tower {
         Ok(terms.collect())
     }
 
-    /// The known factors of an element and their exponents, positive below the line.
+    /// Returns the known factors of an element and their exponents, positive in the denominator.
     pub(crate) fn factors_of(&self, a: &Fraction) -> Vec<(&Polynomial, i32)> {
         a.factors.iter().map(|power| (self.factor_polynomial(power.factor), power.exponent)).collect()
     }
 
-    /// The generator of a real variable.
+    /// Returns the generator of a real variable.
     pub(crate) fn variable_number(&mut self, symbol: Symbol) -> u32 {
         self.variable_of(Generator::Variable(symbol))
     }
 
-    /// The radicand of a root generator, with its sign, and the order.
+    /// Returns the radicand of a root generator, with its sign, and the order.
     pub(crate) fn radicand(&self, variable: u32) -> Option<(Polynomial, u32)> {
         let Generator::Root { base, order, negated } = *self.generator(variable) else { return None };
         let polynomial = &self.bases[base].polynomial;
         Some((if negated { polynomial.neg() } else { polynomial.clone() }, order))
     }
 
-    /// The argument of a sine, cosine or exponential generator.
+    /// Returns the argument of a sine, cosine or exponential generator.
     pub(crate) fn argument(&mut self, variable: u32) -> Option<Fraction> {
         let (Generator::Cosine(unit) | Generator::Sine(unit) | Generator::Exponential(unit)) =
             self.generator(variable).clone()
@@ -291,7 +295,7 @@ impl Tower {
         Some(self.cancel(quantity.numerator, quantity.divisor * unit.divisor, quantity.factors))
     }
 
-    /// √a for an element whose numerator and denominator are squares.
+    /// Returns √a for an element whose numerator and denominator are squares.
     pub(crate) fn exact_root(&mut self, a: &Fraction) -> Option<Fraction> {
         let mut root = Fraction::one();
         let (content, parts) = a.numerator.square_free();

@@ -1,28 +1,31 @@
-//! What normal forms may cost: products of terms, and exponents, are looked at before the work is done.
+//! Work limits of normal forms: products of terms, and exponents, are checked before the work is
+//! done.
 
 use super::factor::FactorPower;
 use super::tower::{Obstacle, Tower};
 use crate::polynomial::Polynomial;
 use crate::steps;
 
-/// Products of terms, weighted by the words of their coefficients, that one statement may cost before its normal
-/// form is given up: a few seconds of work.
+/// Largest number of products of terms, weighted by the words of their coefficients, that one
+/// statement can cost before its normal form is given up: a few seconds of work.
 pub(crate) const WORK_LIMIT: u64 = 100_000_000;
 
-/// What dividing one term by a factor costs, in products of terms: it takes the term's image modulo p.
+/// Cost of the division of one term by a factor, in products of terms: it takes the term's image
+/// modulo p.
 const DIVISION_COST: u64 = 16;
 
-/// Divisions of numerators of no more terms are not counted.
+/// Number of terms of a numerator up to which divisions are not counted.
 const SMALL_NUMERATOR: u64 = 256;
 
-/// The largest exponent of a generator or a known factor.
+/// Largest exponent of a generator or a known factor.
 const LARGEST_EXPONENT: u32 = 1 << 20;
 
-/// The largest power of a sum that is multiplied out: beyond, its terms and their numbers exceed the work limit.
+/// Largest power of a sum that is multiplied out: beyond it, its terms and their numbers exceed the
+/// work limit.
 const LARGEST_POWER_OF_SUM: u64 = 1 << 14;
 
 impl Tower {
-    /// Refuses exponents beyond what is computed with.
+    /// Refuses exponents beyond the limit.
     pub(super) fn check_exponent(exponent: u32) -> Result<(), Obstacle> {
         if exponent > LARGEST_EXPONENT {
             return Err(Obstacle::TooLarge(format!("an exponent is beyond {LARGEST_EXPONENT}")));
@@ -30,7 +33,8 @@ impl Tower {
         Ok(())
     }
 
-    /// Refuses a·fⁿ where it is hopeless to multiply it out: each of its terms takes a product at least.
+    /// Refuses a·fⁿ if multiplying it out is hopeless: each of its terms takes at least one
+    /// product.
     pub(super) fn check_power(&self, a: &Polynomial, f: &Polynomial, n: u64) -> Result<(), Obstacle> {
         if f.term_count() > 1 && n > LARGEST_POWER_OF_SUM {
             return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
@@ -38,7 +42,7 @@ impl Tower {
         if a.most_terms_with_power(f, n) <= self.work_limit {
             return Ok(());
         }
-        // With a bound generator terms may go when the power is reduced.
+        // With a bound generator, reduction of the power can remove terms.
         let is_free =
             |f: &Polynomial| f.variables().into_iter().all(|variable| self.relation_of(variable).is_none());
         if is_free(a) && is_free(f) && a.least_terms_with_power(f, n) > self.work_limit {
@@ -47,17 +51,17 @@ impl Tower {
         Ok(())
     }
 
-    /// Counts the work of a product, and looks at its exponents, before it is done.
+    /// Counts the work of a product, and checks its exponents, before it is done.
     pub(super) fn charge(&mut self, a: &Polynomial, b: &Polynomial) -> Result<(), Obstacle> {
         Self::check_exponent(a.exponent_bound().saturating_add(b.exponent_bound()))?;
         let terms = (a.term_count() as u64).saturating_mul(b.term_count() as u64);
         let words = a.coefficient_words().saturating_mul(b.coefficient_words());
         self.count(terms.saturating_mul(words))?;
-        // the product spends them itself
+        // the product itself spends these steps
         if steps::are_left(a.steps_of_product(b)) { Ok(()) } else { Err(steps_are_spent()) }
     }
 
-    /// Counts the work of trying to divide by the factors below the line, before it is done.
+    /// Counts the work of trial division by the factors of the denominator, before it is done.
     pub(super) fn charge_divisions(
         &mut self,
         numerator: &Polynomial,

@@ -1,4 +1,4 @@
-//! Values and expressions in LaTeX.
+//! LaTeX of values and expressions.
 
 use super::name::latex_name;
 use super::sum::{Coefficient, Term, joined, terms};
@@ -10,10 +10,11 @@ use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 
-/// Written out, an expression may grow exponentially over its shared form; past this many nodes it is cut.
+/// Largest number of nodes that are written out. An expression can be exponentially larger than its
+/// shared form; a larger one is replaced by its size.
 const LONGEST: u64 = 20_000;
 
-/// How tightly the outermost operator binds.
+/// Precedence of the outermost operator.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Sum,
@@ -38,7 +39,8 @@ pub(super) fn bracketed(latex: &str) -> String {
     format!("\\left({latex}\\right)")
 }
 
-/// A value in LaTeX: `\frac{4}{\left(u^{2} + v^{2} + 1\right)^{2}}\,\mathrm{d}u\wedge\mathrm{d}v`.
+/// Writes a value in LaTeX:
+/// `\frac{4}{\left(u^{2} + v^{2} + 1\right)^{2}}\,\mathrm{d}u\wedge\mathrm{d}v`.
 pub fn latex(theory: &Theory, value: &Value) -> String {
     let basis = |coordinates: &[Coordinate]| {
         let names = coordinates.iter().map(|c| latex_name(theory.coordinate_name(*c)));
@@ -63,12 +65,12 @@ pub fn latex(theory: &Theory, value: &Value) -> String {
     }
 }
 
-/// A name in LaTeX: `\theta`, `\sigma_{a}`.
+/// Writes a name in LaTeX: `\theta`, `\sigma_{a}`.
 pub fn latex_of_name(name: &str) -> String {
     latex_name(name)
 }
 
-/// A scalar expression in LaTeX; one too long to read is cut to its size.
+/// Writes a scalar expression in LaTeX; an expression too long to read is replaced by its size.
 pub fn latex_of_expression(pool: &Pool, expression: Expr) -> String {
     let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
     let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
@@ -133,7 +135,8 @@ impl Writer<'_> {
         }
     }
 
-    /// Factors stand side by side; a dot parts a factor from digits that follow it.
+    /// Writes two factors next to each other, with a dot between a factor that ends in a digit and
+    /// digits that follow it.
     fn product(&self, a: Expr, b: Expr) -> String {
         let (left, right) = (self.of(a, Binding::Product), self.of(b, Binding::Fraction));
         let digits = right.starts_with(|c: char| c.is_ascii_digit()) || right.starts_with("\\frac{");
@@ -209,7 +212,7 @@ impl Writer<'_> {
         (format!("{head}{}", bracketed(&list.join(", "))), Binding::Fraction)
     }
 
-    /// ∫ₐᵇ w ds, where a function is a quadrature
+    /// ∫ₐᵇ w ds, if the function is a quadrature
     fn quadrature(&self, function: FunctionId, arguments: &[Expr]) -> Option<(String, Binding)> {
         let mut pool = self.pool.clone();
         let (integrand, variable) = pool.integrand_at(function, arguments)?;
@@ -219,7 +222,7 @@ impl Writer<'_> {
         Some((format!("\\int_{{{from}}}^{{{to}}} {integrand}\\,\\mathrm{{d}}{name}"), Binding::Sum))
     }
 
-    /// ∫₀ᵇ w ds, where a function stands for one
+    /// ∫₀ᵇ w ds, if the function is a primitive
     fn integral(
         &self,
         function: FunctionId,
@@ -253,7 +256,7 @@ pub(super) fn number(value: &Rational) -> (String, Binding) {
     if value.is_negative() { (format!("-{latex}"), Binding::Product) } else { (latex, binding) }
 }
 
-/// A relation in LaTeX: `<`, `\le`, `\ne`.
+/// Returns a relation in LaTeX: `<`, `\le`, `\ne`.
 pub fn latex_of_relation(relation: Relation) -> &'static str {
     match relation {
         Relation::Less => "<",

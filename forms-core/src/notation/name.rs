@@ -1,4 +1,4 @@
-//! Names as mathematics sets them: `theta` is θ, `sigma_a` has a subscript, `n2` too.
+//! Names in mathematical typesetting: `theta` is θ, and `sigma_a` and `n2` have subscripts.
 
 const GREEK: &[&str] = &[
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
@@ -6,7 +6,7 @@ const GREEK: &[&str] = &[
     "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega",
 ];
 
-/// A name in LaTeX. Digits at its end and what follows an underscore are subscripts.
+/// Writes a name in LaTeX. Trailing digits and the words after an underscore are subscripts.
 pub(super) fn latex_name(name: &str) -> String {
     let (head, rest) = name.split_once('_').unwrap_or((name, ""));
     if head.is_empty() {
@@ -21,7 +21,8 @@ pub(super) fn latex_name(name: &str) -> String {
     if below.is_empty() { word(letters) } else { format!("{}_{{{}}}", word(letters), below.join(",")) }
 }
 
-/// One letter stands for itself, a Greek letter's name for the letter, any other word upright.
+/// Writes one letter as itself, the name of a Greek letter as that letter, and any other word
+/// upright.
 fn word(letters: &str) -> String {
     if GREEK.contains(&letters) {
         return format!("\\{letters}");

@@ -1,16 +1,17 @@
-//! What a name of a file stands for, simplified, in the language or in LaTeX.
+//! Named objects of a file, simplified, in the language or in LaTeX.
 
 use super::{latex, latex_of_name, latex_of_relation, simplify, simplify_expression, text};
 use crate::calculus::Coordinate;
 use crate::expression::{Condition, Expr, Symbol};
 use crate::resolve::{Named, Statement, Theory, Value};
 
-/// What a name stands for in the language; of a statement both sides. None if nothing has that name.
+/// Writes the object with this name in the language; for a statement, both of its sides. `None` if
+/// nothing has that name.
 pub fn text_of_named(theory: &mut Theory, name: &str) -> Option<String> {
     Writer { theory, is_text: true }.named(name)
 }
 
-/// The same in LaTeX.
+/// Writes the object with this name in LaTeX.
 pub fn latex_of_named(theory: &mut Theory, name: &str) -> Option<String> {
     Writer { theory, is_text: false }.named(name)
 }
@@ -21,7 +22,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// The object of that name; a name of the language comes before the name of a statement.
+    /// Writes the object with this name; a name of the language precedes the name of a statement.
     fn named(&mut self, name: &str) -> Option<String> {
         let Some(named) = self.theory.named(name).cloned() else {
             let statement = self.theory.statements.iter().find(|statement| statement.name == name)?.clone();
@@ -102,7 +103,7 @@ impl Writer<'_> {
         format!("{left} {equals} {right}") + &self.conditions(&statement.conditions)
     }
 
-    /// ` where a > 0, b != 0`; nothing without conditions.
+    /// Writes ` where a > 0, b != 0`; empty without conditions.
     fn conditions(&mut self, conditions: &[Condition]) -> String {
         if conditions.is_empty() {
             return String::new();

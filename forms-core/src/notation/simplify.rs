@@ -5,15 +5,16 @@ use crate::decide::simplified_where;
 use crate::expression::{Condition, Expr, Pool};
 use crate::resolve::{Theory, Value};
 
-/// The expression in its simplest known form where the conditions hold: its normal form where it has one that is
-/// shorter than what was written, else what was written. Both have the same value wherever the original is defined.
+/// Returns the expression in its simplest known form where the conditions hold: its normal form if
+/// that exists and is shorter than the expression as written, or else the expression as written.
+/// Both have the same value wherever the original is defined.
 pub fn simplify_expression(pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Expr {
     let simplified = simplified_where(pool, conditions, expression);
     let texts = pool.texts(&[expression, simplified]);
     if texts[1].len() < texts[0].len() { simplified } else { expression }
 }
 
-/// The value with every coefficient simplified; coefficients that vanish are left out.
+/// Simplifies every coefficient of a value; coefficients that vanish are omitted.
 pub fn simplify(theory: &mut Theory, conditions: &[Condition], value: &Value) -> Value {
     let Theory { pool, coordinates, .. } = theory;
     let ring = &mut Structured { pool, coordinates };

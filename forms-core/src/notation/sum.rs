@@ -5,13 +5,13 @@ use crate::expression::{Expr, Node, Pool};
 use crate::resolve::Value;
 use num_traits::Signed;
 
-/// A coefficient with the coordinates of its basis form, or the one of its basis field.
+/// Coefficient with the coordinates of its basis form, or the one coordinate of its basis field.
 pub(super) struct Term {
     pub(super) coefficient: Expr,
     pub(super) coordinates: Vec<Coordinate>,
 }
 
-/// The terms of a form or a field in their order; a scalar is none.
+/// Returns the terms of a form or a field in their order; a scalar has none.
 pub(super) fn terms(value: &Value) -> Vec<Term> {
     match value {
         Value::Zero | Value::Scalar(_) => vec![],
@@ -33,7 +33,8 @@ pub(super) fn terms(value: &Value) -> Vec<Term> {
     }
 }
 
-/// Joins coefficients and basis elements: `a*dx - b*dy`, with ±1 left out; `times` stands between a coefficient and its basis element.
+/// Joins coefficients and basis elements: `a*dx - b*dy`, without coefficients ±1. `times` separates
+/// a coefficient and its basis element.
 pub(super) fn joined(terms: Vec<(Coefficient, String)>, times: &str) -> String {
     let mut sum = String::new();
     for (coefficient, basis) in terms {
@@ -52,14 +53,14 @@ pub(super) fn joined(terms: Vec<(Coefficient, String)>, times: &str) -> String {
     if sum.is_empty() { "0".to_string() } else { sum }
 }
 
-/// A coefficient as it is written before a basis element.
+/// Text of a coefficient in front of a basis element.
 pub(super) struct Coefficient {
     negative: bool,
     magnitude: String,
 }
 
 impl Coefficient {
-    /// Writes a coefficient; `brackets` are put around a sum.
+    /// Writes a coefficient; `brackets` encloses a sum in brackets.
     pub(super) fn new(
         pool: &Pool,
         expression: Expr,

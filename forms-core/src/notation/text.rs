@@ -4,7 +4,7 @@ use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
 use crate::resolve::{Theory, Value};
 
-/// The results of a kernel as the language writes them: one as it is, several in brackets.
+/// Writes the results of a kernel in the language: a single one as it is, several in brackets.
 pub fn results(formulas: &[String]) -> String {
     match formulas {
         [single] => single.clone(),
@@ -12,7 +12,7 @@ pub fn results(formulas: &[String]) -> String {
     }
 }
 
-/// A value as the language writes it: `4/(u**2 + v**2 + 1)**2*du^dv`.
+/// Writes a value in the language: `4/(u**2 + v**2 + 1)**2*du^dv`.
 pub fn text(theory: &Theory, value: &Value) -> String {
     let basis = |coordinates: &[Coordinate]| {
         let prefix = if matches!(value, Value::Field(_)) { "@" } else { "d" };

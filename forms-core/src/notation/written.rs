@@ -1,4 +1,5 @@
-//! Expressions in LaTeX as their author wrote them, with the operators of the calculus in their usual notation.
+//! LaTeX of expressions as their author wrote them, with the operators of the calculus in their
+//! usual notation.
 //!
 //! F*w, ι_X w, ℒ_X w, [X, Y], w(X, Y), ∂²f/∂x∂y, ⋆_g w, ⟨a, b⟩_g, X♭, w♯, ∫ w.
 
@@ -9,12 +10,12 @@ use crate::resolve::{Named, Theory};
 use crate::syntax::ast::{Argument, Binary, Condition, Expr, ExprKind, Name};
 use num_traits::{One, Signed};
 
-/// An expression of the source in LaTeX, nothing evaluated and nothing simplified.
+/// Writes an expression of the source in LaTeX, without evaluation or simplification.
 pub fn latex_as_written(theory: &Theory, expression: &Expr) -> String {
     Writer { theory }.write(expression).latex
 }
 
-/// A condition of the source in LaTeX.
+/// Writes a condition of the source in LaTeX.
 pub fn latex_of_condition(theory: &Theory, condition: &Condition) -> String {
     let writer = Writer { theory };
     let mut latex = writer.of(&condition.first, Binding::Sum);
@@ -97,7 +98,7 @@ impl Writer<'_> {
         }
     }
 
-    /// sin²x and √x where that is usual, xⁿ else
+    /// sinⁿ x where that is usual, xⁿ otherwise
     fn power(&self, base: &Expr, exponent: &Expr) -> Written {
         if let (ExprKind::Call { function, index: None, arguments }, ExprKind::Number(n)) =
             (&*base.kind, &*exponent.kind)

@@ -1,4 +1,4 @@
-//! A theory as a notebook holds it: its text, what it declares, and what is wrong with it.
+//! A theory in a notebook: its text, its declarations, and its errors.
 
 use super::{escaped, print_content, print_markdown};
 use crate::check::{decide_all, read_file};
@@ -12,7 +12,8 @@ use crate::resolve::Theory;
 use crate::syntax::Source;
 use crate::syntax::ast::{Claim, Condition, Expr, File, ItemKind};
 
-/// A text of the language, read. In a notebook it shows how much it declares, or its errors.
+/// A parsed and resolved text of the language. A notebook shows how much it declares, or its
+/// errors.
 ///
 /// ```
 /// use forms_core::notebook::Sheet;
@@ -32,9 +33,9 @@ pub struct Sheet {
 /// A formula in the language's notation and in LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shown {
-    /// As the language writes it.
+    /// The formula in the language's notation.
     pub text: String,
-    /// As it is typeset.
+    /// The formula in LaTeX.
     pub latex: String,
 }
 
@@ -42,7 +43,7 @@ pub struct Shown {
 #[derive(Clone, Debug)]
 pub struct Decided {
     claims: Vec<DecidedClaim>,
-    /// What kernels claim of themselves and was not shown.
+    /// Claims of kernels about themselves that were not proved.
     faults: Vec<Fault>,
 }
 
@@ -55,18 +56,19 @@ struct DecidedClaim {
 }
 
 impl Sheet {
-    /// Reads a text. A mistake in it is shown, and what does not rest on it can be used.
+    /// Reads a text. Its errors are shown, and the declarations that do not depend on them can be
+    /// used.
     pub fn read(text: &str) -> Self {
         let (file, theory, errors) = read_file(text);
         Sheet { source: Source::new("cell", text), file, theory, errors }
     }
 
-    /// The theory that the text declares.
+    /// Returns the theory that the text declares.
     pub fn theory(&self) -> &Theory {
         &self.theory
     }
 
-    /// A kernel of the text, compiled by its stable form.
+    /// Compiles a kernel of the text in its numerically stable form.
     ///
     /// ```
     /// use forms_core::notebook::Sheet;
@@ -75,7 +77,7 @@ impl Sheet {
     /// ```
     ///
     /// # Errors
-    /// If there is no kernel of that name, or something is wrong with it.
+    /// If there is no kernel of that name, or the kernel has errors.
     pub fn kernel(&mut self, name: &str) -> Result<Generated, String> {
         let Some(kernel) = self.theory.kernels.iter().find(|kernel| kernel.name == name).cloned() else {
             return Err(format!("no kernel is named `{name}`"));
@@ -84,8 +86,8 @@ impl Sheet {
             .map_err(|errors| errors.iter().map(|error| self.source.render(error)).collect())
     }
 
-    /// What a name stands for: of a form its expression as it was written and, where that is another, simplified; of a
-    /// claim its equation.
+    /// Shows the object with this name: for a form, its expression as written and, if different,
+    /// simplified; for a claim, its equation.
     pub fn show(&mut self, name: &str) -> Shown {
         if let Some(equation) = self.equation(name) {
             return equation;
@@ -97,7 +99,7 @@ impl Sheet {
             return Shown { latex: format!("\\text{{nothing is named }}\\texttt{{{name}}}"), text: message };
         };
         let mut shown = Shown { text: name.to_owned(), latex: latex_of_name(name) };
-        // charts, unknown functions and variables stand for themselves
+        // the text of charts, unknown functions and variables already begins with their name
         if text.split('(').next() == Some(name) {
             return Shown { text, latex };
         }
@@ -107,7 +109,7 @@ impl Sheet {
         shown.equals(&Shown { text, latex })
     }
 
-    /// Decides every claim, in order, and what kernels claim of themselves.
+    /// Decides every claim, in order, and the claims of kernels about themselves.
     pub fn decide(&mut self) -> Decided {
         let verdicts = decide_all(&mut self.theory);
         let statements = self.theory.statements.clone();
@@ -121,10 +123,10 @@ impl Sheet {
         Decided { claims, faults: kernel_faults(&mut self.theory) }
     }
 
-    /// The steps that decide one claim.
+    /// Returns the steps that decide one claim.
     ///
     /// # Errors
-    /// If no claim has that name, or the text has mistakes.
+    /// If no claim has that name, or the text has errors.
     pub fn derive(&self, name: &str) -> Result<Derivation, String> {
         if !self.errors.is_empty() {
             return Err(self.mistakes());
@@ -135,7 +137,7 @@ impl Sheet {
             .ok_or_else(|| format!("no claim is named `{name}`; there are: {}", known.join(", ")))
     }
 
-    /// Shows in a cell of a notebook how much was read, or what is wrong.
+    /// Shows in a cell of a notebook how much was declared, or the errors.
     pub fn evcxr_display(&self) {
         if !self.errors.is_empty() {
             print_content("text/plain", &self.mistakes());
@@ -158,7 +160,7 @@ impl Sheet {
         self.errors.iter().map(|error| self.source.render(error)).collect()
     }
 
-    /// The equation of a claim as its author wrote it.
+    /// Returns the equation of a claim as its author wrote it.
     fn equation(&self, wanted: &str) -> Option<Shown> {
         self.file.items.iter().find_map(|item| match &item.kind {
             ItemKind::Statement { name, left, right, conditions, .. } if name.text == wanted => {
@@ -169,7 +171,7 @@ impl Sheet {
         })
     }
 
-    /// The expression of a named value as its author wrote it.
+    /// Returns the expression of a named value as its author wrote it.
     fn written(&self, wanted: &str) -> Option<Shown> {
         self.file.items.iter().find_map(|item| match &item.kind {
             ItemKind::Let { name, value, .. }
@@ -188,7 +190,7 @@ impl Sheet {
         Shown { text, latex: latex_as_written(&self.theory, expression) }
     }
 
-    /// A part of the text on one line.
+    /// Returns a part of the text on one line.
     fn quoted(&self, start: u32, end: u32) -> String {
         let text = self.source.text.get(start as usize..end as usize).unwrap_or_default();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -225,22 +227,22 @@ impl Shown {
 }
 
 impl Decided {
-    /// The verdicts in the order of the claims.
+    /// Returns the verdicts in the order of the claims.
     pub fn verdicts(&self) -> impl Iterator<Item = &Verdict> {
         self.claims.iter().map(|decided| &decided.verdict)
     }
 
-    /// The verdict on the claim of that name.
+    /// Returns the verdict on the claim with this name.
     pub fn verdict(&self, name: &str) -> Option<&Verdict> {
         self.claims.iter().find(|decided| decided.name == name).map(|decided| &decided.verdict)
     }
 
-    /// Whether every claim is as its author says.
+    /// Whether every claim has the verdict that its author claims, and no kernel has a fault.
     pub fn are_as_claimed(&self) -> bool {
         self.claims.iter().all(DecidedClaim::is_as_claimed) && self.faults.is_empty()
     }
 
-    /// Each claim in Markdown: its name and verdict, and its equation in LaTeX.
+    /// Returns each claim in Markdown: its name and verdict, and its equation in LaTeX.
     pub fn markdown(&self) -> String {
         let each = |decided: &DecidedClaim| {
             let DecidedClaim { name, formula, verdict, .. } = decided;

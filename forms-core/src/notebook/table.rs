@@ -3,7 +3,7 @@
 use super::print_content;
 use std::fmt::Write;
 
-/// A table with a head; a notebook shows it in HTML.
+/// A table with a header; a notebook shows it in HTML.
 ///
 /// ```
 /// let squares = (1..=3).map(|n| [n.to_string(), (n * n).to_string()]);
@@ -17,7 +17,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The cells row by row; a row may be shorter than the head.
+    /// Creates a table from its cells, row by row; a row can be shorter than the header.
     pub fn new<H, R, C>(head: H, rows: R) -> Self
     where
         H: IntoIterator<Item: Into<String>>,
@@ -28,7 +28,7 @@ impl Table {
         Table { head: head.into_iter().map(Into::into).collect(), rows: rows.into_iter().map(row).collect() }
     }
 
-    /// A `<table>`.
+    /// Returns the table as an HTML `<table>`.
     pub fn html(&self) -> String {
         let mut html = String::from("<table>\n<thead><tr>");
         for cell in &self.head {

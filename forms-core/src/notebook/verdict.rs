@@ -1,11 +1,12 @@
-//! A verdict in words and formulas.
+//! Verdicts in words and formulas.
 
 use super::print_markdown;
 use crate::decide::{Verdict, Witness};
 use crate::derivation::{assignment, digits};
 
 impl Verdict {
-    /// The verdict in Markdown: the conditions of a proof, or the point of a counterexample in LaTeX with both values.
+    /// Returns the verdict in Markdown: the conditions of a proof, or the point of a counterexample
+    /// in LaTeX with both values.
     pub fn markdown(&self) -> String {
         match self {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => "**proved**".to_owned(),
@@ -28,7 +29,8 @@ impl Verdict {
     }
 }
 
-/// at u = 2, v = 1: left = −0.188…, right = 2.449… in the coefficient of du^dv
+/// Writes a counterexample: at u = 2, v = 1: left = −0.188…, right = 2.449… in the coefficient of
+/// du^dv
 fn contradiction(witness: &Witness) -> String {
     let point: Vec<String> =
         witness.point.iter().map(|(name, value)| assignment(name, value).latex).collect();
@@ -47,10 +49,10 @@ fn contradiction(witness: &Witness) -> String {
     format!("{place}: left $= {left}$, right $= {right}${component}{ratio}")
 }
 
-/// So many conditions are shown, and how many more there are.
+/// Number of conditions that are shown; the others are only counted.
 const SHOWN: usize = 3;
 
-/// Texts of the language, side by side.
+/// Returns texts of the language as a list of code spans.
 fn codes(texts: &[String]) -> String {
     let mut codes: Vec<String> = texts.iter().take(SHOWN).map(|text| format!("`{text}`")).collect();
     if texts.len() > SHOWN {

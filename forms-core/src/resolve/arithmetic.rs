@@ -1,4 +1,5 @@
-//! The operators on values: sums of one type, products of scalars with anything, the wedge, powers.
+//! Operators on values: sums of values of one type, products of a scalar and any value, wedge
+//! products, powers.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::value::Value;
@@ -9,10 +10,10 @@ use crate::syntax::ast::{self, Binary};
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
 
-/// The largest numerator and denominator of an exponent.
+/// Largest numerator and denominator of an exponent.
 const LARGEST_EXPONENT: i64 = 1_000_000;
 
-/// The most products of terms that one wedge product may take.
+/// Maximum number of products of terms in one wedge product.
 const MOST_PRODUCTS: usize = 1_000_000;
 
 impl Evaluator<'_> {
@@ -81,7 +82,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// 0 times something has the type of that thing.
+    /// Returns the zero of the same type as `value`.
     fn zero_like(&mut self, value: &Value) -> Value {
         match value {
             Value::Zero => Value::Zero,
@@ -181,13 +182,13 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.theory.pool.power(base, exponent)))
     }
 
-    /// Requires that qʳ is real.
+    /// Requires the conditions under which qʳ is real.
     pub(super) fn require_power(&mut self, base: Expr, exponent: Ratio<i64>) {
         let domain = self.theory.pool.power_domain(base, exponent);
         self.require(domain);
     }
 
-    /// q^e = exp(e log q) for q > 0
+    /// Returns q^e = exp(e log q) for q > 0.
     fn general_power(&mut self, base: Expr, exponent: Expr) -> Expr {
         let positive = self.theory.pool.operation_domain(Operation::Log, &[base]);
         self.require(positive);
@@ -197,7 +198,7 @@ impl Evaluator<'_> {
     }
 }
 
-/// The error for two values that do not go together.
+/// Returns the error for two operands whose types do not match.
 pub(super) fn unlike(left: &Value, right: &Value, verb: &str, place: Span) -> Diagnostic {
     match (left, right) {
         (Value::Form(a), Value::Form(b)) => Diagnostic::new(

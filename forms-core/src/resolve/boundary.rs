@@ -1,4 +1,5 @@
-//! `boundary_integral(F, w, u = a..b, v = c..e)`: over the faces of a box, with the induced orientation.
+//! `boundary_integral(F, w, u = a..b, v = c..e)`: the integral over the faces of a box with the
+//! induced orientation.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::integration::Range;
@@ -8,17 +9,19 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Substitution};
 use crate::syntax::ast::Argument;
 
-/// The form pulled back to the box, the coordinates of the chart that the map starts from.
+/// Form pulled back to the box, with the coordinates of the map's source chart.
 struct OnBox {
     form: Form<Expr>,
     source: Vec<Coordinate>,
-    /// Where the form and the bounds are defined.
+    /// Conditions under which the form and the bounds are defined.
     defined: Vec<Condition>,
 }
 
 impl Evaluator<'_> {
-    /// With uᵢ outermost to innermost and bounds that depend on outer variables,
-    /// ∫_∂D η = Σᵢ (−1)^(i−1) (∫ η|uᵢ = bᵢ − ∫ η|uᵢ = aᵢ): each face is parametrised by the other variables.
+    /// Integrates a form over the boundary of a box. With the variables uᵢ from outermost to
+    /// innermost and bounds that depend on outer variables,
+    /// ∫_∂D η = Σᵢ (−1)^(i−1) (∫ η|uᵢ = bᵢ − ∫ η|uᵢ = aᵢ). Each face is parametrised by the other
+    /// variables.
     pub(super) fn boundary_integral(&mut self, arguments: &[Argument], span: Span) -> Evaluated<Value> {
         let [Argument::Value(map), Argument::Value(form), ranges @ ..] = arguments else {
             return Err(Diagnostic::new(span, "`boundary_integral` takes a map and a form first")
@@ -51,7 +54,8 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(sum))
     }
 
-    /// The value as a form of the degree that a boundary has; nothing for zero.
+    /// Converts the value to a form whose degree is the dimension of the boundary; `None` for the
+    /// literal zero.
     fn form_on_boundary(
         &mut self,
         value: Value,
@@ -90,7 +94,8 @@ impl Evaluator<'_> {
         Ok(())
     }
 
-    /// The integral over the face where one variable has its upper or lower bound, as a function of the outer ones.
+    /// Integrates over the face where one variable equals its upper or lower bound, as a function
+    /// of the outer variables.
     fn face_integral(
         &mut self,
         on_box: &OnBox,

@@ -1,4 +1,5 @@
-//! Functions of the language at their arguments: the op table, the calculus, unknown functions.
+//! Function calls: the functions of the op table, the operators of exterior calculus, and unknown
+//! functions.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::metric::METRIC_OPERATIONS;
@@ -55,7 +56,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// `d(w)` along all coordinates, `d[R3](w)` along those of one chart.
+    /// Evaluates `d(w)`, with derivatives along all coordinates, or `d[R3](w)`, along the
+    /// coordinates of one chart.
     fn exterior(
         &mut self,
         index: Option<&ast::Expr>,
@@ -87,7 +89,7 @@ impl Evaluator<'_> {
         Ok(self.theory.charts[number].coordinates.clone())
     }
 
-    /// The number of the chart of that name.
+    /// Returns the index of the chart with this name.
     pub(super) fn chart(&self, name: &Name) -> Evaluated<usize> {
         match self.theory.named(&name.text) {
             Some(Named::Chart(number)) => Ok(*number),
@@ -145,7 +147,7 @@ impl Evaluator<'_> {
         Ok(Value::Field(bracket(&mut self.ring(), &x, &y)))
     }
 
-    /// `pair(w, X, Y)`, as many fields as the form has degrees
+    /// Evaluates `pair(w, X, Y)`; the number of fields equals the degree of the form.
     fn pair(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let Some((form, fields)) = arguments.split_first() else {
             return Err(Diagnostic::new(span, "`pair` takes a form and one field for each of its degrees"));
@@ -173,11 +175,12 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(pairing(&mut self.ring(), &w, &fields)))
     }
 
-    /// `pullback(F, w)`; what `w` needs is needed at the image points.
+    /// Evaluates `pullback(F, w)`. The conditions that `w` requires are required at the image
+    /// points.
     pub(super) fn pull(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let [map, argument] = exactly::<2>(arguments, "pullback", span)?;
         let map = self.map(map)?;
-        // what is said of this point is not said of its image
+        // conditions stated for this point do not hold for its image
         let given = std::mem::take(&mut self.given);
         let result = self.apart(|evaluator| evaluator.value(argument));
         self.given = given;
@@ -206,7 +209,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// The coefficients composed with the map, all at once so that they keep sharing their parts.
+    /// Composes the coefficients with the map in one pass, so that they continue to share
+    /// subexpressions.
     pub(super) fn composed_form(&mut self, w: &Form<Expr>, images: &Substitution) -> Form<Expr> {
         let values: Vec<Expr> = w.terms().iter().map(|term| term.1).collect();
         let composed = self.theory.pool.substitute_all(&values, images);
@@ -256,7 +260,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// `diff(f, x, y)`
+    /// Evaluates `diff(f, x, y)`.
     fn partial_derivative(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let Some((function, by)) = arguments.split_first().filter(|(_, by)| !by.is_empty()) else {
             return Err(Diagnostic::new(span, "`diff` takes a scalar and one or more variables: diff(f, x)"));
@@ -269,7 +273,7 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(value))
     }
 
-    /// The variable a coordinate or param name stands for.
+    /// Returns the variable named by a coordinate or a param.
     pub(super) fn variable_named(&self, expression: &ast::Expr) -> Evaluated<Symbol> {
         let ExprKind::Name(text) = &*expression.kind else {
             return Err(Diagnostic::new(expression.span, "expected the name of a coordinate or param"));
@@ -300,7 +304,7 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.theory.pool.apply(operation, &values)))
     }
 
-    /// `L(a, b)` of an unknown function
+    /// Evaluates `L(a, b)` for an unknown function `L`.
     fn composed(&mut self, function: &Name, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
         let number = match self.theory.named(&function.text) {
             Some(Named::Function(number)) => *number,

@@ -1,4 +1,4 @@
-//! Evaluating expressions: names, numbers, operators along their left spine, coefficients.
+//! Evaluation of expressions: names, numbers, operators along their left spine, coefficients.
 
 use super::names::{VALUES, describe, not_declared, unusable};
 use super::scope::Scope;
@@ -11,27 +11,29 @@ use crate::syntax::ast::{self, Binary, ExprKind, Name};
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
-/// The most nodes the expressions of a file may have.
+/// Maximum number of nodes in the expressions of a file.
 const MOST_NODES: usize = 1_000_000;
 
-/// An error has been found; it says all that is to be said.
+/// Result of an evaluation; the error is the complete diagnostic.
 pub(super) type Evaluated<T> = Result<T, Diagnostic>;
 
-/// Evaluates expressions against what is declared so far; one scope gathers for one value.
+/// Evaluates expressions against the declarations read so far. One scope collects the conditions
+/// and variables of one value.
 pub(super) struct Evaluator<'a> {
     pub(super) theory: &'a mut Theory,
     pub(super) scope: Scope,
-    /// The conditions each param and unknown function was declared with.
+    /// Conditions with which each param and unknown function was declared.
     pub(super) declared: &'a super::items::Declarations,
-    /// What the statement says of the points that it speaks of.
+    /// Conditions that the statement itself places on its points.
     pub(super) given: Vec<Condition>,
-    /// Whether it is a kernel that is evaluated: integrals without a closed form are computed numerically there.
+    /// Whether a kernel is being evaluated: there, integrals without a closed form are computed
+    /// numerically.
     pub(super) in_kernel: bool,
-    /// What each part of the source was evaluated to, where that is wanted.
+    /// Value of each expression in the source, recorded on request.
     pub(super) trace: Option<Trace>,
 }
 
-/// The value of each expression of a source, by its place.
+/// Value of each expression of a source, by its place.
 pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
@@ -54,12 +56,12 @@ impl<'a> Evaluator<'a> {
         self.theory.pool.integer(0)
     }
 
-    /// Requires what an operation is defined under, if anything.
+    /// Requires the condition under which an operation is defined, if there is one.
     pub(super) fn require(&mut self, condition: Option<Condition>) {
         condition.into_iter().for_each(|condition| self.scope.require(condition));
     }
 
-    /// The value of an expression; chains of operators are followed in a loop, only brackets recurse.
+    /// Evaluates an expression. Chains of operators are evaluated in a loop; only brackets recurse.
     pub(super) fn value(&mut self, expression: &ast::Expr) -> Evaluated<Value> {
         let mut spine = Vec::new();
         let mut leftmost = expression;
@@ -78,7 +80,8 @@ impl<'a> Evaluator<'a> {
         Ok(value)
     }
 
-    /// That the expressions so far fit in memory: calculus multiplies what is written.
+    /// Checks that the expressions so far fit in memory: calculus can make expressions much larger
+    /// than their source.
     pub(super) fn check_size(&self, span: Span) -> Evaluated<()> {
         if self.theory.pool.len() <= MOST_NODES {
             return Ok(());
@@ -150,7 +153,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The error for a name nobody declared; `da` with `a` a param is a likely reason.
+    /// Returns the error for an undeclared name. A likely cause of an undeclared `da` is that `a`
+    /// is a param.
     fn unknown(&self, text: &str, span: Span) -> Diagnostic {
         let inner = text.strip_prefix('d').and_then(|rest| self.theory.names.get(rest));
         match inner {
@@ -170,7 +174,7 @@ impl<'a> Evaluator<'a> {
         Value::Scalar(self.theory.pool.symbol(symbol))
     }
 
-    /// An unknown function at its own arguments.
+    /// Returns an unknown function at the arguments it was declared with.
     fn own_value(&mut self, function: FunctionId) -> Evaluated<Value> {
         let symbols = self.theory.pool.function(function).arguments.clone();
         let mut arguments = Vec::with_capacity(symbols.len());
@@ -182,7 +186,8 @@ impl<'a> Evaluator<'a> {
         Ok(self.function_value(function, &arguments))
     }
 
-    /// An unknown function at given arguments, with the conditions it was declared with.
+    /// Returns an unknown function at the given arguments and requires the conditions it was
+    /// declared with.
     pub(super) fn function_value(&mut self, function: FunctionId, arguments: &[Expr]) -> Value {
         let symbols = self.theory.pool.function(function).arguments.clone();
         let values = symbols.into_iter().zip(arguments.iter().copied()).collect();
@@ -201,7 +206,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value::Field(Field::along(&self.ring(), coordinate, one)))
     }
 
-    /// The coordinate of that name.
+    /// Returns the coordinate with this name.
     pub(super) fn coordinate(&self, name: &Name) -> Evaluated<Coordinate> {
         match self.theory.names.get(&name.text) {
             Some(Named::Coordinate(coordinate)) => Ok(*coordinate),
@@ -214,7 +219,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// A scalar, the literal 0 included.
+    /// Evaluates an expression that must be a scalar; the literal 0 is one.
     pub(super) fn scalar(&mut self, expression: &ast::Expr) -> Evaluated<Expr> {
         match self.value(expression)? {
             Value::Zero => Ok(self.zero()),
@@ -225,7 +230,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// `w[dx^dy]`, `X[x]`
+    /// Evaluates `w[dx^dy]` or `X[x]`.
     fn coefficient(&mut self, base: &ast::Expr, index: &ast::Expr) -> Evaluated<Value> {
         if let ExprKind::Name(name) = &*base.kind
             && name == "volume"
@@ -269,7 +274,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value::Scalar(if sign < 0 { self.theory.pool.negate(value) } else { value }))
     }
 
-    /// A basis form `dx^dy` with the sign of putting it in order.
+    /// Returns the sorted basis form of `dx^dy` and the sign of the permutation that sorts it.
     fn blade(&self, index: &ast::Expr) -> Evaluated<Option<(Blade, i8)>> {
         match &*index.kind {
             ExprKind::Name(text) => match self.theory.names.get(text) {
@@ -309,7 +314,7 @@ impl<'a> Evaluator<'a> {
         Ok(Value::Scalar(value))
     }
 
-    /// A chain of relations as single ones.
+    /// Splits a chain of relations into single relations.
     pub(super) fn conditions(&mut self, condition: &ast::Condition) -> Evaluated<Vec<Condition>> {
         let mut left = self.scalar(&condition.first)?;
         let mut single = Vec::new();

@@ -1,4 +1,5 @@
-//! `integral(w, u = a..b, v = c..e)`: the innermost range last, the form's coefficient in the order written.
+//! `integral(w, u = a..b, v = c..e)`: ranges from outermost to innermost; the coefficient of the
+//! form is taken in the order written.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::scope::Scope;
@@ -11,7 +12,7 @@ use crate::expression::{Condition, Expr, Symbol, SymbolKind};
 use crate::integral::{Region, Strictness};
 use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
 
-/// One range of an integral.
+/// Range of an integral.
 #[derive(Clone)]
 pub(super) struct Range {
     pub(super) name: Name,
@@ -39,14 +40,15 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(integral))
     }
 
-    /// `quadrature(f, t = a..b)`: the integral as it is. In a statement the integrand has to be known to be defined all over
-    /// the range; in a kernel it is whoever computes it who meets a place where it is not.
+    /// Evaluates `quadrature(f, t = a..b)`, an integral that stays unevaluated. In a statement the
+    /// integrand must be known to be defined on the whole range. In a kernel this is not checked: a
+    /// point where the integrand is undefined shows up when the kernel is computed.
     pub(super) fn quadrature(&mut self, arguments: &[Argument], span: Span) -> Evaluated<Value> {
         let [Argument::Value(integrand), range @ Argument::Range { variable, .. }] = arguments else {
             let message = "`quadrature` takes an integrand and one range: quadrature(f, t = 0..1)";
             return Err(Diagnostic::new(span, message));
         };
-        // the variable may be a name of its own
+        // the variable can be a new, local name
         let is_new = self.theory.named(&variable.text).is_none();
         if is_new {
             let symbol = self.theory.pool.declare_symbol(&variable.text, SymbolKind::Local);
@@ -79,7 +81,8 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(integral))
     }
 
-    /// Evaluates what is integrated: what the statement says of its points says nothing of the variables of the ranges.
+    /// Evaluates an integrand, without the statement's conditions that mention the variables of the
+    /// ranges: those conditions do not hold for the bound variables.
     fn bound_by<T>(
         &mut self,
         ranges: &[Range],
@@ -96,7 +99,8 @@ impl Evaluator<'_> {
         value
     }
 
-    /// The ranges, outermost first, and where their bounds are defined. A bound may mention outer variables only.
+    /// Returns the ranges, outermost first, and the conditions under which their bounds are
+    /// defined. A bound can mention outer variables only.
     pub(super) fn ranges(&mut self, arguments: &[Argument]) -> Evaluated<(Vec<Range>, Scope)> {
         let (ranges, scope) = self.apart(|evaluator| {
             arguments.iter().map(|argument| evaluator.range(argument)).collect::<Evaluated<Vec<_>>>()
@@ -117,7 +121,7 @@ impl Evaluator<'_> {
         Ok((ranges, scope))
     }
 
-    /// Evaluates with a scope of its own, which is given back.
+    /// Evaluates in a new scope and returns that scope with the value.
     pub(super) fn apart<T>(&mut self, body: impl FnOnce(&mut Self) -> Evaluated<T>) -> Evaluated<(T, Scope)> {
         let outer = std::mem::take(&mut self.scope);
         let value = body(self);
@@ -125,7 +129,8 @@ impl Evaluator<'_> {
         Ok((value?, inner))
     }
 
-    /// Integrates over the innermost range first; `defined` says where the integrand is.
+    /// Integrates over the innermost range first; `defined` holds the conditions under which the
+    /// integrand is defined.
     pub(super) fn iterated(
         &mut self,
         integrand: Expr,
@@ -134,7 +139,7 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Expr> {
         let mut region = self.region(integrand, defined, ranges);
-        // Domains of charts are borders of coordinates, beyond which the integrand may well be defined.
+        // Domains of charts only limit the coordinates; the integrand can be defined beyond them.
         let charts = &self.theory.charts;
         let is_domain =
             |condition: &&Condition| charts.iter().any(|chart| chart.conditions.contains(condition));
@@ -153,7 +158,8 @@ impl Evaluator<'_> {
         for range in ranges.iter().rev() {
             let attempt = region.integral(&mut self.theory.pool, integral);
             if self.in_kernel && attempt.is_err() {
-                // what has no closed form is computed, if it is known to be continuous
+                // an integral without a closed form is computed numerically if its integrand is
+                // known to be continuous
                 let mut whole = whole.clone();
                 if whole.first_unmet(&mut self.theory.pool, defined, Strictness::Strict).is_none() {
                     integral = self.theory.pool.quadrature(integral, range.symbol, range.from, range.to);
@@ -163,7 +169,8 @@ impl Evaluator<'_> {
             }
             let found = attempt.map_err(|reason| {
                 let message = format!("cannot integrate over `{}`: {reason}", range.name.text);
-                // Continuous on a closed box, the integrand has an integral; with a singularity there may be none.
+                // An integrand that is continuous on a closed box has an integral; with a
+                // singularity the integral can fail to exist.
                 match whole.clone().first_unmet(&mut self.theory.pool, defined, Strictness::Strict) {
                     None => Diagnostic::new(span, message).of(Kind::Open),
                     Some(_) => Diagnostic::new(span, message),
@@ -183,8 +190,9 @@ impl Evaluator<'_> {
         Ok(integral)
     }
 
-    /// Requires conditions under which an integral has the value that was found. That something is not zero may be no more
-    /// than that, which is noted; an inequality is where the integral converges.
+    /// Requires conditions under which the computed value of an integral is valid. A condition `≠
+    /// 0` can be a limitation of the closed form alone, and is recorded as narrowing; an inequality
+    /// states where the integral converges.
     pub(super) fn narrow(&mut self, conditions: Vec<Condition>) {
         for condition in conditions {
             let is_narrowing = condition.relation == Relation::NotEqual;
@@ -195,7 +203,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// What was needed or used inside, as far as it does not speak of the variables of the ranges.
+    /// Keeps the conditions and variables of an inner scope that do not involve the variables of
+    /// the ranges.
     pub(super) fn keep_outside(&mut self, inner: &Scope, ranges: &[Range]) {
         inner.mentioned().iter().for_each(|name| self.scope.mention(name));
         for condition in inner.conditions().iter().copied() {
@@ -222,7 +231,7 @@ impl Evaluator<'_> {
         Ok(Range { name: variable.clone(), symbol, from: bounds.0, to: bounds.1 })
     }
 
-    /// The scalar to integrate: of a form its coefficient in the order of the ranges.
+    /// Returns the scalar to integrate: for a form, its coefficient in the order of the ranges.
     fn integrand(&mut self, value: Value, ranges: &[Range], span: Span) -> Evaluated<Expr> {
         let form = match value {
             Value::Zero => return Ok(self.zero()),
@@ -247,7 +256,8 @@ impl Evaluator<'_> {
         Ok(self.signed_coefficient(&form, blade))
     }
 
-    /// The differentials in the order of the ranges, with the sign of putting them in order.
+    /// Returns the differentials of the ranges as a sorted basis form, with the sign of the
+    /// permutation that sorts them.
     pub(super) fn blade_of(&self, ranges: &[Range]) -> Evaluated<(Blade, i8)> {
         let mut product = (Blade::SCALAR, 1);
         for range in ranges {
@@ -266,8 +276,8 @@ impl Evaluator<'_> {
         if sign < 0 { self.theory.pool.negate(coefficient) } else { coefficient }
     }
 
-    /// Requires the domains of charts as far as they speak of nothing but free coordinates of these expressions, since
-    /// they bind every statement that uses them.
+    /// Requires the chart domains whose coordinates all occur free in these expressions: those
+    /// domains hold for every statement that uses the expressions.
     pub(super) fn require_domains(&mut self, written: &[Expr], bound: &[Symbol]) {
         let theory = &self.theory;
         let free: Vec<Symbol> =
@@ -284,8 +294,9 @@ impl Evaluator<'_> {
         found.into_iter().for_each(|condition| self.scope.require(condition));
     }
 
-    /// The ranges, and what may be assumed: what binds everything outside, and that a variable lies in its range if
-    /// that is known not to run backwards.
+    /// Returns the ranges with the assumptions on them: the conditions that do not involve the
+    /// variables of the ranges, and that each variable lies in its range if the lower bound is
+    /// known to be at most the upper.
     fn region(&mut self, integrand: Expr, defined: &[Condition], ranges: &[Range]) -> Region {
         let mut written = vec![integrand];
         written.extend(ranges.iter().flat_map(|range| [range.from, range.to]));

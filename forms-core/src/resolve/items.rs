@@ -1,4 +1,4 @@
-//! The items of a file in order: each declares a name or makes a claim.
+//! Items of a file, in order: each declares a name or makes a claim.
 
 use super::evaluation::{Evaluated, Evaluator, Trace};
 use super::theory::{Chart, Named, Object, Theory};
@@ -10,7 +10,7 @@ use crate::steps;
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// The conditions that params and unknown functions were declared with.
+/// Conditions with which params and unknown functions were declared.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Declarations {
     parameters: FxHashMap<Symbol, Vec<Condition>>,
@@ -27,14 +27,14 @@ impl Declarations {
     }
 }
 
-/// Resolves a whole file: what it declares and claims, and everything that is wrong with it.
+/// Resolves a whole file: returns its declarations and claims, and all errors in it.
 pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {
     let mut resolver = Resolver::default();
     resolver.file(file);
     (resolver.theory, resolver.errors)
 }
 
-/// Resolves a whole file and notes what each of its expressions is evaluated to.
+/// Resolves a whole file and records the value of each of its expressions.
 pub fn resolve_traced(file: &ast::File) -> (Theory, Trace, Vec<Diagnostic>) {
     let mut resolver = Resolver { trace: Some(Trace::default()), ..Resolver::default() };
     resolver.file(file);
@@ -46,9 +46,9 @@ pub(super) struct Resolver {
     pub(super) theory: Theory,
     pub(super) declared: Declarations,
     pub(super) errors: Vec<Diagnostic>,
-    /// The names of the statements so far.
+    /// Names of the statements so far.
     pub(super) statement_names: FxHashSet<String>,
-    /// The values of all expressions so far, where they are wanted.
+    /// Values of all expressions so far, recorded on request.
     trace: Option<Trace>,
 }
 
@@ -61,8 +61,8 @@ impl Resolver {
         self.drop_consequences();
     }
 
-    /// Drops what only follows from another error, unless there is no other: an item that has no meaning is never
-    /// dropped in silence.
+    /// Drops errors that only follow from another error, unless there is no other: an item that
+    /// cannot be resolved is never dropped silently.
     fn drop_consequences(&mut self) {
         if self.errors.iter().any(|error| error.kind != Kind::Consequence) {
             self.errors.retain(|error| error.kind != Kind::Consequence);
@@ -95,13 +95,13 @@ impl Resolver {
             self.errors.push(error);
         }
         if self.errors.len() >= MOST_DIAGNOSTICS {
-            // what follows is not shown
+            // later errors are not shown
             self.theory.names.be_terse();
         }
         self.theory.names.end_item();
     }
 
-    /// Runs an evaluation with a scope of its own.
+    /// Runs an evaluation in a new scope.
     pub(super) fn evaluate<T>(
         &mut self,
         body: impl FnOnce(&mut Evaluator) -> Evaluated<T>,
@@ -115,7 +115,8 @@ impl Resolver {
         Ok((result, domain, used))
     }
 
-    /// Every relation of a `where`, and where its sides are defined.
+    /// Returns every relation of a `where`, followed by the conditions under which its sides are
+    /// defined.
     pub(super) fn conditions(&mut self, conditions: &[ast::Condition]) -> Evaluated<Vec<Condition>> {
         let (mut all, domain, _) = self.evaluate(|evaluator| {
             let mut all = Vec::new();
@@ -153,7 +154,8 @@ impl Resolver {
         self.theory.names.set(name, Named::Chart(self.theory.charts.len() - 1));
     }
 
-    /// A coordinate of that name: the known one, or a new one with its differential.
+    /// Returns the coordinate with this name: the existing one, or a new one, declared together
+    /// with its differential.
     pub(super) fn coordinate(&mut self, name: &Name) -> Evaluated<Coordinate> {
         if let Some(Named::Coordinate(known)) = self.theory.named(&name.text) {
             return Ok(*known);
@@ -223,7 +225,8 @@ impl Resolver {
         Ok(())
     }
 
-    /// The conditions that bind a param, directly or through another param of the same declaration.
+    /// Returns the conditions that constrain a param, directly or through another param of the same
+    /// declaration.
     fn connected(&self, symbol: Symbol, group: &[Symbol], conditions: &[Condition]) -> Vec<Condition> {
         let mut reached = vec![symbol];
         let mut found: Vec<Condition> = Vec::new();
@@ -264,7 +267,7 @@ impl Resolver {
         Ok(())
     }
 
-    /// A named value; `check` may refuse it.
+    /// Declares a named value; `check` can reject it.
     fn object(
         &mut self,
         name: &Name,
@@ -339,7 +342,8 @@ impl Resolver {
 }
 
 impl Evaluator<'_> {
-    /// That the differentials or basis fields of a value belong to the chart it is declared on.
+    /// Checks that the differentials or basis fields of a value belong to the chart it is declared
+    /// on.
     pub(super) fn check_on_chart(
         &mut self,
         chart: &Name,
@@ -351,7 +355,7 @@ impl Evaluator<'_> {
         self.check_directions(number, coordinates, prefix, span)
     }
 
-    /// That these coordinates belong to a chart.
+    /// Checks that these coordinates belong to a chart.
     pub(super) fn check_directions(
         &self,
         chart: usize,

@@ -1,4 +1,4 @@
-//! Kernels: what is generated, and derivatives of what is generated before.
+//! Kernels, and gradients of kernels declared earlier.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
@@ -60,8 +60,9 @@ impl Resolver {
         Ok(())
     }
 
-    /// Refuses an integral whose value is known under a condition that the kernel's domain does not have: where it fails the
-    /// integral has a value and what is computed has none.
+    /// Rejects a kernel if the value of an integral in it is only valid under a condition that the
+    /// kernel's domain does not imply: where that condition fails, the integral has a value but the
+    /// kernel would have none.
     fn check_integrals(
         &mut self,
         name: &Name,
@@ -78,8 +79,8 @@ impl Resolver {
         Ok(())
     }
 
-    /// `kernel g = grad(f; u, v);`: for each output of f its partial derivatives, on the domain of f; a form behind `by`
-    /// is differentiated too, unless it has pieces.
+    /// Resolves `kernel g = grad(f; u, v);`: the partial derivatives of each output of f, on the
+    /// domain of f. The form given by `by` is differentiated as well, unless it is piecewise.
     pub(super) fn gradient(&mut self, item: &Item) -> Evaluated<()> {
         let ItemKind::Gradient { name, of, by } = &item.kind else { return Ok(()) };
         self.theory.names.declare(name, Named::Pending)?;
@@ -106,7 +107,7 @@ impl Resolver {
             pairs.map(|(value, by)| pool.derivative(value, by)).collect()
         };
         let (outputs, mut computed) = (derivatives(&kernel.outputs), derivatives(&kernel.computed));
-        // at a point of its own a piece says nothing of the derivative there
+        // a piece that holds at a single point does not determine the derivative there
         let is_piecewise = |part: &Expr| matches!(pool.node(*part), Node::Select { .. });
         if pool.reachable(&computed).iter().any(is_piecewise) {
             computed.clear();
@@ -128,12 +129,12 @@ impl Resolver {
         Ok(())
     }
 
-    /// Gives back the names that were local to an item.
+    /// Removes the names that were local to an item.
     pub(super) fn forget(&mut self, locals: Vec<String>) {
         locals.iter().for_each(|local| self.theory.names.remove(local));
     }
 
-    /// The number behind `within`.
+    /// Evaluates the number after `within`.
     pub(super) fn positive_number(&mut self, within: &ast::Expr) -> Evaluated<Rational> {
         let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(within))?;
         match self.theory.pool.as_number(value).filter(|number| number.is_positive()) {
@@ -195,11 +196,11 @@ impl Resolver {
     }
 }
 
-/// More effects of one kernel are an error: each doubles the number of its specialisations.
+/// Maximum number of effects of one kernel: each effect doubles the number of its specialisations.
 const MOST_EFFECTS: usize = 6;
 
 impl Resolver {
-    /// What stands between the braces of `effects`.
+    /// Resolves the entries of an `effects { … }` clause.
     fn kernel_effects(&mut self, effects: &[ast::Effect], arguments: &[Symbol]) -> Evaluated<Vec<Effect>> {
         let mut resolved: Vec<Effect> = Vec::new();
         for ast::Effect { name, variable, value } in effects {
@@ -272,7 +273,7 @@ impl Evaluator<'_> {
         Ok(value)
     }
 
-    /// That expressions depend on a kernel's arguments and nothing else.
+    /// Checks that expressions depend on the kernel's arguments only.
     fn check_free(&self, values: &[Expr], arguments: &[Symbol], span: Span) -> Evaluated<()> {
         let pool = &self.theory.pool;
         if let Some(free) = pool.symbols_in(values).into_iter().find(|symbol| !arguments.contains(symbol)) {
@@ -299,7 +300,7 @@ impl Evaluator<'_> {
     }
 }
 
-/// That the form behind `by` has as many outputs as the formula.
+/// Checks that the form given by `by` has as many outputs as the formula.
 pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
     if computed.is_empty() || computed.len() == outputs.len() {
         return Ok(());

@@ -32,7 +32,8 @@ impl Resolver {
         Ok(())
     }
 
-    /// One component a target coordinate, each a function of the source's coordinates and of these parameters.
+    /// Checks that a map has one component for each target coordinate, and that each component is a
+    /// function of the source's coordinates and of these parameters.
     pub(super) fn check_map(
         &mut self,
         map: &Map,

@@ -1,4 +1,4 @@
-//! Metrics: their declaration, and the operations that need one.
+//! Metrics: their declaration, and the operations that take a metric.
 
 use super::call::exactly;
 use super::evaluation::{Evaluated, Evaluator};
@@ -17,11 +17,12 @@ use crate::expression::{Condition, Expr};
 use crate::syntax::ast::{self, ExprKind, Name, Relation};
 use num_rational::Ratio;
 
-/// The functions written with a metric in square brackets.
+/// Functions that take a metric in square brackets.
 pub(crate) const METRIC_OPERATIONS: &[&str] =
     &["hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div"];
 
-/// Coordinates that one metric may couple with each other: of more there are too many minors.
+/// Maximum number of coordinates that one metric can couple with each other; larger blocks have too
+/// many minors.
 const LARGEST_BLOCK: u32 = 8;
 
 impl Resolver {
@@ -47,7 +48,8 @@ impl Resolver {
 }
 
 impl Evaluator<'_> {
-    /// The chart named, or the one whose coordinates are those of the differentials.
+    /// Returns the index of the named chart, or else of the chart whose coordinates are those of
+    /// the differentials.
     fn chart_of_metric(
         &mut self,
         name: &Name,
@@ -88,7 +90,8 @@ impl Evaluator<'_> {
         Ok(Metric::new(&mut self.ring(), &order, entries))
     }
 
-    /// Where the determinant is not zero; an error if that is nowhere.
+    /// Returns the conditions under which the determinant is not zero; an error if it vanishes
+    /// everywhere.
     fn where_regular(&mut self, metric: &Metric<Expr>, span: Span) -> Evaluated<Vec<Condition>> {
         let blocks: Vec<Expr> = metric.block_determinants().copied().collect();
         if blocks.iter().any(|&determinant| vanishes(&self.theory.pool, determinant)) {
@@ -101,7 +104,7 @@ impl Evaluator<'_> {
         Ok(factors.into_iter().map(|left| Condition { left, relation: Relation::NotEqual, right }).collect())
     }
 
-    /// The metric of that name, with what it depends on noted.
+    /// Returns the metric with this name and records its dependencies in the scope.
     pub(super) fn metric_named(&mut self, text: &str, span: Span) -> Evaluated<NamedMetric> {
         match self.theory.named(text) {
             Some(Named::Metric(number)) => {
@@ -126,13 +129,13 @@ impl Evaluator<'_> {
         self.metric_named(text, index.span)
     }
 
-    /// `volume[g]`
+    /// Evaluates `volume[g]`.
     pub(super) fn volume(&mut self, index: &ast::Expr) -> Evaluated<Value> {
         let named = self.metric_index(index)?;
         Ok(Value::Form(volume(&mut self.ring(), &named.metric)))
     }
 
-    /// `hodge[g](w)` and its like.
+    /// Evaluates `hodge[g](w)` and the other operations that take a metric.
     pub(super) fn metric_operation(
         &mut self,
         function: &Name,
@@ -194,7 +197,7 @@ impl Evaluator<'_> {
         Ok(Value::from_form(result, zero))
     }
 
-    /// `flat`, `div` and `curl`
+    /// Evaluates `flat`, `div` and `curl`.
     fn on_field(
         &mut self,
         name: &str,
@@ -249,7 +252,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// √g(X, X) of a field, √⟨w, w⟩ of a form; of a scalar its magnitude.
+    /// Evaluates the norm: √g(X, X) of a field, √⟨w, w⟩ of a form, the absolute value of a scalar.
     fn norm(&mut self, metric: &Metric<Expr>, chart: usize, argument: &ast::Expr) -> Evaluated<Value> {
         let value = self.value(argument)?;
         self.check_value_on(chart, &value, argument.span)?;
@@ -267,7 +270,7 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.theory.pool.sqrt(square)))
     }
 
-    /// A form, a scalar as one of degree 0, with differentials of the chart only.
+    /// Evaluates a form with differentials of the chart only; a scalar is a form of degree 0.
     fn form_on(&mut self, chart: usize, argument: &ast::Expr) -> Evaluated<Form<Expr>> {
         let value = self.value(argument)?;
         self.check_value_on(chart, &value, argument.span)?;

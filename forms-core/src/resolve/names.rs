@@ -1,4 +1,4 @@
-//! The one namespace of a file, and the nearest known name to a misspelt one.
+//! The single namespace of a file, and the search for the known name nearest to a misspelt one.
 
 use super::theory::Named;
 use crate::diagnostic::{Diagnostic, Kind, Span};
@@ -6,16 +6,16 @@ use crate::syntax::ast::Name;
 use crate::syntax::words::FUNCTIONS;
 use rustc_hash::FxHashMap;
 
-/// Longer names are not compared with others: the work is the product of the lengths.
+/// Maximum length of a name that is compared with others: the cost is the product of the lengths.
 const LONGEST_COMPARED: usize = 64;
 
-/// What each name stands for and where it was declared.
+/// Meaning of each name, and where it was declared.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Names {
     table: FxHashMap<String, (Named, Span)>,
-    /// The names that the item being read declares.
+    /// Names declared by the item being read.
     pending: Vec<String>,
-    /// Whether unknown names are no longer compared with all others, which takes time.
+    /// Whether unknown names are no longer compared with all others, to save time.
     is_terse: bool,
 }
 
@@ -24,7 +24,7 @@ impl Names {
         self.table.get(name).map(|entry| &entry.0)
     }
 
-    /// Declares a name, or says that it is taken.
+    /// Declares a name; an error if it is taken.
     pub(super) fn declare(&mut self, name: &Name, meaning: Named) -> Result<(), Diagnostic> {
         self.declare_text(&name.text, name.span, meaning)
     }
@@ -49,12 +49,13 @@ impl Names {
         Ok(())
     }
 
-    /// Makes no suggestions from here on.
+    /// Stops suggesting similar names.
     pub(super) fn be_terse(&mut self) {
         self.is_terse = true;
     }
 
-    /// Ends an item: what it should have declared and did not has an error in it.
+    /// Ends an item: a name that is still pending becomes poisoned, since the item that should have
+    /// declared it has an error.
     pub(super) fn end_item(&mut self) {
         for name in self.pending.drain(..) {
             if let Some((named @ Named::Pending, _)) = self.table.get_mut(&name) {
@@ -72,7 +73,8 @@ impl Names {
         self.table.remove(text);
     }
 
-    /// The error for a name nobody declared, with the nearest one that is, or with the items that would declare it.
+    /// Returns the error for an undeclared name. Its help suggests the nearest known name, or the
+    /// items that can declare the name.
     pub(super) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
         if FUNCTIONS.contains(&text) {
             return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
@@ -86,8 +88,9 @@ impl Names {
         }
     }
 
-    /// A name that differs in a third of its characters or fewer, or in the case of its letters: of a single letter
-    /// nothing else is left to go by.
+    /// Returns the nearest known name, if it differs in at most a third of the characters, or only
+    /// in the case of its letters. The case matters for single letters, where the edit distance
+    /// cannot help.
     fn nearest(&self, text: &str) -> Option<String> {
         let length = text.chars().count();
         if length > LONGEST_COMPARED {
@@ -108,8 +111,9 @@ impl Names {
     }
 }
 
-/// The error of using a name that has no value: that of the declaration it is used in, or one whose declaration failed.
-/// The latter only follows from another error, and is not shown beside it.
+/// Returns the error for a name that has no value yet, because it is used in its own declaration,
+/// or because its declaration failed. In the second case the error only follows from another one,
+/// and is not shown together with it.
 pub(super) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
     if matches!(named, Named::Pending) {
         return Diagnostic::new(span, format!("the declaration of `{text}` uses its own name"))
@@ -118,15 +122,15 @@ pub(super) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
     Diagnostic::new(span, "this depends on a declaration with an error in it").of(Kind::Consequence)
 }
 
-/// The items that declare what has a value.
+/// Items that declare values.
 pub(super) const VALUES: &str = "`chart`, `param`, `fn` or `let`";
 
-/// The error for a name nobody declared, without help.
+/// Returns the error for an undeclared name, without help.
 pub(super) fn not_declared(text: &str, span: Span) -> Diagnostic {
     Diagnostic::new(span, format!("`{text}` is not declared")).of(Kind::UnknownName)
 }
 
-/// What a name stands for, in words.
+/// Describes the meaning of a name in words.
 pub(super) fn describe(named: &Named) -> &'static str {
     match named {
         Named::Chart(_) => "a chart",
@@ -142,7 +146,7 @@ pub(super) fn describe(named: &Named) -> &'static str {
     }
 }
 
-/// The number of single-character changes between two words (Levenshtein).
+/// Returns the number of single-character edits between two words (Levenshtein distance).
 fn edit_distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

@@ -1,6 +1,8 @@
-//! `potential(w)`: Poincaré's homotopy operator about the origin, K w = ∫₀¹ tᵏ⁻¹ i_X w(tx) dt with X = Σ xⁱ ∂ᵢ.
+//! `potential(w)`: Poincaré's homotopy operator about the origin, K w = ∫₀¹ tᵏ⁻¹ i_X w(tx) dt with
+//! X = Σ xⁱ ∂ᵢ.
 //!
-//! L_X = d i_X + i_X d, integrated along the dilations x ↦ tx, is K d + d K = 1 on forms of degree k ≥ 1.
+//! Integrating L_X = d i_X + i_X d along the dilations x ↦ tx gives K d + d K = 1 on forms of
+//! degree k ≥ 1.
 
 use super::call::exactly;
 use super::evaluation::{Evaluated, Evaluator};
@@ -19,7 +21,8 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Value> {
         let [argument] = exactly::<1>(arguments, "potential", span)?;
-        // what the statement says of its points says nothing of the way to them from the origin
+        // the statement's conditions on its points do not hold on the segments from the origin to
+        // them
         let given = std::mem::take(&mut self.given);
         let value = self.value(argument);
         self.given = given;
@@ -52,7 +55,7 @@ impl Evaluator<'_> {
         Ok(Value::from_form(interior(&mut self.ring(), &dilation, &integrated), zero))
     }
 
-    /// Σ xⁱ ∂ᵢ
+    /// Returns the dilation field Σ xⁱ ∂ᵢ.
     fn dilation(&mut self, coordinates: &[Coordinate]) -> Field<Expr> {
         let mut field = Field::zero();
         for &coordinate in coordinates {
@@ -64,7 +67,8 @@ impl Evaluator<'_> {
         field
     }
 
-    /// ∫₀¹ tᵏ⁻¹ c(tx) dt; a part that is homogeneous of degree m ≠ −k gives c/(m + k), convergent or not.
+    /// Evaluates ∫₀¹ tᵏ⁻¹ c(tx) dt. A homogeneous term of degree m ≠ −k gives c/(m + k), whether or
+    /// not the integral converges.
     fn radial_integral(
         &mut self,
         coefficient: Expr,
@@ -109,8 +113,8 @@ impl Evaluator<'_> {
         Ok(found.value)
     }
 
-    /// The coordinates of the form's chart: the one chart with exactly the coordinates that occur, or else the one
-    /// that has them all.
+    /// Returns the coordinates of the form's chart: the only chart with exactly the occurring
+    /// coordinates, or else the only one that contains all of them.
     fn coordinates_of(&mut self, form: &Form<Expr>, span: Span) -> Evaluated<Vec<Coordinate>> {
         let occurring = self.theory.coordinates_of(form);
         let fitting = self.theory.charts_with(&occurring);

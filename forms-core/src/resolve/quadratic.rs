@@ -1,4 +1,5 @@
-//! The right side of a `metric`: a quadratic form in the differentials, where `*` is the symmetric product.
+//! Right side of a `metric` declaration: a quadratic form in the differentials, where `*` is the
+//! symmetric product.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::theory::Named;
@@ -9,10 +10,10 @@ use crate::expression::{Expr, Rational};
 use crate::syntax::ast::{self, Binary, ExprKind};
 use std::collections::BTreeMap;
 
-/// gᵢⱼ by i ≤ j; an entry off the diagonal stands for both.
+/// Entries gᵢⱼ with i ≤ j; an off-diagonal entry stands for both gᵢⱼ and gⱼᵢ.
 pub(super) type Entries = BTreeMap<(Coordinate, Coordinate), Expr>;
 
-/// A symmetric tensor of degree 0, 1 or 2.
+/// Symmetric tensor of degree 0, 1 or 2.
 enum Tensor {
     /// A scalar, the literal 0 included.
     Scalar(Value),
@@ -33,7 +34,7 @@ impl Tensor {
 }
 
 impl Evaluator<'_> {
-    /// The entries of the quadratic form that an expression is.
+    /// Evaluates an expression that must be a quadratic form, and returns its entries.
     pub(super) fn quadratic_form(&mut self, expression: &ast::Expr) -> Evaluated<Entries> {
         match self.tensor(expression)? {
             Tensor::Quadratic(entries) => Ok(entries),
@@ -45,7 +46,8 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Chains of operators are followed in a loop, as for any expression.
+    /// Evaluates a symmetric tensor. Chains of operators are evaluated in a loop, as for any
+    /// expression.
     fn tensor(&mut self, expression: &ast::Expr) -> Evaluated<Tensor> {
         let mut spine = Vec::new();
         let mut leftmost = expression;
@@ -125,7 +127,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// Each coefficient replaced.
+    /// Applies a function to each coefficient.
     fn scaled(
         &mut self,
         tensor: Tensor,
@@ -193,7 +195,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// a b = Σ (aᵢbⱼ + aⱼbᵢ)/2 dxⁱ dxʲ
+    /// Returns the symmetric product a b = Σ (aᵢbⱼ + aⱼbᵢ)/2 dxⁱ dxʲ.
     fn symmetric_product(&mut self, a: &Form<Expr>, b: &Form<Expr>) -> Entries {
         let half = self.theory.pool.number(Rational::new(1.into(), 2.into()));
         let mut entries = Entries::new();
@@ -210,7 +212,7 @@ impl Evaluator<'_> {
         entries
     }
 
-    /// `dx**2`, and powers of scalars
+    /// Evaluates `dx**2` and powers of scalars.
     fn raised(&mut self, (base, span): (Tensor, Span), exponent: &ast::Expr) -> Evaluated<Tensor> {
         match base {
             Tensor::Scalar(value) => Ok(Tensor::Scalar(self.power((value, span), exponent)?)),

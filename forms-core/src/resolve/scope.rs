@@ -1,15 +1,16 @@
-//! What is gathered beside a value while it is evaluated: where it is defined and what it uses.
+//! Side results of an evaluation: the conditions under which the value is defined, and the
+//! variables it uses.
 
 use crate::expression::{Condition, Symbol};
 use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
 
-/// Conditions and variables, each once, in the order they were met.
+/// Conditions and variables without duplicates, in the order of their first occurrence.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scope {
     conditions: Vec<Condition>,
     known: FxHashSet<Condition>,
-    /// Those under which the value of an integral is known.
+    /// Conditions under which the computed value of an integral is valid.
     narrowing: FxHashSet<Condition>,
     used: FxHashSet<Symbol>,
     named: BTreeSet<String>,
@@ -22,7 +23,7 @@ impl Scope {
         }
     }
 
-    /// Requires a condition under which the value of an integral is known.
+    /// Requires a condition under which the computed value of an integral is valid.
     pub(super) fn narrow(&mut self, condition: Condition) {
         self.narrowing.insert(condition);
         self.require(condition);
@@ -41,7 +42,7 @@ impl Scope {
         self.used.insert(symbol);
     }
 
-    /// Notes that a map or a named value is mentioned.
+    /// Records that a map or a named value is mentioned.
     pub(super) fn mention(&mut self, name: &str) {
         self.named.insert(name.to_string());
     }
@@ -54,7 +55,7 @@ impl Scope {
         &self.conditions
     }
 
-    /// The variables in the order of their declaration.
+    /// Returns the variables in the order of their declaration.
     pub(super) fn used(&self) -> Vec<Symbol> {
         let mut used: Vec<Symbol> = self.used.iter().copied().collect();
         used.sort_unstable();

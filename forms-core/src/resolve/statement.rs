@@ -1,4 +1,4 @@
-//! Statements: what is claimed, and which kernels it is of use to.
+//! Statements: their claims, and the kernels to which they are relevant.
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
@@ -55,8 +55,9 @@ impl Resolver {
         Ok(())
     }
 
-    /// Adds that magnitudes and roots by which the sides and conditions divide are not zero: a derivative divides by them where
-    /// its function did not.
+    /// Adds the conditions that absolute values and roots in denominators of the sides and
+    /// conditions are not zero: a derivative can divide by them where the differentiated function
+    /// does not.
     fn require_divisors(&mut self, domain: &mut Vec<Condition>, sides: [&Value; 2], own: &[Condition]) {
         let mut scalars: Vec<Expr> = sides.into_iter().flat_map(Value::scalars).collect();
         scalars.extend(own.iter().flat_map(|condition| [condition.left, condition.right]));
@@ -72,7 +73,7 @@ impl Resolver {
         }
     }
 
-    /// The domains of charts, as far as every coordinate they mention is used.
+    /// Returns the conditions of chart domains whose coordinates are all used.
     fn chart_conditions(&self, used: &[Symbol]) -> Vec<Condition> {
         let mut found: Vec<Condition> = Vec::new();
         for chart in &self.theory.charts {
@@ -93,8 +94,9 @@ impl Resolver {
         found
     }
 
-    /// Tells each kernel the claims that speak of the maps it uses or, without a map, of the values it uses;
-    /// and those that speak of nothing else than it does.
+    /// Assigns to each kernel the `prove` statements that mention a map it uses or, if it uses no
+    /// map, a value it uses; also the statements that mention nothing but maps and values of the
+    /// kernel.
     pub(super) fn attribute_statements(&mut self) {
         let theory = &mut self.theory;
         for kernel in &mut theory.kernels {

@@ -1,4 +1,4 @@
-//! What a file declares and claims, resolved.
+//! Resolved declarations and claims of a file.
 
 use super::value::Value;
 use crate::calculus::{Blade, Coordinate, Form, Metric};
@@ -8,161 +8,168 @@ use crate::syntax::ast::Claim;
 use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
 
-/// A coordinate patch.
+/// Coordinate chart.
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// Its name.
     pub name: String,
-    /// Its coordinates in order, which is its orientation.
+    /// Its coordinates in order; the order is its orientation.
     pub coordinates: Vec<Coordinate>,
-    /// Its domain, those of its factors included.
+    /// Its domain, including the domains of its factors.
     pub conditions: Vec<Condition>,
 }
 
-/// A map from one chart to another.
+/// Map from one chart to another.
 #[derive(Clone, Debug)]
 pub struct Map {
     /// Its name.
     pub name: String,
-    /// The number of the chart it starts from.
+    /// Index of the source chart.
     pub source: usize,
-    /// The number of the chart it ends in.
+    /// Index of the target chart.
     pub target: usize,
-    /// One scalar a target coordinate.
+    /// One scalar for each target coordinate.
     pub components: Vec<Expr>,
-    /// Where the components are defined.
+    /// Conditions under which the components are defined.
     pub domain: Vec<Condition>,
-    /// Those of these conditions under which the value of an integral in it is known.
+    /// Subset of these conditions under which the computed value of an integral in the map is
+    /// valid.
     pub(crate) narrowing: FxHashSet<Condition>,
-    /// The variables the components are written with.
+    /// Variables used by the components.
     pub used: Vec<Symbol>,
 }
 
-/// A metric with a name.
+/// Named metric.
 #[derive(Clone, Debug)]
 pub struct NamedMetric {
-    /// The number of its chart.
+    /// Index of its chart.
     pub chart: usize,
-    /// Its entries, determinant and what else its operations share.
+    /// Its entries, its determinant and the other quantities that its operations share.
     pub metric: Metric<Expr>,
-    /// Where it is defined and not degenerate.
+    /// Conditions under which it is defined and not degenerate.
     pub domain: Vec<Condition>,
-    /// The variables it is written with.
+    /// Variables it uses.
     pub used: Vec<Symbol>,
 }
 
-/// A scalar, form or field with a name.
+/// Named scalar, form or field.
 #[derive(Clone, Debug)]
 pub struct Object {
-    /// What it is.
+    /// Its value.
     pub value: Value,
-    /// Where it is defined.
+    /// Conditions under which it is defined.
     pub domain: Vec<Condition>,
-    /// Those of these conditions under which the value of an integral in it is known.
+    /// Subset of these conditions under which the computed value of an integral in the object is
+    /// valid.
     pub(crate) narrowing: FxHashSet<Condition>,
-    /// The variables it is written with.
+    /// Variables it uses.
     pub used: Vec<Symbol>,
-    /// Its unit in the language's notation, that of a form as a whole; none where nothing states it.
+    /// Its unit in the language's notation; for a form, the unit of the whole form. `None` where no
+    /// unit is stated.
     pub unit: Option<String>,
 }
 
-/// An equation that is claimed to hold or not to hold.
+/// Equation that is claimed to hold or not to hold.
 #[derive(Clone, Debug)]
 pub struct Statement {
     /// Its name.
     pub name: String,
-    /// The lines of its documentation.
+    /// Lines of its documentation.
     pub docs: Vec<String>,
-    /// What is claimed.
+    /// Its claim: to be proved or to be refuted.
     pub claim: Claim,
-    /// The whole statement in its source.
+    /// Span of the whole statement in its source.
     pub span: Span,
-    /// Its name in its source.
+    /// Span of its name in its source.
     pub name_span: Span,
-    /// One side.
+    /// Left side.
     pub left: Value,
-    /// The other.
+    /// Right side.
     pub right: Value,
-    /// Why a side has no value, if it may have one that was not found; nothing is decided then.
+    /// Reason why no value of a side was found although one can exist; the statement is then
+    /// undecided.
     pub obstacle: Option<String>,
-    /// The points it speaks of satisfy these: the `where`s that bind it.
+    /// Conditions on its points: every `where` that applies to it.
     pub conditions: Vec<Condition>,
-    /// And these: where both sides are defined.
+    /// Further conditions on its points, under which both sides are defined.
     pub domain: Vec<Condition>,
-    /// The maps and named values that it mentions.
+    /// Maps and named values that it mentions.
     pub(super) mentioned: BTreeSet<String>,
 }
 
-/// One range that was integrated over.
+/// Integration over one range.
 #[derive(Clone, Debug)]
 pub(crate) struct Integration {
-    /// Where the variable of the range stands.
+    /// Place of the range's variable in the source.
     pub(crate) place: Span,
-    /// That variable.
+    /// Variable of the range.
     pub(crate) variable: Symbol,
-    /// What was integrated.
+    /// Integrand.
     pub(crate) integrand: Expr,
-    /// Its antiderivative, if one holds over the whole range.
+    /// Antiderivative of the integrand, if one is valid over the whole range.
     pub(crate) antiderivative: Option<Expr>,
-    /// What was assumed.
+    /// Assumptions of the integration.
     pub(crate) conditions: Vec<Condition>,
 }
 
-/// A numeric function to be generated.
+/// Numeric function to be generated.
 #[derive(Clone, Debug)]
 pub struct Kernel {
     /// Its name.
     pub name: String,
-    /// The lines of its documentation.
+    /// Lines of its documentation.
     pub docs: Vec<String>,
-    /// Whether it is to be seen from outside its module.
+    /// Whether it is visible outside its module.
     pub public: bool,
-    /// The kernel in its source.
+    /// Span of the kernel in its source.
     pub span: Span,
-    /// What it is a function of.
+    /// Its arguments.
     pub arguments: Vec<Symbol>,
-    /// What it computes.
+    /// Its formulas, one for each output.
     pub outputs: Vec<Expr>,
-    /// What it is computed by, an equal form of each output; empty where that is the formula itself.
+    /// Equal form of each output that is computed instead of the formula; empty where the formula
+    /// itself is computed.
     pub computed: Vec<Expr>,
-    /// Its stated domain; outside, the value is NaN.
+    /// Its stated domain; outside it the value is NaN.
     pub domain: Vec<Condition>,
-    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; none where nothing is promised.
+    /// Promised bound of the error of its `f64` value, in units of 2⁻⁵³ of the exact value; `None`
+    /// where nothing is promised.
     pub within: Option<Rational>,
-    /// The effects that it is specialised to be without.
+    /// Effects that can be switched off; the kernel is specialised for their absence.
     pub effects: Vec<Effect>,
-    /// The formula as it was written.
+    /// Formula as written in the source.
     pub formula: Vec<String>,
-    /// The units of its arguments and outputs, as far as they are known.
+    /// Known units of its arguments and outputs.
     pub units: KernelUnits,
-    /// The names of the claims that speak of what the kernel is computed from.
+    /// Names of the statements about the maps and values that the kernel uses.
     pub statements: Vec<String>,
-    /// The maps and named values that it mentions.
+    /// Maps and named values that it mentions.
     pub(super) mentioned: BTreeSet<String>,
 }
 
 impl Kernel {
-    /// Whether it says itself how it is computed: by a form of its own, or to within a bound.
+    /// Whether its declaration fixes how it is computed: by an explicit form (`by`) or by an error
+    /// bound (`within`).
     pub fn has_form(&self) -> bool {
         !self.computed.is_empty() || self.within.is_some()
     }
 }
 
-/// An effect of a kernel, which vanishes where an argument has a value: `absorption: sigma_a = 0`.
+/// Effect of a kernel that vanishes where an argument has a given value: `absorption: sigma_a = 0`.
 #[derive(Clone, Debug)]
 pub struct Effect {
     /// Its name.
     pub name: String,
-    /// The argument that switches it off …
+    /// Argument that switches it off …
     pub variable: Symbol,
     /// … where it has this value.
     pub value: Expr,
-    /// The effect in its source.
+    /// Span of the effect in its source.
     pub span: Span,
 }
 
-/// The units of a kernel's arguments and outputs in the language's notation; none where nothing states them. Both lists
-/// are empty in a file that states no unit.
+/// Units of a kernel's arguments and outputs in the language's notation; `None` where no unit is
+/// stated. Both lists are empty in a file that states no units.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct KernelUnits {
     /// One for each argument.
@@ -171,52 +178,54 @@ pub struct KernelUnits {
     pub outputs: Vec<Option<String>>,
 }
 
-/// A map from uniform numbers with the density of its values; its map, statements and kernels stand among the others.
+/// Map from uniform random numbers, with the density of its values; its map, statements and kernels
+/// are stored among the others.
 #[derive(Clone, Debug)]
 pub struct Warp {
-    /// Its name, which is that of the map.
+    /// Its name, which is also the name of the map.
     pub name: String,
-    /// How many uniform numbers it takes: the last arguments of its kernel `NAME_sample`.
+    /// Number of uniform random numbers it takes: the last arguments of its kernel `NAME_sample`.
     pub uniforms: usize,
-    /// Whether the map reverses the orientation: its density pulls back to −du ∧ dv.
+    /// Whether the map reverses the orientation, that is, whether its density pulls back to −du ∧
+    /// dv.
     pub reverses: bool,
-    /// Whether an inverse is given, so that there is a kernel `NAME_inverse`.
+    /// Whether an inverse is given; then there is a kernel `NAME_inverse`.
     pub has_inverse: bool,
 }
 
-/// What a name of the file stands for.
+/// Meaning of a name in a file.
 #[derive(Clone, Debug)]
 pub enum Named {
-    /// A chart, by its number.
+    /// Chart, by its index.
     Chart(usize),
-    /// A coordinate.
+    /// Coordinate.
     Coordinate(Coordinate),
-    /// The differential of a coordinate.
+    /// Differential of a coordinate.
     Differential(Coordinate),
-    /// A parameter.
+    /// Parameter.
     Parameter(Symbol),
-    /// An unknown function, by its number.
+    /// Unknown function, by its index.
     Function(crate::expression::FunctionId),
-    /// A scalar, form or field, by its number.
+    /// Scalar, form or field, by its index.
     Object(usize),
-    /// A map, by its number.
+    /// Map, by its index.
     Map(usize),
-    /// A metric, by its number.
+    /// Metric, by its index.
     Metric(usize),
-    /// A kernel, by its number.
+    /// Kernel, by its index.
     Kernel(usize),
-    /// Something whose declaration is being read: it cannot use its own name.
+    /// Name whose declaration is being read and which cannot be used yet.
     Pending,
-    /// Something whose declaration failed.
+    /// Name whose declaration failed.
     Poisoned,
 }
 
-/// A whole file, resolved.
+/// Resolved file.
 #[derive(Clone, Debug, Default)]
 pub struct Theory {
-    /// The owner of every expression.
+    /// Owner of every expression.
     pub pool: Pool,
-    /// The variable of each coordinate.
+    /// Variable of each coordinate.
     pub coordinates: Vec<Symbol>,
     /// The charts in order.
     pub charts: Vec<Chart>,
@@ -232,27 +241,28 @@ pub struct Theory {
     pub kernels: Vec<Kernel>,
     /// The warps in order.
     pub warps: Vec<Warp>,
-    /// The integrals over one range in the order in which they were found.
+    /// Integrations over one range, in the order in which they were performed.
     pub(crate) integrations: Vec<Integration>,
-    /// Conditions under which integrals have the values that were found, although they may be defined elsewhere.
+    /// Conditions under which the computed values of integrals are valid, although the integrals
+    /// can be defined elsewhere.
     pub(crate) narrowing: FxHashSet<Condition>,
     pub(super) names: super::names::Names,
 }
 
 impl Theory {
-    /// What a name stands for.
+    /// Returns the meaning of a name.
     pub fn named(&self, name: &str) -> Option<&Named> {
         self.names.get(name)
     }
 
-    /// `dx^dy`, the differentials in ascending order.
+    /// Formats a basis form, as in `dx^dy`, with the differentials in ascending order.
     pub fn blade_text(&self, blade: Blade) -> String {
         let factors: Vec<String> =
             blade.coordinates().map(|coordinate| format!("d{}", self.coordinate_name(coordinate))).collect();
         factors.join("^")
     }
 
-    /// The coordinates that occur in some expressions, in ascending order.
+    /// Returns the coordinates that occur in some expressions, in ascending order.
     pub fn coordinates_in(&self, expressions: &[Expr]) -> Vec<Coordinate> {
         let symbols = self.pool.symbols_in(expressions);
         (0..self.coordinates.len())
@@ -261,7 +271,8 @@ impl Theory {
             .collect()
     }
 
-    /// The coordinates that occur in a form, in its coefficients or as differentials, in ascending order.
+    /// Returns the coordinates that occur in a form, in its coefficients or as differentials, in
+    /// ascending order.
     pub fn coordinates_of(&self, form: &Form<Expr>) -> Vec<Coordinate> {
         let coefficients: Vec<Expr> = form.terms().iter().map(|term| term.1).collect();
         let mut occurring = self.coordinates_in(&coefficients);
@@ -271,13 +282,13 @@ impl Theory {
         occurring
     }
 
-    /// The numbers of the charts that have all of some coordinates.
+    /// Returns the indices of the charts that contain all of some coordinates.
     pub fn charts_with(&self, coordinates: &[Coordinate]) -> Vec<usize> {
         let has_all = |chart: &Chart| coordinates.iter().all(|c| chart.coordinates.contains(c));
         (0..self.charts.len()).filter(|&number| has_all(&self.charts[number])).collect()
     }
 
-    /// The name of a coordinate.
+    /// Returns the name of a coordinate.
     pub fn coordinate_name(&self, coordinate: Coordinate) -> &str {
         self.pool.symbol_name(self.coordinates[coordinate.0 as usize])
     }

@@ -1,23 +1,23 @@
-//! The values of the language: scalars, forms, fields, and the literal zero of any type.
+//! Values of the language: scalars, forms, fields, and the literal zero of any type.
 
 use crate::calculus::{Blade, Field, Form};
 use crate::expression::Expr;
 
-/// What an expression of the language evaluates to.
+/// Value of an expression of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
-    /// The literal `0`, the zero of any type and degree.
+    /// Literal `0`, the zero of any type and degree.
     Zero,
-    /// A scalar.
+    /// Scalar.
     Scalar(Expr),
-    /// A form of degree 1 or more.
+    /// Form of degree 1 or more.
     Form(Form<Expr>),
-    /// A vector field.
+    /// Vector field.
     Field(Field<Expr>),
 }
 
 impl Value {
-    /// A form, or the scalar that a form of degree 0 is.
+    /// Converts a form to a value; a form of degree 0 becomes a scalar.
     pub(super) fn from_form(form: Form<Expr>, zero: Expr) -> Self {
         if form.degree() > 0 {
             return Value::Form(form);
@@ -25,7 +25,7 @@ impl Value {
         Value::Scalar(form.coefficient(Blade::SCALAR).copied().unwrap_or(zero))
     }
 
-    /// What it is, in words.
+    /// Describes its type in words.
     pub fn kind(&self) -> String {
         match self {
             Value::Zero => "0".into(),
@@ -35,7 +35,7 @@ impl Value {
         }
     }
 
-    /// Every scalar it consists of.
+    /// Returns every scalar it consists of.
     pub fn scalars(&self) -> Vec<Expr> {
         match self {
             Value::Zero => vec![],

@@ -1,4 +1,5 @@
-//! Warps: a map from uniform numbers and the density of its values, as a map, statements and kernels.
+//! Warps: a map from uniform random numbers and the density of its values become a map, statements
+//! and kernels.
 //!
 //! ```text
 //! warp w(p; u, v) = (x, y, z) onto C density E of F inverse (a, b)
@@ -6,10 +7,12 @@
 //!   ├─ prove w_density, w_inverse   pullback(w, E*F) == ±du^dv; pullback(w, a) == u, pullback(w, b) == v
 //!   └─ kernels w_sample(p, u, v), w_pdf(p, x, y, z), w_inverse(p, x, y, z)
 //! ```
-//! `by` gives an equal form of the components, which `w_sample` is computed by; `within` is said of each kernel. The density
-//! vanishes outside the chart, which no uniform numbers are taken to.
+//! `by` gives an equal form of the components, from which `w_sample` is computed; `within` applies
+//! to each kernel. The density vanishes outside the chart, since the map takes no uniform random
+//! numbers there.
 //!
-//! Which of the two orientations is claimed is chosen by a value at a point; that the claim holds is proved like any other.
+//! The orientation to claim is chosen from the sign of a value at one point; the claim is then
+//! proved like any other.
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
@@ -25,18 +28,18 @@ use crate::syntax::ast::{self, Declared, Item, Name, Relation};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 
-/// Points tried for the orientation of a map.
+/// Maximum number of points tried for the orientation of a map.
 const MOST_POINTS: usize = 200;
 
-/// Their precision, and the parts of the interval they are chosen from.
+/// Precision of these points, and the number of steps in the grid from which they are chosen.
 const PRECISION: Precision = Precision(80);
 const PARTS: u64 = 997;
 
-/// The variables of a warp while it is resolved.
+/// Variables of a warp while it is resolved.
 struct Variables {
     parameters: Vec<Symbol>,
     uniforms: Vec<Coordinate>,
-    /// The variables of the target's coordinates.
+    /// Variables of the target's coordinates.
     target: Vec<Symbol>,
 }
 
@@ -71,7 +74,8 @@ impl Resolver {
         self.kernels_of_warp(item, warp, target, &variables)
     }
 
-    /// Coordinates for the uniform numbers: known ones, or new ones that are local to the warp.
+    /// Returns coordinates for the uniform random numbers: known coordinates, or new ones that are
+    /// local to the warp.
     fn uniforms(&mut self, declared: &[Declared], locals: &mut Vec<String>) -> Evaluated<Vec<Coordinate>> {
         let mut uniforms = Vec::new();
         for Declared { name, .. } in declared {
@@ -88,7 +92,8 @@ impl Resolver {
         Ok(uniforms)
     }
 
-    /// The chart of the uniform numbers: one that has them in this order, or a new one without a name in the file.
+    /// Returns the index of the chart of the uniform random numbers: an existing chart with these
+    /// coordinates in this order, or a new one that has no name in the file.
     fn square(&mut self, name: &Name, uniforms: &[Coordinate]) -> usize {
         let charts = &mut self.theory.charts;
         if let Some(known) = charts.iter().position(|chart| chart.coordinates == uniforms) {
@@ -138,7 +143,8 @@ impl Resolver {
         Ok(())
     }
 
-    /// Whether the pulled back density is negative at the first point found that meets every condition.
+    /// Whether the pulled-back density is negative at the first point found that satisfies every
+    /// condition.
     fn reverses(&mut self, warp: &ast::Warp, uniforms: &[Coordinate]) -> Evaluated<bool> {
         let left = warp.density_on_the_square();
         let (value, domain, _) = self.evaluate(|evaluator| evaluator.value(&left))?;
@@ -199,7 +205,7 @@ impl Resolver {
         self.kernel_of_warp(item, warp, ("inverse", docs), (arguments, outputs, Vec::new()), &on_the_target)
     }
 
-    /// The value where the conditions hold, and zero elsewhere.
+    /// Returns the value where the conditions hold, and zero elsewhere.
     fn zero_outside(&mut self, conditions: &[Condition], value: Expr) -> Expr {
         let pool = &mut self.theory.pool;
         let zero = pool.integer(0);
@@ -209,7 +215,7 @@ impl Resolver {
         })
     }
 
-    /// 0 ≤ u ≤ 1 for each uniform number
+    /// Returns the conditions 0 ≤ u ≤ 1 for each uniform random number.
     fn closed_square(&mut self, uniforms: &[Symbol]) -> Vec<Condition> {
         let pool = &mut self.theory.pool;
         let (zero, one) = (pool.integer(0), pool.integer(1));
@@ -222,7 +228,8 @@ impl Resolver {
         conditions
     }
 
-    /// The kernel `NAME_part`, on those of the conditions that speak of its arguments alone.
+    /// Adds the kernel `NAME_part`; its domain consists of the conditions that involve its
+    /// arguments only.
     fn kernel_of_warp(
         &mut self,
         item: &Item,
@@ -266,7 +273,8 @@ impl Resolver {
     }
 }
 
-/// Whether an expression is negative at the first point found that meets the conditions and tells its sign.
+/// Whether an expression is negative at the first point found that satisfies the conditions and
+/// where the sign is decided.
 fn is_negative(pool: &Pool, expression: Expr, conditions: &[Condition], uniforms: &[Symbol]) -> bool {
     let mut expressions = vec![expression];
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));

@@ -1,26 +1,28 @@
-//! Arithmetics: how the targets of kernels round.
+//! Rounding models of the floating-point arithmetics that kernels run on.
 
 use crate::expression::Operation;
 use crate::kernel::{Constant, Instruction, Program, Value};
 
-/// How the operations of a target round: relative errors, and what is lost at the least numbers.
+/// Rounding model of a target: relative error bounds of its operations, and absolute error bounds
+/// near underflow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arithmetic {
-    /// Half an ulp at most, relative to a normal number: what a promise of units counts.
+    /// Unit roundoff, which bounds half an ulp relative to a normal number; the unit in which
+    /// `within` bounds are stated.
     pub unit: f64,
-    /// Of sums, products and numbers.
+    /// Relative error of sums, products and constants.
     operation: f64,
     quotient: f64,
     root: f64,
-    /// Of functions and powers; infinite where the target states nothing of use.
+    /// Relative error of functions and powers; infinite where the target states no usable bound.
     function: f64,
-    /// Of a b − c d without cancellation.
+    /// Relative error of a b − c d computed without cancellation.
     products: f64,
-    /// Lost of a value near the least numbers.
+    /// Absolute error of a value near the smallest positive numbers.
     underflow: f64,
-    /// Lost of a sum there: sums are exact unless subnormal numbers are flushed to zero.
+    /// Absolute error of a sum there: sums are exact unless subnormal numbers are flushed to zero.
     underflow_of_sum: f64,
-    /// The largest finite number.
+    /// Largest finite number.
     pub(super) largest: f64,
 }
 
@@ -28,7 +30,7 @@ const DOUBLE: f64 = f64::EPSILON / 2.0;
 const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
 
 impl Arithmetic {
-    /// `f64` as IEEE 754 has it, with functions of a library within 2 ulp.
+    /// IEEE 754 `f64`, with library functions accurate to 2 ulp.
     pub const DOUBLE: Arithmetic = Arithmetic {
         unit: DOUBLE,
         operation: DOUBLE,
@@ -36,13 +38,13 @@ impl Arithmetic {
         root: DOUBLE,
         function: 4.0 * DOUBLE,
         products: 4.0 * DOUBLE,
-        // half the least number above zero, rounded up
+        // half the smallest positive number, rounded up
         underflow: f64::from_bits(1),
         underflow_of_sum: 0.0,
         largest: f64::MAX,
     };
 
-    /// `f32` as IEEE 754 has it, with functions of a library within 4 ulp, as CUDA states them.
+    /// IEEE 754 `f32`, with library functions accurate to 4 ulp, as stated for CUDA.
     pub const SINGLE: Arithmetic = Arithmetic {
         unit: SINGLE,
         operation: SINGLE,
@@ -55,8 +57,9 @@ impl Arithmetic {
         largest: f32::MAX as f64,
     };
 
-    /// `f32` of WGSL: sums and products rounded either way, quotients within 2.5 ulp, roots within 5; subnormal numbers may
-    /// be zero. Its functions are stated by absolute errors.
+    /// `f32` of WGSL: sums and products can be rounded in either direction, quotients are accurate
+    /// to 2.5 ulp, roots to 5 ulp; subnormal numbers can be flushed to zero. The errors of its
+    /// functions are stated as absolute errors.
     ///
     /// Source: WebGPU Shading Language, §15.7.4 Floating Point Accuracy.
     pub const SHADER: Arithmetic = Arithmetic {
@@ -70,7 +73,8 @@ impl Arithmetic {
         ..Arithmetic::SINGLE
     };
 
-    /// What the rounding of an instruction does to its value: a relative and an absolute perturbation.
+    /// Returns the relative and the absolute perturbation that rounding adds to the value of an
+    /// instruction.
     pub(super) fn rounding(&self, program: &Program, place: usize) -> (f64, f64) {
         let is_power_of_two = |value: Value| match &program.instructions()[value.place()] {
             Instruction::Constant(constant) => {
@@ -99,12 +103,13 @@ impl Arithmetic {
                 (self.products, self.underflow)
             }
             Instruction::Power(..) | Instruction::Call(..) => (self.function, self.underflow),
-            // what the rule leaves out is estimated where it is computed, not bounded here
+            // the truncation error of the quadrature rule is estimated at run time, not bounded
+            // here
             Instruction::Quadrature { .. } => (f64::INFINITY, f64::INFINITY),
         }
     }
 
-    /// Whether it has this number.
+    /// Whether the constant is exactly representable in this arithmetic.
     pub(super) fn holds(&self, constant: &Constant) -> bool {
         let number = if self.largest == f64::MAX { constant.to_f64() } else { constant.to_f32().into() };
         constant.pi_exponent == 0

@@ -1,14 +1,15 @@
-//! The domain of a kernel as a box: what its conditions say of one argument beside a number.
+//! Bounding box of a kernel's domain, from its conditions between an argument and a number.
 
 use super::Unbounded;
 use super::interval::Interval;
 use crate::kernel::{Comparison, Instruction, Program, Value};
 use crate::syntax::ast::Relation;
 
-/// A range for each argument.
+/// Range of each argument.
 pub(super) type Box = Vec<Interval>;
 
-/// The smallest box around the domain.
+/// Returns the box given by these conditions; it contains the domain. An error if a range that is
+/// used is unbounded.
 pub(super) fn domain(program: &Program) -> Result<Box, Unbounded> {
     let mut found = vec![Interval::EVERYTHING; program.arguments().len()];
     for condition in program.domain() {
@@ -25,7 +26,7 @@ pub(super) fn domain(program: &Program) -> Result<Box, Unbounded> {
     Ok(found)
 }
 
-/// What a condition between an argument and a number leaves of the argument's range.
+/// Narrows the range of an argument by a condition between this argument and a number.
 fn narrow(program: &Program, condition: &Comparison, found: &mut Box) {
     let instruction = |value: Value| &program.instructions()[value.place()];
     let (place, relation, number) = match (instruction(condition.left), instruction(condition.right)) {

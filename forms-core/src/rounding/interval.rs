@@ -1,16 +1,17 @@
-//! Intervals of `f64` with every end rounded outward.
+//! Interval arithmetic in `f64` with every endpoint rounded outward.
 //!
-//! An end that overflows is infinite, and an operation that is not defined everywhere on its operands gives
-//! [`Interval::EVERYTHING`]: an interval never leaves out a value.
+//! An endpoint that overflows is infinite, and an operation that is not defined everywhere on its
+//! operands gives
+//! [`Interval::EVERYTHING`]: an interval always contains all possible values.
 
 use crate::expression::Operation;
 use crate::syntax::ast::Relation;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The functions of the standard library are within this relative distance of the true value.
+/// Relative error bound assumed for the functions of the standard library.
 const FUNCTION: f64 = 1.0 / (1u64 << 51) as f64;
 
-/// The real numbers from `lower` to `upper`.
+/// Interval of the real numbers from `lower` to `upper`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Interval {
     pub(super) lower: f64,
@@ -25,12 +26,13 @@ impl Interval {
         Interval { lower: value, upper: value }
     }
 
-    /// The interval between two ends; everything, if one of them is no number.
+    /// Returns the interval between two endpoints, or `EVERYTHING` if an endpoint is NaN.
     pub(super) fn between(lower: f64, upper: f64) -> Self {
         if lower <= upper { Interval { lower, upper } } else { Self::EVERYTHING }
     }
 
-    /// Ends that were rounded to nearest, moved outward to the next number.
+    /// Returns the interval between endpoints that were rounded to nearest, each moved outward to
+    /// the next number.
     fn rounded(lower: f64, upper: f64) -> Self {
         Self::between(lower.next_down(), upper.next_up())
     }
@@ -43,12 +45,12 @@ impl Interval {
         self.lower.is_finite() && self.upper.is_finite()
     }
 
-    /// max |x|
+    /// Returns max |x|.
     pub(super) fn magnitude(self) -> f64 {
         self.upper.max(-self.lower)
     }
 
-    /// min |x|
+    /// Returns min |x|.
     pub(super) fn least_magnitude(self) -> f64 {
         if self.contains_zero() { 0.0 } else { self.lower.abs().min(self.upper.abs()) }
     }
@@ -57,13 +59,15 @@ impl Interval {
         Interval { lower: self.lower.min(other.lower), upper: self.upper.max(other.upper) }
     }
 
-    /// All numbers that a relative perturbation and an absolute one make of these.
+    /// Returns an interval of all values that a relative and an absolute perturbation can produce
+    /// from these.
     pub(super) fn perturbed(self, relative: f64, absolute: f64) -> Self {
         let by = |end: f64| (end.abs() * relative + absolute).next_up();
         Self::rounded(self.lower - by(self.lower), self.upper + by(self.upper))
     }
 
-    /// Whether the relation holds between all, or between no members.
+    /// Decides a relation: true if it holds for all pairs of members, false if for none, otherwise
+    /// `None`.
     pub(super) fn decide(self, relation: Relation, other: Self) -> Option<bool> {
         let (holds, fails) = match relation {
             Relation::Less => (self.upper < other.lower, self.lower >= other.upper),
@@ -90,7 +94,8 @@ impl Interval {
         self.add(other.negate())
     }
 
-    /// [min, max] of the products of the ends, where 0 · ∞ = 0: an infinite end stands for finite numbers.
+    /// Returns [min, max] of the products of the endpoints, where 0 · ∞ = 0, since an infinite
+    /// endpoint stands for finite numbers.
     pub(super) fn multiply(self, other: Self) -> Self {
         let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
         let products = [
@@ -115,7 +120,8 @@ impl Interval {
         self.multiply(other.reciprocal())
     }
 
-    /// a/(a + b): of numbers of one sign it grows with the one and falls with the other.
+    /// Returns the range of a/(a + b). For a and b of the same sign the quotient increases with |a|
+    /// and decreases with |b|.
     pub(super) fn share(self, other: Self) -> Self {
         if self.upper <= 0.0 && other.upper <= 0.0 && self.lower < 0.0 {
             return self.negate().share(other.negate());
@@ -132,25 +138,25 @@ impl Interval {
         if self.upper < 0.0 {
             return Self::EVERYTHING;
         }
-        // what lies below 0 has no root and no value
+        // negative numbers have no root and contribute no values
         let root = Self::rounded(self.lower.max(0.0).sqrt(), self.upper.sqrt());
         Interval { lower: root.lower.max(0.0), ..root }
     }
 
-    /// |x|
+    /// Returns the range of |x|.
     pub(super) fn absolute(self) -> Self {
         Interval { lower: self.least_magnitude(), upper: self.magnitude() }
     }
 
-    /// xⁿ for an integer n ≥ 0, of |x| where n is even.
+    /// Returns the range of xⁿ for an integer n ≥ 0; even powers are computed from |x|.
     fn integer_power(self, exponent: u64) -> Self {
         let base = if exponent.is_multiple_of(2) { self.absolute() } else { self };
         let exponent = exponent as f64;
-        // powf is within an ulp, which the widening of a function covers
+        // powf is accurate to one ulp, which the widening of a function covers
         Self::of_function(base.lower.powf(exponent), base.upper.powf(exponent))
     }
 
-    /// xʳ for r = p/q
+    /// Returns the range of xʳ for r = p/q.
     pub(super) fn power(self, numerator: i64, denominator: i64) -> Self {
         let magnitude = numerator.unsigned_abs();
         let power = if denominator == 1 {
@@ -161,14 +167,15 @@ impl Interval {
                 return Self::EVERYTHING;
             }
             let exponent = magnitude as f64 / denominator as f64;
-            // the rounding of the exponent weighs as much as the logarithm of the base
+            // the rounding error of the exponent is multiplied by the logarithm of the base
             let slack = FUNCTION * (2.0 + magnitude as f64) * 1024.0;
             Self::between(base.powf(exponent), self.upper.powf(exponent)).perturbed(slack, f64::MIN_POSITIVE)
         };
         if numerator < 0 { power.reciprocal() } else { power }
     }
 
-    /// Ends that a function of the standard library computed.
+    /// Returns the interval between endpoints computed by a function of the standard library,
+    /// widened by its error.
     fn of_function(lower: f64, upper: f64) -> Self {
         Self::between(lower, upper).perturbed(FUNCTION, 0.0)
     }
@@ -181,7 +188,7 @@ impl Interval {
         Self::of_function(function(self.upper), function(self.lower))
     }
 
-    /// The range of a function of the op table.
+    /// Returns the range of a function of the op table.
     pub(super) fn apply(operation: Operation, operands: &[Interval]) -> Self {
         let x = operands[0];
         let value = |x: f64| operation.apply(&[x]);
@@ -210,13 +217,14 @@ impl Interval {
         }
     }
 
-    /// The range of the cosine: ±1 where a multiple of π may lie inside.
+    /// Returns the range of the cosine, which reaches ±1 if the interval can contain a multiple of
+    /// π.
     fn wave(self) -> Self {
         let everywhere = Interval::between(-1.0, 1.0);
         if self.magnitude() > 1e9 {
             return everywhere;
         }
-        // the multiples of π inside, or so near that rounding does not tell
+        // multiples of π in the interval, or so close to it that rounding cannot exclude them
         let wider = self.perturbed(FUNCTION, FUNCTION);
         let (first, last) = ((wider.lower / PI).ceil(), (wider.upper / PI).floor());
         let (a, b) = (self.lower.cos(), self.upper.cos());
@@ -230,7 +238,7 @@ impl Interval {
         Interval { lower: hull.lower.max(-1.0), upper: hull.upper.min(1.0) }
     }
 
-    /// The range of the tangent between two of its poles.
+    /// Returns the range of the tangent, which is bounded only between two poles.
     fn tangent(self) -> Self {
         let branch = |end: f64| ((end + FRAC_PI_2) / PI).floor();
         let is_near_pole = |end: f64| {
@@ -246,7 +254,8 @@ impl Interval {
     }
 }
 
-/// The angles of the points of a box: between those of its corners, if the box does not meet the cut.
+/// Returns the range of angles of the points of a box: between the angles of its corners, if the
+/// box does not meet the branch cut.
 fn atan2(y: Interval, x: Interval) -> Interval {
     if y.contains_zero() && x.lower <= 0.0 {
         return Interval::between(-PI.next_up(), PI.next_up());

@@ -1,4 +1,5 @@
-//! The domain is split where its bound is worst, until the boxes are used up or the bound no longer falls.
+//! Branch and bound over the domain: the box with the worst bound is split, until the boxes are
+//! used up or the bound no longer falls.
 
 use super::arithmetic::Arithmetic;
 use super::domain::{Box, domain};
@@ -7,7 +8,7 @@ use super::sensitivity::{Analysis, BoxError};
 use super::{ErrorBound, Unbounded};
 use crate::kernel::Program;
 
-/// A box of the domain and its error; what is split next stands where its error is largest.
+/// Box of the domain with its error bounds. The box with the largest error is split next.
 struct Part {
     arguments: Box,
     error: BoxError,
@@ -18,13 +19,14 @@ pub(super) fn error_bound(
     arithmetic: Arithmetic,
     boxes: usize,
 ) -> Result<Vec<ErrorBound>, Unbounded> {
-    // a fused product is rounded once less than a separate one, at most
+    // a fused product is rounded at most once less than a separate one
     let program = &program.with_separate_roundings();
     let analysis = Analysis::new(program, arithmetic);
     let whole = domain(program)?;
     let mut parts = part(&analysis, whole).into_iter().collect::<Vec<Part>>();
     for step in 0..boxes {
-        // the relative bound and the absolute one are worst in different places: each is given every other step
+        // the relative and the absolute bound are worst in different places: the steps alternate
+        // between them
         let Some(worst) = worst(&parts, step % 2 == 0) else { break };
         let Part { arguments, error } = parts.swap_remove(worst);
         match halves(&arguments, &error.influence) {
@@ -45,7 +47,7 @@ fn part(analysis: &Analysis, arguments: Box) -> Option<Part> {
     Some(Part { arguments, error })
 }
 
-/// The largest error of an output over all parts.
+/// Returns the largest error of an output over all boxes.
 fn bound(parts: &[Part], output: usize) -> ErrorBound {
     let largest = |of: fn(&super::sensitivity::OutputError) -> f64| {
         parts.iter().map(|part| of(&part.error.outputs[output])).fold(0.0, f64::max)
@@ -57,7 +59,7 @@ fn bound(parts: &[Part], output: usize) -> ErrorBound {
     }
 }
 
-/// The part whose relative or absolute error is largest.
+/// Returns the index of the box whose relative or absolute error is largest.
 fn worst(parts: &[Part], is_relative: bool) -> Option<usize> {
     let size = |part: &Part| {
         let of =
@@ -73,10 +75,11 @@ fn worst(parts: &[Part], is_relative: bool) -> Option<usize> {
         .map(|(place, _)| place)
 }
 
-/// The two halves of a box along the argument that matters most and can be split.
+/// Returns the two halves of a box, split along the argument that has the most influence and can be
+/// split.
 fn halves(arguments: &Box, influence: &[f64]) -> Option<[Box; 2]> {
     let can_split = |range: &Interval| range.lower < range.upper && middle(*range) < range.upper;
-    // of arguments that all matter without bound, the one that is widest on the scale of its binades
+    // if several arguments have infinite influence, the one that spans the most binades is split
     let weight = |place: usize| (influence[place], spread(arguments[place]));
     let widest = (0..arguments.len())
         .filter(|&place| can_split(&arguments[place]))
@@ -91,7 +94,8 @@ fn halves(arguments: &Box, influence: &[f64]) -> Option<[Box; 2]> {
     Some([with(Interval { upper: split, ..range }), with(Interval { lower: split, ..range })])
 }
 
-/// Where a range is split: about 0, else by the ordinal of its numbers where it spans binades, else in the middle.
+/// Returns the point where a range is split: 0 if it is inside, the middle of the floating-point
+/// ordinals if the range spans binades, otherwise the midpoint.
 fn middle(range: Interval) -> f64 {
     let Interval { lower, upper } = range;
     if lower < 0.0 && upper > 0.0 {
@@ -105,7 +109,8 @@ fn middle(range: Interval) -> f64 {
     lower + (upper - lower) / 2.0
 }
 
-/// The ratio of its ends in binades; 0 in both directions counts as the least number.
+/// Returns the number of binades that a range spans, with 0 replaced by the smallest positive
+/// number; infinite if the range contains 0 in its interior.
 fn spread(range: Interval) -> f64 {
     let [a, b] = [range.lower, range.upper].map(|end| end.abs().max(f64::from_bits(1)).log2());
     if range.lower < 0.0 && range.upper > 0.0 { f64::INFINITY } else { (a - b).abs() }

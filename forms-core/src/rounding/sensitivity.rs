@@ -1,4 +1,4 @@
-//! The error of one box: ranges forward, sensitivities backward, their sum.
+//! Error bound on one box: ranges forward, sensitivities backward, their weighted sum.
 
 use super::arithmetic::Arithmetic;
 use super::interval::Interval;
@@ -6,24 +6,24 @@ use crate::expression::{Operation, Pool, SymbolKind};
 use crate::kernel::{Instruction, KernelSource, Program, Value, lower};
 use rustc_hash::FxHashMap;
 
-/// A program with the derivatives of the functions it calls.
+/// Program with the partial derivatives of the functions it calls.
 pub(super) struct Analysis<'a> {
     program: &'a Program,
     arithmetic: Arithmetic,
     partials: FxHashMap<Operation, Program>,
 }
 
-/// What is known of an output on a box.
+/// Error bounds of one output on a box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OutputError {
     pub(super) absolute: f64,
     pub(super) relative: f64,
 }
 
-/// What is known on a box: each output's error, and how much each argument matters to the first of the worst.
+/// Error bounds of all outputs on a box, and the influence of each argument.
 pub(super) struct BoxError {
     pub(super) outputs: Vec<OutputError>,
-    /// How far the outputs change along the box's edge of each argument.
+    /// Bound on the change of any output along the box's edge of each argument.
     pub(super) influence: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Analysis<'a> {
         Analysis { program, arithmetic, partials }
     }
 
-    /// Nothing, if no point of the box is in the kernel's domain.
+    /// Bounds the errors on a box; `None` if no point of the box is in the kernel's domain.
     pub(super) fn error(&self, arguments: &[Interval]) -> Option<BoxError> {
         let arithmetic = &self.arithmetic;
         let ranges = ranges(self.program, arguments, arithmetic.largest, |program, place| {
@@ -67,7 +67,8 @@ impl<'a> Analysis<'a> {
         Some(BoxError { outputs: outputs.collect(), influence })
     }
 
-    /// Σ |∂output/∂vᵢ| (|vᵢ| εᵢ + ηᵢ), and as a part of the output Σ |κᵢ| εᵢ + Σ |∂output/∂vᵢ| ηᵢ/|output|.
+    /// Returns the absolute bound Σ |∂output/∂vᵢ| (|vᵢ| εᵢ + ηᵢ) and the relative bound
+    /// Σ |κᵢ| εᵢ + Σ |∂output/∂vᵢ| ηᵢ/|output|.
     fn output_error(
         &self,
         output: Value,
@@ -95,13 +96,14 @@ impl<'a> Analysis<'a> {
         OutputError { absolute, relative: by_condition.min(by_size) }
     }
 
-    /// κᵢ = (vᵢ/output) ∂output/∂vᵢ: how a relative change of vᵢ is amplified. Products pass it on as it is, so that it
-    /// does not depend on how wide a box is.
+    /// Returns the condition numbers κᵢ = (vᵢ/output) ∂output/∂vᵢ, the amplification of a relative
+    /// change of vᵢ. Products pass a relative change on unchanged, so that the bound for them does
+    /// not depend on the width of the box.
     fn condition_numbers(&self, output: Value, ranges: &[Interval]) -> Vec<Option<Interval>> {
         backward(output, ranges.len(), |place| self.amplifications(place, ranges))
     }
 
-    /// (a/v) ∂v/∂a of an instruction's value v by its operands a.
+    /// Returns the amplification (a/v) ∂v/∂a of an instruction's value v by each operand a.
     fn amplifications(&self, place: usize, ranges: &[Interval]) -> Vec<(Value, Interval)> {
         let of = |value: Value| ranges[value.place()];
         let one = Interval::point(1.0);
@@ -123,12 +125,13 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    /// ∂output/∂vᵢ of each instruction's value, with all ranges; nothing where the output does not depend on it.
+    /// Returns the range of ∂output/∂vᵢ for each instruction's value; `None` where the output does
+    /// not depend on it.
     fn sensitivities(&self, output: Value, ranges: &[Interval]) -> Vec<Option<Interval>> {
         backward(output, ranges.len(), |place| self.derivatives(place, ranges))
     }
 
-    /// The partial derivatives of an instruction by its operands.
+    /// Returns the partial derivatives of an instruction by its operands.
     fn derivatives(&self, place: usize, ranges: &[Interval]) -> Vec<(Value, Interval)> {
         let of = |value: Value| ranges[value.place()];
         let (one, here) = (Interval::point(1.0), ranges[place]);
@@ -176,7 +179,8 @@ impl<'a> Analysis<'a> {
     }
 }
 
-/// The factors along all paths from the output to each value, multiplied and added.
+/// Accumulates factors in reverse mode: for each value, the sum over all paths from the output of
+/// the products of the factors.
 fn backward(
     output: Value,
     length: usize,
@@ -195,7 +199,7 @@ fn backward(
     known
 }
 
-/// p/q
+/// Returns an interval that contains p/q.
 fn quotient(p: i64, q: i64) -> Interval {
     Interval::point(p as f64).divide(Interval::point(q as f64))
 }
@@ -204,7 +208,7 @@ fn sum_upward(a: f64, b: f64) -> f64 {
     (a + b).next_up()
 }
 
-/// A product of bounds; where one is 0 and the other infinite nothing is known.
+/// Returns an upper bound of a product of bounds; infinite where one is 0 and the other infinite.
 fn product_upward(a: f64, b: f64) -> f64 {
     let product = (a * b).next_up();
     if product.is_nan() { f64::INFINITY } else { product }
@@ -215,7 +219,8 @@ fn quotient_upward(a: f64, b: f64) -> f64 {
     if quotient.is_nan() { f64::INFINITY } else { quotient }
 }
 
-/// The partial derivatives of a function, as the op table states them, as a program of its arguments.
+/// Returns the partial derivatives of a function, as stated in the op table, as a program of its
+/// arguments.
 fn partials_of(operation: Operation) -> Program {
     let mut pool = Pool::new();
     let arguments: Vec<_> = (0..operation.arity())
@@ -227,7 +232,7 @@ fn partials_of(operation: Operation) -> Program {
     lower(&pool, &source).expect("the derivatives of a function are functions of its arguments")
 }
 
-/// The range of each value, with whatever the rounding makes of it.
+/// Returns the range of each value, widened by its rounding.
 fn ranges(
     program: &Program,
     arguments: &[Interval],
@@ -269,13 +274,14 @@ fn ranges(
         let (relative, absolute) = rounding(program, place);
         let is_kept = relative == 0.0 && absolute == 0.0;
         let range = if is_kept { exact } else { exact.perturbed(relative, absolute) };
-        // what overflows may be anything
+        // a value that overflows can be anything
         ranges.push(if range.magnitude() <= largest { range } else { range.hull(Interval::EVERYTHING) });
     }
     ranges
 }
 
-/// The same without rounding: of derivatives, which are not computed but bounded.
+/// Returns the ranges without rounding, for derivatives, which are bounded but never computed in
+/// floating point.
 fn ranges_of_exact(program: &Program, arguments: &[Interval]) -> Vec<Interval> {
     ranges(program, arguments, f64::INFINITY, |_, _| (0.0, 0.0))
 }

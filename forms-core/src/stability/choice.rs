@@ -1,11 +1,13 @@
-//! Choices: the forms that kernels are computed by, kept in a file that is committed.
+//! Choices: the forms by which kernels are computed, stored in a file that is committed.
 //!
 //! ```text
-//! search ─▶ entry ─ text ─▶ NAME.stable, beside NAME.forms ─ read ─▶ Choices ─ apply ─▶ kernels computed by their forms
+//! search ─▶ entry ─ text ─▶ NAME.stable ─ read ─▶ Choices ─ apply ─▶ kernels computed by their forms
 //! ```
-//! The file is in the language: a kernel for each entry, with the key of what the choice was made for in the first line
-//! of its documentation. The key depends on the formula, the domain, the op table and the rules; an entry with another
-//! key says nothing, and the kernel is computed as rules alone make it. Generation proves each form anew.
+//! The file NAME.stable lies next to NAME.forms. It is written in the language: one kernel for each
+//! entry. The first line of the kernel's documentation holds a key that identifies the formula for
+//! which the choice was made. The key depends on the formula, the domain, the op table and the
+//! rules. An entry with another key is ignored, and the kernel is computed by the result of the
+//! rules alone. Generation proves each form again.
 
 use super::rules::VERSION;
 use super::search::{Form, Found};
@@ -17,28 +19,29 @@ use crate::resolve::{Kernel, Theory};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 
-/// What the name of a file of choices ends in, in the place of `forms`.
+/// File extension of a file of choices, which replaces `forms`.
 pub const EXTENSION: &str = "stable";
 
-/// Where the best form loses more bits than this on the mean over all regimes, there is no good one: the kernel is computed
-/// in as much precision as its arguments ask for.
+/// Maximum mean loss in bits over all regimes. If the best form loses more, no form is good enough,
+/// and the kernel is computed with as much precision as its arguments require.
 const MOST_LOSS: f64 = 1.0;
 
-/// The same of the mean in one regime.
+/// Maximum mean loss in bits in one regime, with the same consequence.
 const MOST_LOSS_OF_A_REGIME: f64 = 2.0;
 
-/// What such a kernel then promises, in units of 2⁻⁵³.
+/// Error bound that such a kernel then promises, in units of 2⁻⁵³.
 const WITHIN: u32 = 2;
 
-/// The head of every file of choices.
+/// Header of every file of choices.
 const HEAD: &str = "\
 // The forms that the kernels of the file beside this one are computed by, each proved equal to its formula when it is
 // generated. Written by `forms accuracy FILE --write`. A line of documentation has the key of the formula and the mean of
 // the bits that are lost in f64, as written and by this form; with another key an entry says nothing.
 ";
 
-/// What a choice depends on, as 16 hexadecimal digits: the kernel's name, arguments, formula and domain, the op table,
-/// the rules, and the version of this crate, whose prover has to prove it.
+/// Returns a hash of everything on which a choice depends, as 16 hexadecimal digits: the kernel's
+/// name, arguments, formula and domain, the op table, the rules, and the version of this crate,
+/// whose prover has to prove the form.
 pub fn key(pool: &Pool, kernel: &Kernel) -> String {
     let mut text = format!("{} {VERSION} {}", env!("CARGO_PKG_VERSION"), kernel.name);
     for row in TABLE {
@@ -56,20 +59,22 @@ pub fn key(pool: &Pool, kernel: &Kernel) -> String {
     format!("{:016x}", fowler_noll_vo(text.as_bytes()))
 }
 
-/// FNV-1a of 64 bits (G. Fowler, L. C. Noll, K.-P. Vo): the same on every machine and in every version.
+/// Computes the 64-bit FNV-1a hash (G. Fowler, L. C. Noll, K.-P. Vo), which is the same on every
+/// machine and in every version.
 fn fowler_noll_vo(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
 }
 
-/// The text of a file with these choices; a kernel for which the formula itself is best has no entry, and a file without
-/// entries is none.
+/// Returns the text of a file with these choices. A kernel whose formula is the best form has no
+/// entry; without entries there is no file.
 pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
         let mut form = found.chosen();
-        // where more precision is promised anyway, a form has to be worth its place
+        // where a bound (`within`) is promised anyway, a form must halve the formula's loss to be
+        // used
         if form.loss > found.written.loss || is_open(form) && form.loss > found.written.loss / 2.0 {
             form = &found.written;
         }
@@ -80,7 +85,7 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     (text.len() > HEAD.len()).then_some(text)
 }
 
-/// Whether a form is not good enough.
+/// Whether a form is not accurate enough.
 fn is_open(form: &Form) -> bool {
     form.loss > MOST_LOSS || form.regimes.iter().any(|(_, loss)| *loss > MOST_LOSS_OF_A_REGIME)
 }
@@ -100,7 +105,7 @@ fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut St
     );
 }
 
-/// The entries of a file of choices.
+/// Entries of a file of choices.
 pub struct Choices {
     theory: Theory,
 }
@@ -109,13 +114,14 @@ impl Choices {
     /// Reads a file of choices.
     ///
     /// # Errors
-    /// If it is not in the language.
+    /// If the text is not in the language.
     pub fn read(text: &str) -> Result<Choices, Vec<Diagnostic>> {
         let (theory, errors) = read_theory(text);
         if errors.is_empty() { Ok(Choices { theory }) } else { Err(errors) }
     }
 
-    /// Lets every kernel with a valid entry and no form of its own be computed by that entry; how many those are.
+    /// Sets the form of every kernel that has a valid entry and no form of its own; returns the
+    /// number of these kernels.
     pub fn apply(&self, theory: &mut Theory) -> usize {
         let mut applied = 0;
         for place in 0..theory.kernels.len() {
@@ -134,7 +140,8 @@ impl Choices {
         applied
     }
 
-    /// What is to be said of entries that fit no kernel: those of the kernels that changed since. Nothing where all fit.
+    /// Returns a message about entries that match no kernel, because their kernels have changed;
+    /// `None` if all entries match.
     pub fn objection(&self, theory: &Theory) -> Option<String> {
         let fits_none =
             |entry: &&Kernel| !theory.kernels.iter().any(|kernel| fits(entry, &theory.pool, kernel));
@@ -149,7 +156,8 @@ impl Choices {
         })
     }
 
-    /// The form that an entry gives for a kernel, as expressions of the kernel's pool, and what it promises.
+    /// Returns the form that an entry gives for a kernel, as expressions of the kernel's pool, and
+    /// the bound that it promises.
     fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
         let entry = self.theory.kernels.iter().find(|entry| fits(entry, pool, kernel))?;
         let symbols = entry.arguments.iter().zip(&kernel.arguments);
@@ -160,7 +168,7 @@ impl Choices {
     }
 }
 
-/// Whether an entry was made for a kernel as it stands: it says so by the key.
+/// Whether an entry was made for the present state of a kernel, as its key shows.
 fn fits(entry: &Kernel, pool: &Pool, kernel: &Kernel) -> bool {
     let told = entry.docs.first().and_then(|line| line.split_whitespace().next());
     entry.name == kernel.name

@@ -1,30 +1,32 @@
-//! Crossings: where the bounds of the errors of two forms cross along one argument.
+//! Crossings: the point along one argument where the error bounds of two forms cross.
 //!
 //! ```text
-//! points of every scale ─ along the argument, bounds that rounding keeps ─▶ last place where one form's is less, first
-//!                         where the other's is ─▶ one interval for all points, or none ─▶ a short number in it
+//! points of every scale ─ error bounds along the argument ─▶ last place where the first form's is less,
+//!     first place where the second form's is ─▶ one interval for all points, or none ─▶ a short number
 //! ```
-//! The bounds are those of arithmetic that carries the error of each operation along (`Guarded` of forms-math): they
-//! hold for every rounding, and do not depend on what samples happen to lose. A crossing that moves with the other
-//! arguments, as where a is larger than b, is none of this argument: a number would be right at one scale alone.
+//! The bounds are computed in arithmetic that propagates the error of each operation (`Guarded` of
+//! forms-math). They hold for every rounding, and do not depend on the losses that samples happen
+//! to show. A crossing that moves with the other arguments, as at a = b, is not a crossing of this
+//! argument: a fixed number would be right at one scale only.
 
 use crate::accuracy::Width;
 use crate::kernel::Program;
 use forms_math::{Guarded, Real};
 
-/// Places along the argument that are looked at first.
+/// Number of places of the initial scan along the argument.
 const PLACES: usize = 160;
 
-/// How often the border between two places is halved.
+/// Number of bisections of the interval between two places.
 const HALVINGS: usize = 12;
 
-/// A bound that is not this many times another is as good as it.
+/// Factor by which a bound must be smaller than another to count as clearly smaller.
 const CLEARLY: f64 = 2.0;
 
-/// A relative bound of a few roundings is good enough: no form is clearly better than one that has it.
+/// Relative bound that is good enough, a few roundings: no form is clearly better than one that has
+/// it.
 const GOOD: f64 = 12.0 * f64::EPSILON;
 
-/// The interval in which a form stops to be clearly better than another, and that begins to be.
+/// Interval in which one form ceases to be clearly better and the other begins to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crossing {
     pub(super) lower: f64,
@@ -39,18 +41,18 @@ enum Better {
     Neither,
 }
 
-/// Two forms, of which one is used below a number.
+/// Two forms; the first is used below a number, the second above it.
 pub(super) struct Pair<'a> {
     pub(super) below: &'a Program,
     pub(super) above: &'a Program,
     pub(super) argument: usize,
-    /// The least and the greatest value of the argument.
+    /// Smallest and largest value of the argument.
     pub(super) range: (f64, f64),
 }
 
 impl Pair<'_> {
-    /// Where the bounds cross, the same at all of these points; nothing where one of the forms is nowhere clearly
-    /// better.
+    /// Returns the interval in which the bounds cross at all of these points; `None` where one of
+    /// the forms is nowhere clearly better, or where no common interval exists.
     pub(super) fn crossing(&self, points: &[&[f64]]) -> Option<Crossing> {
         let mut common = Crossing { lower: self.range.0, upper: self.range.1 };
         let mut needed = [false, false];
@@ -62,8 +64,8 @@ impl Pair<'_> {
         (needed == [true, true] && common.lower < common.upper).then_some(common)
     }
 
-    /// The crossing with the other arguments as they are, the whole range where neither form is clearly better; and
-    /// whether the form below is somewhere, and that above.
+    /// Returns the crossing for fixed other arguments (the whole range where neither form is
+    /// clearly better), and whether the lower form, and the upper form, is clearly better anywhere.
     fn along(&self, point: &[f64]) -> Option<(Crossing, [bool; 2])> {
         let ends = [self.range.0, self.range.1].map(|end| Width::Double.ordinal(end));
         let place = |number: usize| {
@@ -115,7 +117,7 @@ impl Pair<'_> {
     }
 }
 
-/// The largest relative bound of the error of an output; infinite where there is none.
+/// Returns the largest relative error bound of the outputs; infinite where there is none.
 fn bound(program: &Program, arguments: &[Guarded<f64>]) -> f64 {
     let values = program.interpret_as(arguments);
     let relative = |value: Guarded<f64>| {
@@ -161,7 +163,8 @@ mod tests {
 
     #[test]
     fn a_crossing_that_moves_with_the_other_argument_is_none() {
-        // a loses to the rounding of a + b in one, b in the other: they cross at a = b
+        // in the rounding of a + b the first form loses bits of b, the second bits of a: they cross
+        // at a = b
         let forms = ["(b + a) - a", "(a + b) - b"];
         let points: &[&[f64]] = &[&[1.0, 1e-20], &[1.0, 1.0], &[1.0, 1e20]];
         for point in points {

@@ -1,4 +1,4 @@
-//! Locating: which operations of a form lose bits, when all before them were exact.
+//! Error localization: the operations of a form that lose bits although their operands are exact.
 
 use crate::accuracy::{Sample, Width};
 use crate::expression::{Expr, Pool, Symbol};
@@ -6,14 +6,14 @@ use crate::kernel::{KernelSource, Program, lower};
 use forms_math::{Real, Wide};
 use rustc_hash::FxHashMap;
 
-/// Numbers of 512 bits, beside which the rounding of `f64` is seen.
+/// 512-bit numbers, precise enough to measure the rounding of `f64`.
 type Exact = Wide<8>;
 
-/// An operation that loses less than this is left as it is, in bits.
+/// Minimum loss in bits of an operation to be considered.
 const LEAST_LOSS: f64 = 0.4;
 
-/// The operations of a form that lose bits at these samples, those that lose most first, and after them those that use
-/// their results.
+/// Returns the operations of a form that lose bits at these samples, in order of decreasing loss,
+/// followed by the operations that use their results.
 pub(super) fn lossy(
     pool: &Pool,
     arguments: &[Symbol],
@@ -30,7 +30,8 @@ pub(super) fn lossy(
     ranked.sort_by(|&a, &b| losses[b].total_cmp(&losses[a]));
     ranked.truncate(most);
     let mut found: Vec<Expr> = ranked.into_iter().map(|place| nodes[place]).collect();
-    // a cancellation often disappears only together with what uses it
+    // a cancellation often disappears only if the operation that uses its result is rewritten as
+    // well
     let users = users(pool, &nodes);
     for _ in 0..2 {
         for place in 0..found.len() {
@@ -52,7 +53,8 @@ fn users(pool: &Pool, nodes: &[Expr]) -> FxHashMap<Expr, Vec<Expr>> {
     users
 }
 
-/// The mean number of bits each instruction loses on operands that are the nearest to the exact ones.
+/// Returns the mean number of bits that each instruction loses when its operands are the exact
+/// values rounded to nearest.
 fn losses(program: &Program, samples: &[&Sample]) -> Vec<f64> {
     let mut losses = vec![0.0; program.instructions().len()];
     let interpreter = program.interpreter::<Exact>();

@@ -1,24 +1,25 @@
-//! Proof: a form has the value of the formula wherever the formula has one and the kernel's conditions hold, and its
-//! pieces agree where they meet. It is the proof that generation asks for again.
+//! Proof that a form has the value of the formula wherever the formula is defined and the kernel's
+//! conditions hold, and that its pieces agree where they meet. Generation repeats the same proof.
 
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::generation::{form_faults, guarded};
 use crate::resolve::Kernel;
 use rustc_hash::FxHashMap;
 
-/// A form that is proved, or the same with the formula wherever it is not shown to have a value; nothing where
-/// neither is.
+/// Returns the form if it is proved, or else the form with the formula used wherever the form is
+/// not proved to have a value; `None` if neither is proved.
 pub(super) fn provable(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
     if proved(pool, kernel, form) {
         return Some(form.to_vec());
     }
-    // what has the formula's value everywhere agrees with itself wherever the formula does
+    // a form that has the formula's value everywhere agrees at its seams wherever the formula does,
+    // so it can be proved without a claim there
     let guarded = guarded(pool, kernel, form)?;
     let jumping = with_jumps(pool, &guarded);
     [guarded, jumping].into_iter().find(|other| other != form && proved(pool, kernel, other))
 }
 
-/// The form with nothing claimed at its seams.
+/// Returns the form with no claim of agreement at its seams.
 fn with_jumps(pool: &mut Pool, form: &[Expr]) -> Vec<Expr> {
     let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
     for part in pool.reachable(form) {
@@ -35,7 +36,7 @@ fn with_jumps(pool: &mut Pool, form: &[Expr]) -> Vec<Expr> {
     form.iter().map(|output| images[output]).collect()
 }
 
-/// Whether a form may stand for the kernel's formula.
+/// Whether a form is proved to have the value of the kernel's formula.
 pub(super) fn proved(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
     let computed = if form == kernel.outputs { Vec::new() } else { form.to_vec() };
     let mut kernel = kernel.clone();

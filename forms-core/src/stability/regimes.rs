@@ -1,9 +1,11 @@
-//! Regimes: where no form is best everywhere, each is used where it is best, with the seams at exact numbers.
+//! Regimes: where no form is best everywhere, each is used where it is best, with the seams at
+//! exact numbers.
 //!
-//! The samples are put in the order of one argument. The cheapest way to cut them into at most so many runs, each
-//! with the form that loses least on it, is found by dynamic programming; a cut has to save enough to be made. That
-//! says which forms meet in which order. Where they meet is not told by samples: it is a number at which the bounds
-//! of their errors cross, whatever the other arguments are; where there is none, no cut is made.
+//! The samples are sorted by one argument. Dynamic programming finds the cheapest partition into at
+//! most `MOST_PIECES` runs, each with the form that loses least on it; a cut must reduce the loss
+//! by a minimum amount. This determines which forms meet in which order. The samples do not
+//! determine where they meet: that is a number at which their error bounds cross, whatever the
+//! other arguments are. If there is none, no cut is made.
 
 use super::crossing::{Crossing, Pair};
 use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
@@ -12,23 +14,23 @@ use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_traits::Zero;
 
-/// The most pieces.
+/// Maximum number of pieces.
 const MOST_PIECES: usize = 3;
 
-/// What a cut has to save, in bits of the mean.
+/// Minimum reduction of the mean loss for each cut, in bits.
 const LEAST_GAIN: f64 = 0.15;
 
-/// Runs of the samples in the order of an argument, each with the number of its form.
+/// Partition of the samples, sorted by an argument, into runs, each with the index of its form.
 pub(super) struct Cut {
     pub(super) argument: usize,
-    /// The form of each run, and the number below which it is used; the last has none.
+    /// Form of each run, and the number below which it is used; the last run has none.
     pub(super) pieces: Vec<(usize, Option<Rational>)>,
-    /// The mean loss.
+    /// Mean loss.
     pub(super) loss: f64,
 }
 
-/// The best way to use these forms on the runs of each argument, the best argument first: `losses` has for each form
-/// the loss at each sample.
+/// Returns the best partition for each argument, the best argument first. `losses` holds, for each
+/// form, the loss at each sample.
 pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec<Cut> {
     let arguments = points.first().map_or(0, |point| point.len());
     let single = losses.iter().map(|loss| mean(loss, weights)).fold(f64::INFINITY, f64::min);
@@ -41,12 +43,13 @@ pub(super) fn cuts(points: &[&[f64]], weights: &[f64], losses: &[&[f64]]) -> Vec
     cuts
 }
 
-/// Points that a crossing has to be the same at.
+/// Maximum number of points at which a crossing must be the same.
 const MOST_POINTS: usize = 24;
 
 impl Cut {
-    /// The same with each number where the bounds of the errors of the forms on both sides cross, at points of every
-    /// scale; nothing where they cross nowhere or elsewhere at another point.
+    /// Moves each cut to a number where the error bounds of the forms on both sides cross, at
+    /// points of every scale; `None` if they do not cross, or if the points have no common
+    /// crossing.
     pub(super) fn at_crossings(
         mut self,
         points: &[&[f64]],
@@ -71,7 +74,7 @@ impl Cut {
 }
 
 impl Crossing {
-    /// A short number in the interval: zero where it is in it.
+    /// Returns a short number in the interval: zero if the interval contains it.
     fn number(&self) -> Rational {
         if self.lower <= 0.0 && self.upper >= 0.0 {
             Rational::zero()
@@ -81,7 +84,7 @@ impl Crossing {
     }
 }
 
-/// The best two forms for the two signs of an argument.
+/// Returns the best pair of forms for the two signs of an argument.
 fn by_sign(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize) -> Option<Cut> {
     let best = |negative: bool| {
         let loss = |form: &usize| -> f64 {
@@ -99,7 +102,7 @@ fn by_sign(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usiz
     (below != above).then_some(Cut { argument, pieces, loss: lost_below + lost_above })
 }
 
-/// The mean loss, each sample with its weight.
+/// Returns the weighted mean of the losses.
 pub(super) fn mean(losses: &[f64], weights: &[f64]) -> f64 {
     losses.iter().zip(weights).map(|(loss, weight)| loss * weight).sum()
 }
@@ -108,7 +111,7 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|&a, &b| points[a][argument].total_cmp(&points[b][argument]));
     let value = |place: usize| points[order[place]][argument];
-    // sums of losses over the first samples, for each form
+    // prefix sums of the losses, for each form
     let sums: Vec<Vec<f64>> = losses
         .iter()
         .map(|loss| {
@@ -122,7 +125,8 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
         })
         .collect();
     let count = order.len();
-    // best[k][j]: the least loss of the first j samples in k + 1 runs, with the last run's form and start
+    // best[k][j]: the smallest loss of the first j samples in k + 1 runs, with the last run's form
+    // and start
     let mut best: Vec<Vec<(f64, usize, usize)>> = Vec::new();
     for pieces in 0..MOST_PIECES {
         let mut row = vec![(f64::INFINITY, 0, 0); count + 1];
@@ -130,7 +134,7 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
             let (mut start, mut least) = (0, if pieces == 0 { 0.0 } else { f64::INFINITY });
             for end in 1..=count {
                 let place = end - 1;
-                // a run may start where the argument changes
+                // a run can start only where the argument changes
                 if pieces > 0 && place > 0 && value(place - 1) < value(place) {
                     let before = best[pieces - 1][place].0 - sum[place];
                     if before < least {
@@ -161,7 +165,8 @@ fn cut(points: &[&[f64]], weights: &[f64], losses: &[&[f64]], argument: usize, s
     Some(Cut { argument, pieces: found, loss: best[pieces][count].0 })
 }
 
-/// A short number above a and not above b: zero, a power of ten, or one with few digits.
+/// Returns a short number above a and not above b: zero, a power of ten, or a number with few
+/// digits.
 fn between(a: f64, b: f64) -> Rational {
     if a < 0.0 && b >= 0.0 {
         return Rational::zero();
@@ -186,7 +191,7 @@ fn between(a: f64, b: f64) -> Rational {
     upper
 }
 
-/// The outputs of the pieces, chosen by the argument.
+/// Returns the outputs of the pieces, selected by the argument.
 pub(super) fn joined(pool: &mut Pool, argument: Symbol, forms: &[&[Expr]], cut: &Cut) -> Vec<Expr> {
     let variable = pool.symbol(argument);
     let (last, others) = cut.pieces.split_last().expect("a cut has pieces");

@@ -1,7 +1,8 @@
-//! Rules: what an expression can be written as instead.
+//! Rewriting rules for expressions.
 //!
-//! A rule looks at one operation and proposes expressions that are equal to it where both are defined, or nearly always
-//! so; whether one is right is not its business, since every form that is kept is proved.
+//! A rule inspects one operation and proposes expressions that are equal to it where both are
+//! defined, with rare exceptions. A rule need not be correct, since every form that is kept is
+//! proved.
 
 mod direct;
 mod exponential;
@@ -20,20 +21,22 @@ use num_rational::Ratio;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
 
-/// Counted up when a rule or the search changes, so that choices made before are made anew.
+/// Version number of the rules and the search; incremented with every change, so that existing
+/// choices are made again.
 pub(super) const VERSION: u32 = 3;
 
-/// Texts longer than this are not simplified: nobody would read what comes out, and a kernel should not compute it.
+/// Maximum length of a text that is simplified: nobody would read a longer result, and a kernel
+/// should not compute it.
 const LONGEST: usize = 600;
 
-/// What rules work with: the pool, what may be assumed, and what has been simplified before.
+/// Context of the rules: the pool, the assumptions, and a cache of simplified expressions.
 pub(super) struct Rewriting<'a> {
     pub(super) pool: &'a mut Pool,
     conditions: &'a [Condition],
     simple: FxHashMap<Expr, Expr>,
 }
 
-/// A rule: what may stand in the place of an expression.
+/// Rewriting rule: returns the possible replacements of an expression.
 type Rule = fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>;
 
 /// All rules, in the order in which they are tried.
@@ -72,7 +75,8 @@ impl<'a> Rewriting<'a> {
         Rewriting { pool, conditions, simple: FxHashMap::default() }
     }
 
-    /// Everything the rules propose for an expression, each once, never the expression itself.
+    /// Returns all replacements that the rules propose for an expression, without duplicates and
+    /// without the expression itself.
     pub(super) fn alternatives(&mut self, expression: Expr) -> Vec<Expr> {
         let mut found: Vec<Expr> = Vec::new();
         for rule in RULES {
@@ -85,7 +89,7 @@ impl<'a> Rewriting<'a> {
         found
     }
 
-    /// The expression as its normal form, where that is shorter.
+    /// Returns the normal form of the expression if it is shorter, otherwise the expression.
     pub(super) fn simplified(&mut self, expression: Expr) -> Expr {
         if let Some(&known) = self.simple.get(&expression) {
             return known;
@@ -101,37 +105,39 @@ impl<'a> Rewriting<'a> {
         simple
     }
 
-    /// The length of an expression's text, unless it is too long. No text is made of what has more parts than that has
-    /// characters: of shared parts it could be endless.
+    /// Returns the length of an expression's text, unless it is too long. No text is made of an
+    /// expression with more nodes than the maximum number of characters: with shared subexpressions
+    /// it could be exponentially long.
     fn short_text(&self, expression: Expr) -> Option<usize> {
         let may_be = is_short(self.pool, expression, LONGEST);
         may_be.then(|| self.pool.text(expression).len()).filter(|&length| length <= LONGEST)
     }
 
-    /// a − b, simplified
+    /// Returns a − b, simplified.
     pub(super) fn difference(&mut self, a: Expr, b: Expr) -> Expr {
         let difference = self.pool.subtract(a, b);
         self.simplified(difference)
     }
 
-    /// a + b, simplified
+    /// Returns a + b, simplified.
     pub(super) fn sum(&mut self, a: Expr, b: Expr) -> Expr {
         let sum = self.pool.add(a, b);
         self.simplified(sum)
     }
 
-    /// a², as a product
+    /// Returns a² as a product.
     pub(super) fn square(&mut self, a: Expr) -> Expr {
         self.pool.multiply(a, a)
     }
 
-    /// |a|, or a where it is known not to be negative
+    /// Returns |a|, or a where it is known not to be negative.
     pub(super) fn size(&mut self, a: Expr) -> Expr {
         let size = self.pool.apply(Operation::Abs, &[a]);
         self.simplified(size)
     }
 
-    /// a/2, with a as it stands but for its number: over one denominator it could overflow
+    /// Returns a/2, with a unchanged except for its numeric factor: over a common denominator it
+    /// could overflow.
     pub(super) fn half(&mut self, a: Expr) -> Expr {
         let two = self.pool.integer(2);
         let (number, rest) = self.scaled(a);
@@ -147,13 +153,13 @@ impl<'a> Rewriting<'a> {
         if value.is_negative() { self.pool.negate(half) } else { half }
     }
 
-    /// c a
+    /// Returns c a for an integer c.
     pub(super) fn times(&mut self, factor: i64, a: Expr) -> Expr {
         let factor = self.pool.integer(factor);
         self.pool.multiply(factor, a)
     }
 
-    /// The argument of an expression that is this function of one.
+    /// Returns the first argument of an expression that applies this operation.
     pub(super) fn argument_of(&self, operation: Operation, expression: Expr) -> Option<Expr> {
         match self.pool.node(expression) {
             Node::Apply(known, arguments) if *known == operation => Some(arguments[0]),
@@ -161,7 +167,7 @@ impl<'a> Rewriting<'a> {
         }
     }
 
-    /// q of √q
+    /// Returns q for an expression √q.
     pub(super) fn radicand(&self, expression: Expr) -> Option<Expr> {
         match self.pool.node(expression) {
             Node::Power(base, exponent) if *exponent == Ratio::new(1, 2) => Some(*base),
@@ -169,7 +175,7 @@ impl<'a> Rewriting<'a> {
         }
     }
 
-    /// a of a², written as a power or as a product
+    /// Returns a for an expression a², written as a power or as a product.
     pub(super) fn squared(&self, expression: Expr) -> Option<Expr> {
         match self.pool.node(expression) {
             Node::Power(base, exponent) if *exponent == Ratio::from_integer(2) => Some(*base),
@@ -178,13 +184,13 @@ impl<'a> Rewriting<'a> {
         }
     }
 
-    /// A sum as a first and a second part, if it has just two: a + b with the sign in front of b taken into it.
+    /// Returns the two operands of a sum a + b; a sign in front of b belongs to b.
     pub(super) fn two_terms(&mut self, expression: Expr) -> Option<(Expr, Expr)> {
         let Node::Add(a, b) = *self.pool.node(expression) else { return None };
         Some((a, b))
     }
 
-    /// The summands of a sum, signs taken into them; nothing where it is no sum.
+    /// Returns the summands of a sum with their signs; empty if the expression is not a sum.
     pub(super) fn terms(&mut self, expression: Expr) -> Vec<Expr> {
         if !matches!(self.pool.node(expression), Node::Add(..)) {
             return Vec::new();
@@ -196,7 +202,7 @@ impl<'a> Rewriting<'a> {
             .collect()
     }
 
-    /// The sum of terms, from the first to the last.
+    /// Adds terms from the first to the last.
     pub(super) fn total(&mut self, terms: &[Expr]) -> Expr {
         let mut sum = self.pool.integer(0);
         for &term in terms {
@@ -205,18 +211,19 @@ impl<'a> Rewriting<'a> {
         sum
     }
 
-    /// Whether a condition is shown to hold nowhere in the domain.
+    /// Whether a condition is proved to hold nowhere in the domain.
     pub(super) fn excludes(&mut self, condition: Condition) -> bool {
         let all: Vec<Condition> = self.conditions.iter().copied().chain([condition]).collect();
         contradiction(self.pool, &all).is_some()
     }
 
-    /// Whether a variable occurs in it.
+    /// Whether the expression contains a variable.
     pub(super) fn varies(&self, expression: Expr) -> bool {
         !self.pool.symbols_in(&[expression]).is_empty()
     }
 
-    /// c and q of c q, where q is what is left when numbers and signs are taken away.
+    /// Splits an expression c q into its numeric factor c, including the sign, and the remaining
+    /// factor q.
     pub(super) fn scaled(&mut self, expression: Expr) -> (Expr, Expr) {
         let (above, below, negative) = factors::factors(self.pool, expression);
         let is_number = |pool: &Pool, factor: &Expr| pool.symbols_in(&[*factor]).is_empty();
@@ -231,8 +238,8 @@ impl<'a> Rewriting<'a> {
     }
 }
 
-/// Whether an expression is written with at most so many operations, variables and numbers; shared ones count wherever
-/// they are written.
+/// Whether an expression is written with at most `most` operations, variables and numbers; shared
+/// ones are counted at each occurrence.
 fn is_short(pool: &Pool, expression: Expr, most: usize) -> bool {
     let (mut open, mut count) = (vec![expression], 0);
     while let Some(part) = open.pop() {
@@ -245,7 +252,8 @@ fn is_short(pool: &Pool, expression: Expr, most: usize) -> bool {
     true
 }
 
-/// The normal form, where it is shorter: common factors cancel, and what is hidden by cancellation appears.
+/// Proposes the normal form if it is shorter: common factors cancel, and terms hidden by
+/// cancellation appear.
 fn simplification(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     match rewriting.pool.node(expression) {
         Node::Add(..) | Node::Divide(..) | Node::Multiply(..) => vec![rewriting.simplified(expression)],
@@ -258,7 +266,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    /// What the rules propose for a formula, as texts.
+    /// Returns the proposals of the rules for a formula, as texts.
     fn proposed(formula: &str) -> Vec<String> {
         let (mut theory, errors) = read_theory(&format!("kernel k(a, b, x) = {formula} where a > 0, b > 0;"));
         assert!(errors.is_empty(), "{errors:?}");

@@ -1,4 +1,4 @@
-//! The search: best first, from the formula as it was written, bounded by the forms that are looked at.
+//! Best-first search from the formula as written, bounded by the number of expanded forms.
 
 use super::locate::lossy;
 use super::proof::{provable, proved};
@@ -11,16 +11,16 @@ use crate::kernel::{KernelSource, Program, lower};
 use crate::resolve::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// How much is spent on one kernel.
+/// Search budget for one kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Effort {
-    /// Samples of each regime.
+    /// Number of samples in each regime.
     pub samples: usize,
-    /// Forms that are taken apart.
+    /// Number of forms that are expanded.
     pub expansions: usize,
-    /// Operations of a form that rules are tried on.
+    /// Number of operations of a form to which the rules are applied.
     pub places: usize,
-    /// Forms that are proved.
+    /// Number of forms that are proved.
     pub proofs: usize,
 }
 
@@ -30,51 +30,54 @@ impl Default for Effort {
     }
 }
 
-/// Samples that lose most are what a form's operations are looked at with.
+/// Maximum number of samples, chosen among those with a loss, for locating the lossy operations of
+/// a form.
 const LOCATED: usize = 24;
 
-/// Forms that lose less than this on the mean are not improved for long, in bits.
+/// Mean loss in bits below which a form is good enough, so that the search stops early.
 const GOOD: f64 = 0.15;
 
-/// So many forms are taken apart where a good one is known.
+/// Number of expansions after which the search stops if a good form is known.
 const EXPANSIONS_IF_GOOD: usize = 8;
 
-/// Of smaller forms every operation is looked at.
+/// Maximum number of nodes of a form for which every operation is rewritten.
 const SMALL: usize = 16;
 
-/// A form is not kept beside a cheaper one for a smaller gain than this.
+/// Minimum gain in bits for which a form is kept in addition to a cheaper one.
 const PARETO_STEP: f64 = 0.02;
 
-/// Larger programs than this many times the formula's are not looked at.
+/// Maximum size of a form, as a multiple of the formula's size.
 const LARGEST_GROWTH: usize = 6;
 
 /// One way to compute a kernel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Form {
-    /// What it computes each output by.
+    /// Expression that computes each output.
     pub outputs: Vec<Expr>,
-    /// The mean of the bits it loses in `f64`, over all regimes alike.
+    /// Mean loss in bits in `f64`, with equal weight for every regime.
     pub loss: f64,
-    /// The mean in each regime.
+    /// Mean loss in each regime.
     pub regimes: Vec<(Regime, f64)>,
-    /// Its cost in units of an addition.
+    /// Cost in units of an addition.
     pub cost: u32,
 }
 
-/// A cheaper form is preferred to one that is so much more accurate, in bits of the mean.
+/// Difference of the mean losses, in bits, up to which a cheaper form is preferred to a more
+/// accurate one.
 const WORTH: f64 = 0.12;
 
-/// What a search found.
+/// Result of a search.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// The formula as it was written.
+    /// Formula as written.
     pub written: Form,
-    /// Forms proved equal to it, none of which is both cheaper and more accurate than another; the most accurate first.
+    /// Pareto front of the forms proved equal to the formula: none is both cheaper and more
+    /// accurate than another. The most accurate comes first.
     pub forms: Vec<Form>,
 }
 
 impl Found {
-    /// The form to use: the cheapest of those that lose hardly more than the best.
+    /// Returns the form to use: the cheapest form whose loss is close to the smallest.
     pub fn chosen(&self) -> &Form {
         let best = self.forms.first().unwrap_or(&self.written);
         let good = self.forms.iter().filter(|form| form.loss <= best.loss + WORTH);
@@ -82,7 +85,7 @@ impl Found {
     }
 }
 
-/// A form with its loss at each sample.
+/// Form with its loss at each sample.
 struct Candidate {
     outputs: Vec<Expr>,
     losses: Vec<f64>,
@@ -91,7 +94,8 @@ struct Candidate {
     expanded: bool,
 }
 
-/// Looks for forms of a kernel that lose fewer bits. The pool is that of the kernel; forms are added to it.
+/// Searches for forms of a kernel that lose fewer bits. The pool is the kernel's; forms are added
+/// to it.
 pub fn search(pool: &mut Pool, kernel: &Kernel, effort: Effort) -> Option<Found> {
     let samples = sample(pool, kernel, Width::Double, &Regime::ALL, effort.samples, 0);
     let mut search = Search::new(pool, kernel, &samples, effort)?;
@@ -108,7 +112,7 @@ struct Search<'a> {
     kernel: &'a Kernel,
     samples: &'a [Samples],
     effort: Effort,
-    /// All samples in turn, and the share of each in the mean.
+    /// Samples of all regimes in sequence, and the weight of each in the mean.
     points: Vec<&'a Sample>,
     weights: Vec<f64>,
     candidates: Vec<Candidate>,
@@ -141,7 +145,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// Scores a form, unless it is known or too large.
+    /// Scores a form and adds it to the candidates, unless it is known or too large.
     fn add(&mut self, outputs: Vec<Expr>) {
         if !self.seen.insert(outputs.clone()) || self.pool.reachable(&outputs).len() > self.largest {
             return;
@@ -157,7 +161,8 @@ impl<'a> Search<'a> {
         self.candidates.push(Candidate { outputs, losses, loss, cost: program.cost(), expanded: false });
     }
 
-    /// The form to take apart next: of those not yet taken apart the best, in turn over everything and in each regime.
+    /// Returns the form to expand next: the best of those not yet expanded, judged in turn over all
+    /// samples and in each regime.
     fn next(&self) -> Option<usize> {
         let best = self.candidates.iter().map(|form| form.loss).fold(f64::INFINITY, f64::min);
         let done = self.candidates.iter().filter(|form| form.expanded).count();
@@ -180,14 +185,14 @@ impl<'a> Search<'a> {
         form.losses[start..start + count].iter().sum::<f64>() / count as f64
     }
 
-    /// Adds what the rules make of the operations of a form that lose bits.
+    /// Expands a form: adds the forms that the rules produce from its lossy operations.
     fn expand(&mut self, place: usize) {
         self.candidates[place].expanded = true;
         let outputs = self.candidates[place].outputs.clone();
         let losses = &self.candidates[place].losses;
         let mut worst: Vec<usize> = (0..losses.len()).filter(|&at| losses[at] > 0.5).collect();
         worst.sort_by(|&a, &b| losses[b].total_cmp(&losses[a]));
-        // some of every size of loss, so that one singularity does not hide another
+        // samples from the whole spectrum of losses, so that one singularity does not hide another
         let step = worst.len().div_ceil(LOCATED).max(1);
         let hard: Vec<&Sample> = worst.into_iter().step_by(step).map(|at| self.points[at]).collect();
         let nodes = self.pool.reachable(&outputs);
@@ -211,7 +216,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The forms that are proved, alone and joined, as far as none is beaten by another.
+    /// Returns the Pareto front of the proved forms and of their combination by regimes.
     fn finish(mut self) -> Option<Found> {
         let written = self.form(&self.candidates.first()?.outputs.clone())?;
         let mut proved: Vec<usize> = Vec::new();
@@ -247,7 +252,7 @@ impl<'a> Search<'a> {
         for form in forms {
             let is_beaten =
                 front.iter().any(|other| other.cost <= form.cost && other.loss <= form.loss + PARETO_STEP);
-            // a dearer form that gains nothing worth its cost gives way
+            // a more expensive form whose gain is too small for its cost is removed
             if let Some(last) = front.last()
                 && form.loss <= last.loss + PARETO_STEP
                 && form.cost < last.cost
@@ -261,7 +266,8 @@ impl<'a> Search<'a> {
         Some(Found { written, forms: front })
     }
 
-    /// The forms worth a proof: the best over everything, then the best of each regime, the formula among them.
+    /// Returns the forms to prove: the best over all samples, then the best of each regime, and the
+    /// formula.
     fn finalists(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.candidates.len()).collect();
         let key = |&place: &usize| (self.candidates[place].loss * 50.0).round() as u64;
@@ -280,8 +286,8 @@ impl<'a> Search<'a> {
         chosen
     }
 
-    /// The proved forms joined where each is best, at numbers where the bounds of their errors cross, if that is
-    /// better than the best of them.
+    /// Joins the proved forms, each where it is best, at numbers where their error bounds cross, if
+    /// that is better than the best single form.
     fn joined(&mut self, proved: &[usize]) -> Option<Vec<Expr>> {
         let points: Vec<&[f64]> = self.points.iter().map(|sample| &sample.arguments[..]).collect();
         let losses: Vec<&[f64]> = proved.iter().map(|&place| &self.candidates[place].losses[..]).collect();
@@ -303,7 +309,7 @@ impl<'a> Search<'a> {
         Some(joined(self.pool, self.kernel.arguments[cut.argument], &forms, &cut))
     }
 
-    /// The place of a form among the candidates, where it is put if it is not there.
+    /// Returns the index of a form among the candidates; the form is added if it is missing.
     fn place_of(&mut self, outputs: Vec<Expr>) -> Option<usize> {
         let known = self.candidates.iter().position(|known| known.outputs == outputs);
         known.or_else(|| {
@@ -327,7 +333,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The program of a form, grouped as it is written.
+/// Lowers a form to a program, with sums and products in the order written.
 fn program(pool: &Pool, kernel: &Kernel, outputs: &[Expr]) -> Option<Program> {
     let source = KernelSource {
         arguments: kernel.arguments.clone(),

@@ -1,9 +1,10 @@
 //! Validation: a form is compared with the formula at points that the search has not seen.
 //!
-//! Other samples of every regime, a grid of simple numbers in every mixture, on which strata lie, and the same grid
-//! with some arguments from the edges of the range of `f64`, where a reciprocal or a product leaves it: a form goes that
-//! has no value, or an infinite one, where the formula as it is written has a number, or that loses more bits on the
-//! mean of a regime or of a grid.
+//! The points are new samples of every regime, a grid of simple numbers in random combinations, on
+//! which strata lie, and the same grid with some arguments from the edges of the range of `f64`,
+//! where a reciprocal or a product leaves the range. A form is rejected if it has no value, or an
+//! infinite one, where the formula as written gives a number, or if it loses more bits in the mean
+//! of a regime or of a grid.
 
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample, sample_at};
 use crate::expression::Pool;
@@ -11,31 +12,32 @@ use crate::kernel::Program;
 use crate::random::SplitMix;
 use crate::resolve::Kernel;
 
-/// Samples of each regime, and their seed: others than those of the search.
+/// Number of samples in each regime, and their seed; the samples differ from those of the search.
 const SAMPLES: usize = 32;
 const SEED: u64 = 0x7a11;
 
-/// Points of each grid.
+/// Number of points of each grid.
 const GRID: usize = 160;
 
-/// A few roundings more on the mean are no loss, in bits.
+/// Tolerance of the mean loss in bits: a few more roundings do not count as a loss.
 const ROUNDINGS: f64 = 1.5;
 
-/// The numbers of the grid; each is taken with both signs.
+/// Numbers of the grid; each is used with both signs.
 const NUMBERS: &[f64] =
     &[0.0, 1.0, 0.5, 2.0, 0.25, 0.1, 10.0, 1e-3, 1e3, 1e-8, 1e8, 1e-17, 1e17, 1e-100, 1e100, 1e-160, 1e160];
 
-/// How many of them, from the first, are taken at every second point, and beside those at the edges.
+/// Number of leading entries to which every second point is restricted, alone or together with the
+/// edges.
 const SIMPLE: usize = 5;
 
-/// The edges of the range: numbers whose reciprocals, doubles or halves are outside of it or subnormal.
+/// Edges of the range: numbers whose reciprocals, doubles or halves are out of range or subnormal.
 const EDGES: &[f64] =
     &[5e-324, 1e-320, 1e-310, f64::MIN_POSITIVE, 1e-307, 1e-300, 1e300, 1e307, 8e307, f64::MAX];
 
-/// Values from here on round to infinity where one more rounding meets them.
+/// Magnitude from which one more rounding can overflow to infinity.
 const BESIDE_THE_LARGEST: f64 = f64::MAX / 16.0;
 
-/// Samples that no form was chosen by.
+/// Samples that were not used to choose a form.
 pub(super) struct Validation {
     regimes: Vec<Samples>,
 }
@@ -68,7 +70,8 @@ impl Validation {
         Validation { regimes }
     }
 
-    /// Whether a form has a number wherever the formula computes one, and on no mean loses more bits.
+    /// Whether a form has a number wherever the formula computes one, and loses no more bits in any
+    /// mean.
     pub(super) fn loses_no_more(&self, form: &Program, formula: &Program) -> bool {
         let (form, formula) = (form.interpreter::<f64>(), formula.interpreter::<f64>());
         self.regimes.iter().all(|regime| {
@@ -86,12 +89,12 @@ impl Validation {
     }
 }
 
-/// One of these numbers.
+/// Selects one of these numbers.
 fn of(numbers: &[f64], random: u64) -> f64 {
     numbers[(random & 0xffff_ffff) as usize % numbers.len()]
 }
 
-/// Whether each value is a number where that of the formula is and should be.
+/// Whether each value is finite where the formula's value is finite and should be.
 fn has_numbers_where(sample: &Sample, values: &[f64], written: &[f64]) -> bool {
     let outputs = sample.values.iter().zip(values.iter().zip(written));
     outputs.into_iter().all(|(exact, (value, written))| match exact {

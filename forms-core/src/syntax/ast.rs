@@ -1,29 +1,29 @@
-//! The syntax tree: what was written, with the place of every part.
+//! Syntax tree: the source as written, with the place of every part.
 
 use crate::diagnostic::Span;
 use num_rational::BigRational;
 
-/// A whole `.forms` file or macro body.
+/// Whole `.forms` file or macro body.
 #[derive(Clone, Debug, Default)]
 pub struct File {
-    /// Its statements in order; those that could not be parsed are left out and reported.
+    /// Its items in order; items that could not be parsed are omitted and reported.
     pub items: Vec<Item>,
 }
 
-/// One statement, up to its `;`.
+/// One item, up to its `;`.
 #[derive(Clone, Debug)]
 pub struct Item {
-    /// The lines of its `///` comment.
+    /// Lines of its `///` comment.
     pub docs: Vec<String>,
-    /// Whether `pub` stands before it (kernels only).
+    /// Whether it is marked `pub` (kernels and warps only).
     pub public: bool,
-    /// From its first word to its `;`.
+    /// Place from its first word to its `;`.
     pub span: Span,
-    /// What it declares or claims.
+    /// Its declaration or claim.
     pub kind: ItemKind,
 }
 
-/// A name where it stands.
+/// Name with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Name {
     /// Its characters.
@@ -32,16 +32,16 @@ pub struct Name {
     pub span: Span,
 }
 
-/// A declared variable with the unit it may carry: `x`, `x: m`.
+/// Declared variable with an optional unit: `x`, `x: m`.
 #[derive(Clone, Debug)]
 pub struct Declared {
-    /// The name.
+    /// Its name.
     pub name: Name,
-    /// The unit, as written.
+    /// Its unit, as written.
     pub unit: Option<Expr>,
 }
 
-/// What an item declares or claims.
+/// Declaration or claim of an item.
 #[derive(Clone, Debug)]
 #[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum ItemKind {
@@ -69,14 +69,15 @@ pub enum ItemKind {
     Kernel {
         name: Name,
         arguments: Vec<Declared>,
-        /// The units of the outputs, or none.
+        /// Units of the outputs, or empty.
         units: Vec<Expr>,
         /// One expression, or several for `(a, b, …)`.
         outputs: Vec<Expr>,
-        /// What stands behind `by`: an equal form to compute by, or nothing.
+        /// Form given by `by`, equal to the formula and computed instead of it; empty if there is
+        /// none.
         computed: Vec<Expr>,
         conditions: Vec<Condition>,
-        /// What stands behind `within`.
+        /// Bound given by `within`.
         within: Option<Expr>,
         effects: Vec<Effect>,
     },
@@ -86,76 +87,77 @@ pub enum ItemKind {
     Warp(Box<Warp>),
 }
 
-/// A map from the unit square, or from the unit interval, with the density of the points it takes uniform ones to.
+/// Map from the unit square, or from the unit interval, with the density of the images of uniformly
+/// distributed points.
 #[derive(Clone, Debug)]
 pub struct Warp {
-    /// Its name, which is that of the map too.
+    /// Its name, which is also the name of the map.
     pub name: Name,
-    /// What the map depends on beside the uniform numbers.
+    /// Parameters of the map, in addition to the uniform random numbers.
     pub parameters: Vec<Declared>,
-    /// The uniform numbers, each between 0 and 1.
+    /// Uniform random numbers, each between 0 and 1.
     pub uniforms: Vec<Declared>,
     /// One scalar for each coordinate of the target.
     pub components: Vec<Expr>,
-    /// The chart it goes to.
+    /// Its target chart.
     pub target: Name,
-    /// The density, as a function of the target's coordinates …
+    /// Its density, as a function of the target's coordinates …
     pub density: Expr,
     /// … with respect to this form.
     pub form: Expr,
-    /// The uniform numbers as functions of the target's coordinates, or nothing.
+    /// Uniform random numbers as functions of the target's coordinates, or empty.
     pub inverse: Vec<Expr>,
-    /// The forms that the components are computed by, or nothing.
+    /// Forms by which the components are computed, or empty.
     pub computed: Vec<Expr>,
-    /// Where it is defined.
+    /// Conditions under which it is defined.
     pub conditions: Vec<Condition>,
-    /// What stands behind `within`, of all its kernels.
+    /// Bound given by `within`, which applies to all its kernels.
     pub within: Option<Expr>,
 }
 
-/// What a statement claims of its equation.
+/// Claim of a statement about its equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Claim {
-    /// It holds.
+    /// The equation holds.
     Prove,
-    /// It does not.
+    /// The equation does not hold.
     Refute,
 }
 
-/// What stands behind a statement's name: `left == right where …`.
+/// Equation that follows a statement's name: `left == right where …`.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// The left side.
+    /// Left side.
     pub left: Expr,
-    /// The right side.
+    /// Right side.
     pub right: Expr,
-    /// The statement's own conditions.
+    /// Conditions of the statement itself.
     pub conditions: Vec<Condition>,
 }
 
-/// `absorption: sigma_a = 0` of a kernel's `effects { … }`.
+/// Effect in a kernel's `effects { … }`, such as `absorption: sigma_a = 0`.
 #[derive(Clone, Debug)]
 pub struct Effect {
-    /// The effect's name.
+    /// Its name.
     pub name: Name,
-    /// The variable that switches it off …
+    /// Variable that switches it off …
     pub variable: Name,
     /// … when it has this value.
     pub value: Expr,
 }
 
-/// One condition of a `where`, perhaps a chain: `0 < theta < pi`.
+/// Condition of a `where`, which can be a chain: `0 < theta < pi`.
 #[derive(Clone, Debug)]
 pub struct Condition {
-    /// The leftmost side.
+    /// Leftmost side.
     pub first: Expr,
     /// Each relation with the side to its right; at least one.
     pub rest: Vec<(Relation, Expr)>,
-    /// The whole chain.
+    /// Place of the whole chain.
     pub span: Span,
 }
 
-/// A relation between two scalars.
+/// Relation between two scalars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Relation {
     /// `<`
@@ -170,16 +172,16 @@ pub enum Relation {
     NotEqual,
 }
 
-/// An expression where it stands.
+/// Expression with its place.
 #[derive(Clone, Debug)]
 pub struct Expr {
-    /// What it is.
+    /// Its kind.
     pub kind: Box<ExprKind>,
-    /// From its first character to its last, brackets included.
+    /// Place from its first character to its last, brackets included.
     pub span: Span,
 }
 
-/// An operator between two expressions.
+/// Binary operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
     /// `+`
@@ -196,25 +198,25 @@ pub enum Binary {
     Power,
 }
 
-/// What an expression is.
+/// Kind of an expression, with its operands.
 #[derive(Clone, Debug)]
 #[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum ExprKind {
-    /// An exact number.
+    /// Exact number.
     Number(BigRational),
-    /// A name: scalar, form, differential `dx`, chart, …
+    /// Name of a scalar, form, differential `dx`, chart, …
     Name(String),
-    /// `@x`, the coordinate vector field.
+    /// Coordinate vector field `@x`.
     Basis(Name),
     /// `-a`
     Negate(Expr),
-    /// `a + b` and its like, with the operator's own place.
+    /// `a + b` and the other binary operations, with the place of the operator.
     Binary(Binary, Span, Expr, Expr),
     /// `f(a, b)`, `d[R3](w)`, `integral(w, u = 0..1)`.
     Call { function: Name, index: Option<Expr>, arguments: Vec<Argument> },
     /// `w[dx^dy]`, `X[x]`, `volume[g]`.
     Index { base: Expr, index: Expr },
-    /// `if u > 0 { u } else { 0 }`; `jump` allows the two to differ at the seam.
+    /// `if u > 0 { u } else { 0 }`; `jump` allows the two branches to differ at the seam.
     Select { condition: Condition, then: Expr, otherwise: Expr, jump: bool },
 }
 
@@ -222,7 +224,7 @@ pub enum ExprKind {
 #[derive(Clone, Debug)]
 #[expect(missing_docs, reason = "each variant shows how its fields are written")]
 pub enum Argument {
-    /// A plain expression.
+    /// Plain expression.
     Value(Expr),
     /// `u = 0..1`
     Range { variable: Name, from: Expr, to: Expr },

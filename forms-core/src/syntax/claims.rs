@@ -1,21 +1,23 @@
-//! What a warp claims, written out as statements: its density is that of the map, and its inverse undoes it.
+//! Claims of a warp as statements: its density is the density of its map, and its inverse is the
+//! inverse of the map.
 //!
-//! What its author did not write stands at places of length 0 beside what it is made from, each part at its own.
+//! The generated parts have empty spans next to the source from which they are made, each part at a
+//! place of its own.
 
 use super::ast::{Argument, Binary, Claim, Condition, Expr, ExprKind, Item, ItemKind, Name, Relation, Warp};
 use crate::diagnostic::Span;
 use num_rational::BigRational;
 
 impl Warp {
-    /// `NAME_density: pullback(NAME, density*form) == du^dv`, or `-du^dv` for a map that reverses the orientation; and
-    /// `NAME_inverse` if there is an inverse.
+    /// Returns the claims `NAME_density: pullback(NAME, density*form) == du^dv`, or `-du^dv` for a
+    /// map that reverses the orientation, and `NAME_inverse` if there is an inverse.
     pub fn claims(&self, item: &Item, reverses: bool) -> Vec<Item> {
         let mut claims = vec![self.density_claim(item, reverses)];
         claims.extend(self.inverse_claim(item));
         claims
     }
 
-    /// `pullback(NAME, density*form)`
+    /// Returns `pullback(NAME, density*form)`.
     pub(crate) fn density_on_the_square(&self) -> Expr {
         let span = self.density.span;
         let product = binary(Binary::Multiply, self.density.clone(), self.form.clone(), before(span));
@@ -38,7 +40,8 @@ impl Warp {
         self.statement(item, "density", docs, self.density_on_the_square(), right)
     }
 
-    /// `pullback(NAME, a)*@u + pullback(NAME, b)*@v == u*@u + v*@v`, one equation for each uniform number
+    /// Returns the claim `pullback(NAME, a)*@u + pullback(NAME, b)*@v == u*@u + v*@v`, which
+    /// contains one equation for each uniform random number.
     fn inverse_claim(&self, item: &Item) -> Option<Item> {
         if self.inverse.is_empty() {
             return None;
@@ -61,7 +64,8 @@ impl Warp {
         Some(self.statement(item, "inverse", docs, left, right))
     }
 
-    /// Where the uniform numbers are, `0 < u < 1` each, and what the warp itself says.
+    /// Returns the domain of the uniform random numbers, `0 < u < 1` for each, followed by the
+    /// warp's own conditions.
     pub(crate) fn all_conditions(&self) -> Vec<Condition> {
         let inside = self.uniforms.iter().map(|uniform| {
             let span = before(uniform.name.span);
@@ -79,7 +83,7 @@ impl Warp {
         Item { docs: vec![docs], public: false, span: item.span, kind }
     }
 
-    /// `NAME_part`
+    /// Returns the name `NAME_part`.
     pub(crate) fn part(&self, part: &str) -> Name {
         Name { text: format!("{}_{part}", self.name.text), span: self.name.span }
     }
@@ -91,7 +95,7 @@ impl Warp {
         Expr { kind: Box::new(ExprKind::Call { function, index: None, arguments }), span }
     }
 
-    /// What stands for each uniform number, joined by an operator.
+    /// Makes an expression for each uniform random number and joins them by an operator.
     fn joined(&self, operator: Binary, place: Span, mut part: impl FnMut(&Name) -> Expr) -> Expr {
         let parts: Vec<Expr> = self.uniforms.iter().map(|uniform| part(&uniform.name)).collect();
         let joined = parts.into_iter().reduce(|all, next| binary(operator, all, next, behind(place)));
@@ -99,12 +103,12 @@ impl Warp {
     }
 }
 
-/// The place of length 0 before another.
+/// Returns the empty span directly before a span.
 fn before(span: Span) -> Span {
     Span::new(span.start, span.start)
 }
 
-/// The place of length 0 behind another.
+/// Returns the empty span directly after a span.
 fn behind(span: Span) -> Span {
     Span::new(span.end, span.end)
 }

@@ -1,12 +1,13 @@
-//! Text in, tokens out: comments and spaces go, every token keeps its byte offsets.
+//! Lexer: text in, tokens out. Comments and spaces are dropped; every token keeps its byte offsets.
 //!
-//! Whatever is not of the language becomes one diagnostic and one [`TokenKind::Unknown`].
+//! Each piece of text that is not part of the language becomes one diagnostic and one
+//! [`TokenKind::Unknown`].
 
 use super::number;
 use super::token::{Symbol, Token, TokenKind};
 use crate::diagnostic::{Diagnostic, Span};
 
-/// What each character of mathematical typesetting is called in the language.
+/// Spelling in the language of each character of mathematical typesetting.
 const TYPESET: &[(char, &str)] = &[
     ('∧', "`^`"),
     ('⋀', "`^`"),
@@ -92,7 +93,8 @@ const TYPESET: &[(char, &str)] = &[
     ('\u{2009}', "an ordinary space"),
 ];
 
-/// Every token of a text, and what in it is none. Doc comments keep the space behind their slashes.
+/// Splits a text into tokens; returns them with the diagnostics for unknown text. Doc comments keep
+/// the space after their slashes.
 pub fn lex(text: &str) -> (Vec<Token>, Vec<Diagnostic>) {
     if u32::try_from(text.len()).is_err() {
         let message = format!("a text has at most {} bytes", u32::MAX);
@@ -115,7 +117,7 @@ struct Lexer<'a> {
 }
 
 impl<'a> Lexer<'a> {
-    /// Some editors put an invisible mark before the first character.
+    /// Skips the invisible byte order mark that some editors put before the first character.
     fn skip_byte_order_mark(&mut self) {
         if self.text.starts_with('\u{feff}') {
             self.position = '\u{feff}'.len_utf8();
@@ -153,7 +155,7 @@ impl<'a> Lexer<'a> {
         self.position += length;
     }
 
-    /// Takes `length` bytes as one mistake.
+    /// Takes `length` bytes as one error.
     fn reject(&mut self, length: usize, message: String, help: Option<String>) {
         let mut diagnostic = Diagnostic::new(self.span(length), message);
         diagnostic.help = help;
@@ -174,8 +176,9 @@ impl<'a> Lexer<'a> {
         }
     }
 
-    /// `// …` is dropped and `/// …` kept; four slashes and more are a ruled line, as in Rust. It ends where any editor ends
-    /// a line, so that no statement that is seen on a line of its own is part of it.
+    /// Drops `// …` and keeps `/// …`; four or more slashes are a plain comment, as in Rust. The
+    /// comment ends where any editor ends a line, so that a statement that is displayed on its own
+    /// line is never part of a comment.
     fn line_comment(&mut self) {
         let line = self.rest().split(LINE_ENDS).next().unwrap_or("");
         match line.strip_prefix("///").filter(|text| !text.starts_with('/')) {
@@ -190,12 +193,13 @@ impl<'a> Lexer<'a> {
         self.reject(length, message, Some("write `//` before each line".to_owned()));
     }
 
-    /// Takes a run of characters that begin nothing; a quoted text is one mistake.
+    /// Takes a run of characters with which no token begins; a quoted text is one error.
     fn unknown(&mut self) {
         let rest = self.rest();
         let first = rest.chars().next().expect("the lexer stops at the end of the text");
         let is_unknown = |(at, c): &(usize, char)| !begins_something(*c, &rest[*at..]);
-        // The run is looked at where it is taken only: many quoted texts in a row are one run from each of them.
+        // The run is computed only if it is needed: in a sequence of many quoted texts, a run from
+        // each of them would reach to the end.
         let run = || rest.char_indices().take_while(is_unknown).map(|(_, c)| c.len_utf8()).sum();
         let length = quotation(rest, first).unwrap_or_else(run);
         let shown = if first.is_control() || first.is_whitespace() || is_invisible(first) {
@@ -207,13 +211,14 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// Characters that end a line somewhere.
+/// Characters that end a line in at least one editor.
 const LINE_ENDS: [char; 7] = ['\n', '\r', '\u{b}', '\u{c}', '\u{85}', '\u{2028}', '\u{2029}'];
 
-/// How many characters are searched for a closing quotation mark.
+/// Number of characters searched for a closing quotation mark.
 const LONGEST_QUOTATION: usize = 100;
 
-/// The length of a quoted text, closing mark included, if one begins here and ends on the same line.
+/// Returns the length of a quoted text, including the closing mark, if one begins here and ends on
+/// the same line.
 fn quotation(text: &str, open: char) -> Option<usize> {
     let close = match open {
         '"' | '\'' | '`' => open,
@@ -230,7 +235,7 @@ fn starts_number(text: &str) -> bool {
     text.strip_prefix('.').unwrap_or(text).starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The longest symbol a text begins with.
+/// Returns the longest symbol with which a text begins.
 fn symbol(text: &str) -> Option<Symbol> {
     let first = text.as_bytes().first()?;
     let begins = |symbol: &&Symbol| symbol.text().as_bytes()[0] == *first && text.starts_with(symbol.text());
@@ -245,12 +250,12 @@ fn begins_something(c: char, rest: &str) -> bool {
         || symbol(rest).is_some()
 }
 
-/// Zero-width and direction marks, which a reader could not see in a message.
+/// Whether a character is a zero-width or direction mark, which would be invisible in a message.
 fn is_invisible(c: char) -> bool {
     matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }
 
-/// What to write instead of a run of unknown characters.
+/// Suggests a replacement for a run of unknown characters.
 fn replacement(run: &str, first: char) -> Option<String> {
     let written = |text: &str| Some(format!("write {text}"));
     match run {

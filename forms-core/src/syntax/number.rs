@@ -1,4 +1,4 @@
-//! The exact value of a number as written: `12`, `0.5`, `1e-3`.
+//! Exact value of a number as written: `12`, `0.5`, `1e-3`.
 //!
 //! ```text
 //! digits . fraction e exponent  =  (digits fraction) · 10^(exponent − length of the fraction)
@@ -9,27 +9,28 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// The most digits a number may have.
+/// Maximum number of digits of a number.
 const MAXIMUM_DIGITS: usize = 10_000;
 
-/// The largest magnitude of a power of ten behind `e`.
+/// Largest magnitude of the power of ten after `e`.
 const MAXIMUM_EXPONENT: i64 = 10_000;
 
-/// So many digits fit a machine word.
+/// Number of decimal digits that always fit a machine word.
 const DIGITS_OF_A_WORD: usize = 19;
 
-/// The most characters of a mistaken number that a message repeats.
+/// Maximum number of characters of a malformed number that a message quotes.
 const LONGEST_QUOTED: usize = 40;
 
-/// Why a text is not a number, and what to write instead.
+/// Reason why a text is not a number, with a suggestion.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Malformed {
     pub(super) message: String,
     pub(super) help: Option<String>,
 }
 
-/// How many bytes at the start of `text` were meant as one number, well formed or not. The two dots of a range
-/// are never part of it: `0..1` begins with `0`. A name that follows without a space is: `2x` is one mistake.
+/// Returns the number of bytes at the start of `text` that were meant as one number, well formed or
+/// not. The two dots of a range are never part of it: `0..1` begins with `0`. A name that follows
+/// without a space is part of it: `2x` is one error.
 pub(super) fn extent(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |from: usize| from + bytes[from..].iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -47,18 +48,18 @@ pub(super) fn extent(text: &str) -> usize {
     end + bytes[end..].iter().take_while(is_name).count()
 }
 
-/// Whether a text is a number within the limits.
+/// Checks that a text is a number within the limits.
 pub(super) fn check(text: &str) -> Result<(), Malformed> {
     if short(text).is_some() { Ok(()) } else { decimal(text).map(drop) }
 }
 
-/// The value of a run of few digits, as most numbers are.
+/// Returns the value of a short run of digits, the most frequent kind of number.
 fn short(text: &str) -> Option<u64> {
     let is_short = text.len() <= DIGITS_OF_A_WORD && text.bytes().all(|byte| byte.is_ascii_digit());
     if is_short { text.parse().ok() } else { None }
 }
 
-/// The value of a number.
+/// Returns the value of a number.
 pub(super) fn value(text: &str) -> Result<BigRational, Malformed> {
     if let Some(number) = short(text) {
         return Ok(BigRational::from_integer(number.into()));
@@ -70,7 +71,7 @@ pub(super) fn value(text: &str) -> Result<BigRational, Malformed> {
     Ok(scaled(mantissa, exponent - parts.fraction.len() as i64))
 }
 
-/// The parts of a number and its exponent, both within the limits.
+/// Returns the parts of a number and its exponent, both within the limits.
 fn decimal(text: &str) -> Result<(Parts<'_>, i64), Malformed> {
     let parts = Parts::of(text).ok_or_else(|| malformed(text))?;
     if parts.whole.len() + parts.fraction.len() > MAXIMUM_DIGITS {
@@ -88,8 +89,9 @@ fn decimal(text: &str) -> Result<(Parts<'_>, i64), Malformed> {
     }
 }
 
-/// `mantissa · 10^power` in lowest terms. One division comes before the common divisor,
-/// `gcd(m, 10^k) = gcd(m, 10^k mod m)`, since the two may differ in length by thousands of digits.
+/// Returns `mantissa · 10^power` in lowest terms. One division precedes the greatest common
+/// divisor, `gcd(m, 10^k) = gcd(m, 10^k mod m)`, since the two numbers can differ in length by
+/// thousands of digits.
 fn scaled(mantissa: BigInt, power: i64) -> BigRational {
     if mantissa.is_zero() {
         return BigRational::zero();
@@ -107,12 +109,12 @@ fn scaled(mantissa: BigInt, power: i64) -> BigRational {
 struct Parts<'a> {
     whole: &'a str,
     fraction: &'a str,
-    /// With its sign.
+    /// Exponent with its sign.
     exponent: Option<&'a str>,
 }
 
 impl<'a> Parts<'a> {
-    /// The parts of a well-formed number.
+    /// Returns the parts of a well-formed number.
     fn of(text: &'a str) -> Option<Self> {
         let is_decimal = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
@@ -130,7 +132,7 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// What is wrong with a text that is not a number.
+/// Describes the error in a text that is not a number.
 fn malformed(text: &str) -> Malformed {
     if text.len() > LONGEST_QUOTED {
         let message = format!("`{}…` is not a number", text.chars().take(LONGEST_QUOTED).collect::<String>());
@@ -163,7 +165,7 @@ fn has_exponent(text: &str) -> bool {
     digits.is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
-/// Splits `2x` and `1e3x` where the name begins.
+/// Splits `2x` and `1e3x` at the start of the name.
 fn split_before_name(text: &str) -> (&str, &str) {
     let is_number = |&at: &usize| text.get(..at).and_then(Parts::of).is_some();
     text.split_at((0..text.len()).rev().find(is_number).unwrap_or(0))

@@ -1,13 +1,14 @@
-//! Tokens in, syntax tree and diagnostics out.
+//! Parser: tokens in, syntax tree and diagnostics out.
 //!
 //! ```text
 //! items ── kernels ──┐
 //!   │                ├─▶ conditions ─▶ expressions ─▶ calls
 //!   └────────────────┘
-//! cursor: the next token, and what is wrong with it      recovery: where to go on after a mistake
+//! cursor: the next token, and errors about it     recovery: where to continue after an error
 //! ```
-//! A mistake ends its item and the parser goes on with the next one, so each item reports what is wrong with it
-//! and none reports the consequences. Mistakes whose meaning is plain (`=` for `==`) do not even end the item.
+//! An error ends its item and the parser continues with the next one, so each item reports its own
+//! error and none reports the consequences. Errors whose intention is clear (`=` for `==`) do not
+//! even end the item.
 
 mod calls;
 mod conditions;
@@ -22,23 +23,25 @@ use super::token::Token;
 use crate::diagnostic::{Diagnostic, Span};
 use cursor::{Parsed, Parser};
 
-/// The height no expression's tree exceeds: what walks a tree may recurse this deep.
+/// Maximum height of an expression's tree: code that walks a tree can recurse this deep.
 pub const MAXIMUM_DEPTH: usize = 2_000;
 
-/// How deep expressions may be nested by brackets, signs, powers and `else if`, which the parser itself follows
-/// by recursion. The greediest nesting, `f(f(f(…)))`, takes 5.3 KiB of stack a level without optimisation, so the
-/// deepest takes two thirds of a thread's usual 2 MiB.
+/// Maximum nesting of expressions by brackets, signs, powers and `else if`, which the parser itself
+/// handles by recursion. The most expensive nesting, `f(f(f(…)))`, takes 5.3 KiB of stack per level
+/// without optimisation, so the deepest takes two thirds of a thread's usual 2 MiB.
 pub const MAXIMUM_NESTING: usize = 256;
 
-/// The most tokens one source may have.
+/// Maximum number of tokens of one source.
 pub const MAXIMUM_TOKENS: usize = 1_000_000;
 
-/// Parses a whole file. `end` is the place just behind the last token, for what is missing there.
+/// Parses a whole file. `end` is the place directly after the last token, where missing tokens are
+/// reported.
 pub fn parse_text(tokens: &[Token], end: Span) -> (ast::File, Vec<Diagnostic>) {
     items(Parser::new(tokens, end).map(Parser::with_keywords_as_names))
 }
 
-/// Parses a whole macro body, in which Rust keywords are no names: what is generated carries the names as they stand.
+/// Parses a whole macro body, in which Rust keywords cannot be names, since the generated code uses
+/// the names unchanged.
 pub fn parse(tokens: &[Token], end: Span) -> (ast::File, Vec<Diagnostic>) {
     items(Parser::new(tokens, end))
 }
@@ -72,7 +75,8 @@ fn whole<'a, T>(
     let mut parser = Parser::new(tokens, end).map_err(|too_long| vec![too_long])?;
     let result = rule(&mut parser).and_then(|tree| parser.expect_end().map(|()| tree));
     match result {
-        // An unknown token has been reported by whoever made it, so an error may come without a diagnostic.
+        // The producer of an unknown token has reported it, so an error can come without a
+        // diagnostic.
         Ok(tree) if parser.diagnostics.is_empty() => Ok(tree),
         _ => Err(parser.diagnostics),
     }

@@ -1,12 +1,12 @@
-//! A named text: where its places are, and how a diagnostic about it reads.
+//! Named source text: conversion of offsets to positions, and rendering of diagnostics.
 
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use std::fmt::Write;
 
-/// The most columns of a line that are quoted.
+/// Maximum number of columns of a line that are quoted.
 const QUOTED: usize = 100;
 
-/// A text and the name it is known by.
+/// Text with the name under which it is reported.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// Its file name, as shown to the user.
@@ -15,22 +15,23 @@ pub struct Source {
     pub text: String,
 }
 
-/// A place as people count: both numbers from 1, columns in characters.
+/// Position for human readers: line and column count from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Position {
-    /// The number of the line.
+    /// Line number.
     pub line: usize,
-    /// The number of the character in its line.
+    /// Number of the character in its line.
     pub column: usize,
 }
 
 impl Source {
-    /// A text with its name.
+    /// Creates a source from a name and a text.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
         Source { name: name.into(), text: text.into() }
     }
 
-    /// Where a byte offset is. One outside the text is its end, one inside a character is its start.
+    /// Returns the position of a byte offset. An offset outside the text is mapped to its end, an
+    /// offset inside a character to its start.
     pub fn position(&self, offset: u32) -> Position {
         let offset = self.boundary(offset);
         let start = self.line_start(offset);
@@ -38,7 +39,7 @@ impl Source {
         Position { line, column: self.text[start..offset].chars().count() + 1 }
     }
 
-    /// A diagnostic with the line it speaks of.
+    /// Renders a diagnostic with the source line to which it refers.
     ///
     /// ```text
     /// error: expected `;` after the statement, found `prove`
@@ -70,7 +71,8 @@ impl Source {
         text
     }
 
-    /// The line a span begins in and the marks under the span, up to the end of that line.
+    /// Returns the line in which a span begins, and the marks under the span, up to the end of that
+    /// line.
     fn quote(&self, span: Span) -> (String, String) {
         let start = self.boundary(span.start);
         let line_start = self.line_start(start);
@@ -83,7 +85,7 @@ impl Source {
         (text, format!("{}{}", " ".repeat(indent), "^".repeat(marked)))
     }
 
-    /// The nearest character boundary at or before an offset.
+    /// Returns the nearest character boundary at or before an offset.
     fn boundary(&self, offset: u32) -> usize {
         let offset = usize::try_from(offset).unwrap_or(usize::MAX).min(self.text.len());
         (0..=offset).rev().find(|&at| self.text.is_char_boundary(at)).unwrap_or(0)
@@ -94,19 +96,20 @@ impl Source {
     }
 }
 
-/// The part of a line that is quoted, however long the line is.
+/// Part of a line that is quoted, limited in length.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Excerpt {
-    /// What is shown; where the line is cut stands `…`.
+    /// Quoted text, with `…` where the line is cut.
     pub text: String,
-    /// The characters of it before the mark.
+    /// Number of its characters before the mark.
     pub indent: usize,
-    /// The characters under which the mark stands, one at least.
+    /// Number of marked characters, at least one.
     pub marked: usize,
 }
 
 impl Excerpt {
-    /// The characters of a line about some of them: `width` from the one numbered `column` on.
+    /// Returns the excerpt of a line around the marked characters, which are `width` characters
+    /// from `column` on.
     pub fn of(line: &str, column: usize, width: usize) -> Self {
         let width = width.max(1);
         let length = line.chars().count();
@@ -125,7 +128,8 @@ impl Excerpt {
     }
 }
 
-/// The characters of a long line that are shown: a third of the room for what stands before the mark.
+/// Returns the range of characters of a long line that are shown: up to half of them before a short
+/// mark, a fifth before a long one.
 fn window(length: usize, column: usize, width: usize) -> std::ops::Range<usize> {
     if length <= QUOTED {
         return 0..length;
@@ -135,7 +139,7 @@ fn window(length: usize, column: usize, width: usize) -> std::ops::Range<usize> 
     start..start + QUOTED
 }
 
-/// One column for one character, whatever the terminal does with it.
+/// Replaces characters that a terminal does not show in exactly one column.
 fn printable(c: char) -> char {
     match c {
         '\t' => ' ',

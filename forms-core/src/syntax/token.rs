@@ -1,28 +1,30 @@
-//! The tokens both doors deliver: brackets are plain tokens, comments and spaces are gone.
+//! Tokens as delivered by the lexer and by the macros: brackets are plain tokens; comments and
+//! spaces are removed.
 
 use crate::diagnostic::Span;
 
-/// A token and the place it came from.
+/// Token with its place in the source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// What it is.
+    /// Its kind.
     pub kind: TokenKind,
-    /// Where it stands.
+    /// Its place.
     pub span: Span,
 }
 
-/// What a token is.
+/// Kind of a token, with its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TokenKind {
-    /// A name or word: `[A-Za-z_][A-Za-z_0-9]*`.
+    /// Name or word: `[A-Za-z_][A-Za-z_0-9]*`.
     Name(String),
-    /// A number as written: `12`, `0.5`, `1e-3`.
+    /// Number as written: `12`, `0.5`, `1e-3`.
     Number(String),
-    /// The text of one `///` line, without the slashes.
+    /// Text of one `///` line, without the slashes.
     Doc(String),
     /// Punctuation.
     Symbol(Symbol),
-    /// Something that is not of the language; whoever made the token has reported it, so the parser is silent.
+    /// Text that is not part of the language. The producer of the token has reported it, so the
+    /// parser does not.
     Unknown,
 }
 
@@ -33,10 +35,11 @@ macro_rules! symbols {
         pub enum Symbol { $(#[doc = concat!("`", $text, "`")] $name,)* }
 
         impl Symbol {
-            /// Every symbol, the longer spellings first, so that the first match of a text is the right one.
+            /// All symbols, longer spellings first, so that the first match of a text is the right
+            /// one.
             pub const ALL: &'static [Symbol] = &[$(Symbol::$name,)*];
 
-            /// How it is written.
+            /// Returns its spelling.
             pub fn text(self) -> &'static str {
                 match self { $(Symbol::$name => $text,)* }
             }

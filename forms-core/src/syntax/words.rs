@@ -1,12 +1,12 @@
-//! The words that are not free to be names, in one table.
+//! Reserved words, which cannot be names, in one table.
 
 use rustc_hash::FxHashMap;
 use std::sync::OnceLock;
 
-/// Why a word is taken.
+/// Reason why a word is reserved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Word {
-    /// Rust reserves it, so no generated function or argument could carry it.
+    /// Rust reserves it, so no generated function or argument could have this name.
     Rust,
     /// It begins or structures an item: `chart`, `where`, `on`.
     Item,
@@ -14,17 +14,17 @@ pub enum Word {
     Function,
 }
 
-/// The words that begin an item.
+/// Words that begin an item.
 pub const ITEMS: &[&str] =
     &["chart", "param", "fn", "let", "form", "field", "map", "metric", "prove", "refute", "kernel", "warp"];
 
-/// The words that stand inside items.
+/// Words that occur inside items.
 pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
 
-/// The words that mean something where an item expects them, and are free to be names.
+/// Contextual keywords: they have a meaning where an item expects them, and can be names elsewhere.
 pub const CONTEXTUAL: &[&str] = &["by", "within", "onto", "density", "of", "inverse"];
 
-/// The functions of the language, and its constant.
+/// Functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[
     "d",
     "interior",
@@ -73,7 +73,7 @@ pub const FUNCTIONS: &[&str] = &[
     "pi",
 ];
 
-/// The strict and reserved keywords of every Rust edition, and the wildcard.
+/// Strict and reserved keywords of every Rust edition, and the wildcard.
 const RUST: &[&str] = &[
     "as", "break", "const", "continue", "crate", "else", "enum", "extern", "false", "fn", "for", "if",
     "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self",
@@ -87,7 +87,8 @@ pub(crate) fn is_rust_keyword(text: &str) -> bool {
     RUST.contains(&text)
 }
 
-/// Why `text` cannot be a name; `None` if it can. Words of both languages count as words of this one.
+/// Returns the reason why `text` cannot be a name; `None` if it can. Words of both languages count
+/// as words of this one.
 pub fn reserved(text: &str) -> Option<Word> {
     static WORDS: OnceLock<FxHashMap<&str, Word>> = OnceLock::new();
     let words = WORDS.get_or_init(|| {

@@ -1,26 +1,27 @@
-//! Whether two units are one, and what is to be said where they are not.
+//! Agreement of two units, and advice where they do not agree.
 //!
-//! Angles. The radian may be read as 1, as calculus does: the derivative of sin θ is cos θ, and an arc r dθ is a length.
-//! The steradian is not dropped, so that radiance, W/(m² sr), is told from irradiance, W/m². Two radians make a
-//! steradian: the solid angle sin θ dθ dφ of a sphere in radians makes W/m² of a radiance.
+//! Angles: the radian can be read as 1, as in calculus, where the derivative of sin θ is cos θ and
+//! an arc r dθ is a length. The steradian is not dropped, so that radiance, W/(m² sr), differs from
+//! irradiance, W/m². The square of the radian is a steradian: the solid angle sin θ dθ dφ of a
+//! sphere in radians turns a radiance into W/m².
 
 use super::table::{self, Base};
 use super::unit::{Meaning, Unit};
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// How two units differ.
+/// Difference between two units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Difference {
-    /// Not at all; the radians are read as 1 if the numbers of radians differ.
+    /// No difference; radians are read as 1 if their exponents differ.
     None,
-    /// By radians that make up for steradians.
+    /// Radians on one side that correspond to steradians on the other.
     Exchange,
-    /// By a power of the steradian.
+    /// A power of the steradian.
     SolidAngle,
-    /// By a number.
+    /// A numeric factor.
     Size,
-    /// By a dimension.
+    /// A dimension.
     Dimension,
 }
 
@@ -41,7 +42,8 @@ fn difference(quotient: &Meaning) -> Difference {
     }
 }
 
-/// The unit of a sum of quantities in these units, the same in either order; nothing if they do not agree.
+/// Returns the unit of a sum of quantities in these units, equal in either order; `None` if they do
+/// not agree.
 pub(super) fn common(left: &Unit, right: &Unit) -> Option<Unit> {
     let quotient = left.clone().quotient(right).meaning();
     match difference(&quotient) {
@@ -52,8 +54,9 @@ pub(super) fn common(left: &Unit, right: &Unit) -> Option<Unit> {
     }
 }
 
-/// Whether a quantity that was found to be in one unit may be declared in another: if they agree, or if the declaration
-/// calls something without steradians, a ratio of areas, a solid angle.
+/// Whether a quantity whose inferred unit is `found` can be declared in another unit: if the two
+/// agree, or if the declaration makes a solid angle of a quantity without steradians, such as a
+/// ratio of areas.
 pub(super) fn admits(declared: &Unit, found: &Unit) -> bool {
     let quotient = declared.clone().quotient(found).meaning();
     match difference(&quotient) {
@@ -63,7 +66,8 @@ pub(super) fn admits(declared: &Unit, found: &Unit) -> bool {
     }
 }
 
-/// What to do about two units that do not agree; `left` and `right` name the two quantities.
+/// Advises how to fix two units that do not agree; `left_name` and `right_name` name the two
+/// quantities.
 pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, &str)) -> String {
     let quotient = left.clone().quotient(right).without_radians();
     let meaning = quotient.meaning();

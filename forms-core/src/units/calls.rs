@@ -1,4 +1,4 @@
-//! The units of functions of the language at their arguments.
+//! Units of function calls.
 
 use super::inference::Inference;
 use super::quantity::Quantity;
@@ -54,7 +54,8 @@ impl Inference<'_> {
         factors.iter().fold(Quantity::Number, |product, factor| product.times(&self.quantity(factor)))
     }
 
-    /// A form is integrated as it is; a scalar is multiplied by the unit of each variable.
+    /// Infers the unit of an integral: the unit of a form is kept; the unit of a scalar is
+    /// multiplied by the unit of each variable.
     fn integral(&mut self, arguments: &[Argument]) -> Quantity {
         let Some((Argument::Value(integrand), ranges)) = arguments.split_first() else {
             return Quantity::Unstated;
@@ -73,7 +74,7 @@ impl Inference<'_> {
         integral
     }
 
-    /// `boundary_integral(F, w, u = a..b)` is in the unit of w.
+    /// Infers the unit of `boundary_integral(F, w, u = a..b)`, which is the unit of w.
     fn boundary_integral(&mut self, arguments: &[Argument]) -> Quantity {
         let [_, Argument::Value(form), ranges @ ..] = arguments else { return Quantity::Unstated };
         ranges.iter().for_each(|range| {
@@ -82,7 +83,7 @@ impl Inference<'_> {
         self.quantity(form)
     }
 
-    /// What is known of the variable of a range, whose bounds agree with it.
+    /// Returns the quantity of a range's variable, and checks that its bounds agree with it.
     fn range(&mut self, range: &Argument) -> Quantity {
         let Argument::Range { variable, from, to } = range else { return Quantity::Unstated };
         let unit = self.named(variable);
@@ -94,7 +95,7 @@ impl Inference<'_> {
         unit
     }
 
-    /// What is known of a coordinate, param or function of that name.
+    /// Returns the quantity of the coordinate, param or function with this name.
     fn named(&self, name: &Name) -> Quantity {
         self.names.get(&name.text).cloned().unwrap_or(Quantity::Unstated)
     }
@@ -127,7 +128,7 @@ impl Inference<'_> {
         }
     }
 
-    /// `L(a, b)`: each argument is in the unit of the variable it stands for.
+    /// Infers the unit of `L(a, b)`; each argument must be in the unit of its variable.
     fn composed(&mut self, function: &str, arguments: &[&Expr]) -> Quantity {
         let variables = self.arguments.get(function).cloned().unwrap_or_default();
         for (variable, argument) in variables.iter().zip(arguments) {

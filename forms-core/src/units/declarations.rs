@@ -1,4 +1,4 @@
-//! Items: the units of what they declare, and the sides of what they claim.
+//! Units of items: of the declared names, and of the sides of claims.
 
 use super::agreement;
 use super::inference::Inference;
@@ -62,7 +62,7 @@ impl Inference<'_> {
         conditions.iter().for_each(|condition| self.condition(condition));
     }
 
-    /// The unit as it is written, or nothing known if it cannot be read.
+    /// Reads a unit as written; `Unstated` if it cannot be read.
     fn stated(&mut self, unit: Option<&Expr>) -> Quantity {
         match unit.map(reading::unit) {
             None => Quantity::Unstated,
@@ -74,7 +74,7 @@ impl Inference<'_> {
         }
     }
 
-    /// A coordinate, param or argument. One that was declared before keeps its unit.
+    /// Declares a coordinate, param or argument. A name that was declared before keeps its unit.
     pub(super) fn variable(&mut self, Declared { name, unit }: &Declared) {
         let stated = self.stated(unit.as_ref());
         let place = unit.as_ref().map_or(name.span, |unit| unit.span);
@@ -100,7 +100,8 @@ impl Inference<'_> {
         self.arguments.insert(name.text.clone(), arguments);
     }
 
-    /// A value with the unit it is declared in, if it is; `subject` is what has the value.
+    /// Infers a value, checks it against its declared unit, and returns the declared unit if there
+    /// is one; `subject` names the value.
     pub(super) fn declared_value(&mut self, subject: &str, unit: Option<&Expr>, value: &Expr) -> Quantity {
         let declared = self.stated(unit);
         let quantity = self.quantity(value);
@@ -120,7 +121,7 @@ impl Inference<'_> {
         self.errors.push(Diagnostic::new(place, message).with_help(advice));
     }
 
-    /// Each component is in the unit of the coordinate it is the value of.
+    /// Checks that each component is in the unit of its target coordinate.
     pub(super) fn map(&mut self, target: &Name, components: &[Expr]) {
         let theory = self.theory;
         let coordinates = match theory.named(&target.text) {
@@ -137,7 +138,7 @@ impl Inference<'_> {
         }
     }
 
-    /// `absorption: sigma_a = 0`
+    /// Checks an effect such as `absorption: sigma_a = 0`.
     pub(super) fn effect(&mut self, effect: &Effect) {
         let variable = self.names.get(&effect.variable.text).cloned().unwrap_or(Quantity::Unstated);
         let value = self.quantity(&effect.value);

@@ -1,7 +1,8 @@
-//! The unit of every expression, from the units of the names in it.
+//! Unit inference: the unit of every expression, from the units of the names in it.
 //!
-//! A form is measured as a whole: dx carries the unit of x, so that x dy ∧ dz over metres is in m³ whatever the chart;
-//! @x carries its reciprocal. Operators then multiply units, and d, which adds as many dx as it divides by, keeps them.
+//! A form is measured as a whole: dx has the unit of x, so that x dy ∧ dz over metres is in m³ in
+//! every chart; @x has the reciprocal unit. Operators then multiply units, and d, which multiplies
+//! by dx as often as it divides by x, keeps the unit.
 
 use super::Inferred;
 use super::agreement;
@@ -14,24 +15,24 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 
-/// The arguments of a kernel by name, and its outputs.
+/// Arguments of a kernel by name, and its outputs.
 #[derive(Clone)]
 pub(super) struct Signature {
     pub(super) arguments: Vec<(String, Quantity)>,
     pub(super) outputs: Vec<Quantity>,
 }
 
-/// Infers units against what is declared so far.
+/// Infers units against the declarations read so far.
 pub(super) struct Inference<'a> {
     pub(super) theory: &'a Theory,
     pub(super) trace: &'a Trace,
-    /// What is known of each name.
+    /// Quantity of each name.
     pub(super) names: FxHashMap<String, Quantity>,
-    /// The arguments of each unknown function.
+    /// Arguments of each unknown function.
     pub(super) arguments: FxHashMap<String, Vec<String>>,
     pub(super) errors: Vec<Diagnostic>,
     pub(super) kernels: Vec<(String, KernelUnits)>,
-    /// What is known of the arguments and outputs of each kernel.
+    /// Quantities of the arguments and outputs of each kernel.
     pub(super) signatures: FxHashMap<String, Signature>,
     pub(super) meaningless: Vec<Span>,
 }
@@ -50,7 +51,7 @@ impl<'a> Inference<'a> {
         }
     }
 
-    /// What was found out.
+    /// Returns the results of the inference.
     pub(super) fn finish(self) -> Inferred {
         let object = |(name, quantity): (&String, &Quantity)| match self.theory.named(name) {
             Some(Named::Object(number)) => Some((*number, quantity.unit()?.to_string())),
@@ -60,7 +61,7 @@ impl<'a> Inference<'a> {
         Inferred { errors: self.errors, objects, kernels: self.kernels, meaningless: self.meaningless }
     }
 
-    /// What is known of an expression; chains of operators are followed in a loop.
+    /// Infers the quantity of an expression. Chains of operators are processed in a loop.
     pub(super) fn quantity(&mut self, expression: &Expr) -> Quantity {
         let mut spine = Vec::new();
         let mut leftmost = expression;
@@ -141,7 +142,8 @@ impl<'a> Inference<'a> {
         }
     }
 
-    /// A power: of a number with any exponent, of another quantity with an exponent that is known.
+    /// Infers a power: a pure number can have any exponent, another quantity needs a known
+    /// exponent.
     fn power(&mut self, base: Quantity, base_span: Span, exponent: &Expr) -> Quantity {
         let quantity = self.quantity(exponent);
         self.pure(&quantity, exponent.span, "an exponent is a number");
@@ -161,7 +163,8 @@ impl<'a> Inference<'a> {
         }
     }
 
-    /// `w[dx^dy]` is divided by the units of dx and dy, `X[x]` is multiplied by that of x.
+    /// Infers a coefficient: the unit of `w[dx^dy]` is divided by the units of dx and dy, the unit
+    /// of `X[x]` is multiplied by the unit of x.
     fn coefficient(&mut self, base: &Expr, index: &Expr) -> Quantity {
         if let ExprKind::Name(name) = &*base.kind
             && name == "volume"
@@ -199,7 +202,8 @@ impl<'a> Inference<'a> {
         }
     }
 
-    /// What two quantities are that have to agree; an error, and nothing known, if they do not.
+    /// Returns the common quantity of two quantities that must agree; if they do not, records an
+    /// error and returns `Unstated`.
     pub(super) fn alike(
         &mut self,
         (left, left_name): (Quantity, &str),

@@ -1,4 +1,4 @@
-//! Kernels, derivatives of kernels and warps: the units of their arguments and results.
+//! Units of the arguments and results of kernels, gradients of kernels and warps.
 
 use super::inference::{Inference, Signature};
 use super::quantity::Quantity;
@@ -7,7 +7,8 @@ use crate::resolve::{KernelUnits, Named};
 use crate::syntax::ast::{Declared, Expr, Item, ItemKind, Name, Warp};
 
 impl Inference<'_> {
-    /// A kernel; the names of its arguments are its own where nothing else declares them.
+    /// Infers the units of a kernel. The names of its arguments are local unless they are declared
+    /// elsewhere.
     pub(super) fn kernel(&mut self, kind: &ItemKind) {
         let ItemKind::Kernel { name, arguments, units, outputs, computed, conditions, effects, .. } = kind
         else {
@@ -38,7 +39,7 @@ impl Inference<'_> {
         self.names = outside;
     }
 
-    /// That there are as many units as results, if any.
+    /// Checks that the number of units, if any are stated, equals the number of results.
     fn check_count(&mut self, name: &Name, units: &[Expr], outputs: &[Expr]) {
         if units.is_empty() || units.len() == outputs.len() {
             return;
@@ -48,7 +49,7 @@ impl Inference<'_> {
         self.errors.push(Diagnostic::new(place, format!("`{}` has {results} and {units}", name.text)));
     }
 
-    /// A derivative is measured in the unit of the output over that of the variable.
+    /// Infers the units of a gradient: the unit of the output divided by the unit of the variable.
     pub(super) fn gradient(&mut self, name: &Name, of: &Name, by: &[Name]) {
         let Some(Signature { arguments, outputs }) = self.signatures.get(&of.text).cloned() else { return };
         let quantity = |variable: &Name| {
@@ -62,7 +63,7 @@ impl Inference<'_> {
         self.sign(&name.text, Signature { arguments, outputs });
     }
 
-    /// A warp: its map, the claims it makes, and the kernels that follow.
+    /// Infers the units of a warp: of its map, its claims, and its kernels.
     pub(super) fn warp(&mut self, item: &Item, warp: &Warp) {
         let outside = self.names.clone();
         warp.parameters.iter().chain(&warp.uniforms).for_each(|argument| self.variable(argument));
@@ -89,7 +90,7 @@ impl Inference<'_> {
         self.names = outside;
     }
 
-    /// The coordinates of a chart with their units.
+    /// Returns the coordinates of a chart with their units.
     fn coordinates_of(&self, chart: &Name) -> Vec<(String, Quantity)> {
         let Some(Named::Chart(number)) = self.theory.named(&chart.text) else { return Vec::new() };
         let coordinates = &self.theory.charts[*number].coordinates;
@@ -104,7 +105,7 @@ impl Inference<'_> {
         declared.iter().map(|Declared { name, .. }| (name.text.clone(), quantity(&name.text))).collect()
     }
 
-    /// Keeps the signature of a kernel, and its units for whoever shows them.
+    /// Records the signature of a kernel, and its units for display.
     fn sign(&mut self, name: &str, signature: Signature) {
         let written = |quantity: &Quantity| quantity.unit().map(|unit| unit.to_string());
         let units = KernelUnits {

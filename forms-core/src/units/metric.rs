@@ -1,7 +1,8 @@
-//! The units of operations that need a metric.
+//! Units of operations that take a metric.
 //!
-//! With g = gᵢⱼ dxⁱ dxʲ in the unit G, the inverse gⁱʲ ∂ᵢ ∂ⱼ is in 1/G and the volume √|det g| dx¹ ∧ … ∧ dxⁿ in
-//! G^(n/2). So raising an index divides by G, and a ∧ ⋆b = ⟨a, b⟩ volume gives ⋆ of a k-form the factor G^(n/2 − k).
+//! With g = gᵢⱼ dxⁱ dxʲ in the unit G, the inverse gⁱʲ ∂ᵢ ∂ⱼ is in 1/G and the volume √|det g| dx¹
+//! ∧ … ∧ dxⁿ in G^(n/2). So raising an index divides by G, and by a ∧ ⋆b = ⟨a, b⟩ volume the factor
+//! of ⋆ on k-forms is G^(n/2 − k).
 
 use super::inference::Inference;
 use super::quantity::Quantity;
@@ -10,19 +11,19 @@ use crate::syntax::ast::{Expr, ExprKind};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// k/2
+/// Returns k/2.
 fn half(k: i64) -> BigRational {
     BigRational::new(BigInt::from(k), BigInt::from(2))
 }
 
 impl Inference<'_> {
-    /// `volume[g]`
+    /// Infers the unit of `volume[g]`.
     pub(super) fn volume(&self, index: &Expr) -> Quantity {
         let (metric, dimension) = self.metric(index);
         metric.power(&half(dimension))
     }
 
-    /// `hodge[g](w)` and its like.
+    /// Infers the unit of `hodge[g](w)` and the other operations that take a metric.
     pub(super) fn metric_operation(
         &mut self,
         name: &str,
@@ -53,7 +54,7 @@ impl Inference<'_> {
         product.times(&metric.power(&half(twice_exponent)))
     }
 
-    /// What is known of a metric, and its dimension.
+    /// Returns the quantity of a metric, and its dimension.
     fn metric(&self, index: &Expr) -> (Quantity, i64) {
         let ExprKind::Name(name) = &*index.kind else { return (Quantity::Unstated, 0) };
         match self.theory.named(name) {

@@ -1,34 +1,35 @@
-//! What is known of the unit of an expression, and the unit of a product, power or sum.
+//! Knowledge about the unit of an expression, and the unit of a product, power or sum.
 
 use super::agreement;
 use super::unit::Unit;
 use num_rational::BigRational;
 use num_traits::One;
 
-/// What is known of the unit of a value.
+/// Knowledge about the unit of a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Quantity {
-    /// The literal 0, which is in any unit.
+    /// Literal 0, which has every unit.
     Zero,
-    /// Made of numbers only: in the unit 1 until a declaration gives it another, as `let c: m/s = 299792458` does.
+    /// Value made of numbers only: its unit is 1 until a declaration gives it another, as in `let
+    /// c: m/s = 299792458`.
     Number,
-    /// In a unit that nothing states: unchecked.
+    /// Value whose unit is not stated, and is not checked.
     Unstated,
-    /// In this unit.
+    /// Value in this unit.
     Stated(Unit),
 }
 
-/// Two quantities that have to agree and do not.
+/// Units of two quantities that must agree and do not.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Disagreement(pub(super) Unit, pub(super) Unit);
 
 impl Quantity {
-    /// A quantity without a unit that cannot be declared to have another.
+    /// Returns the quantity with the unit 1 that cannot be declared in another unit.
     pub(super) fn one() -> Self {
         Quantity::Stated(Unit::one())
     }
 
-    /// The unit, if one is known.
+    /// Returns the unit, if one is known.
     pub(super) fn unit(&self) -> Option<Unit> {
         match self {
             Quantity::Zero | Quantity::Unstated => None,
@@ -51,7 +52,8 @@ impl Quantity {
         self.times(&other.clone().power(&-BigRational::one()))
     }
 
-    /// A power with a known exponent. That of 0 is 0, 1 or undefined, and nothing is said of it.
+    /// Returns a power with a known exponent. A power of 0 is 0, 1 or undefined, and its unit is
+    /// `Unstated`.
     pub(super) fn power(self, exponent: &BigRational) -> Self {
         match self {
             Quantity::Stated(unit) => Quantity::Stated(unit.power(exponent)),
@@ -60,7 +62,7 @@ impl Quantity {
         }
     }
 
-    /// What both of two quantities are that are added, equated or compared.
+    /// Returns the common quantity of two quantities that are added, equated or compared.
     pub(super) fn alike(self, other: Quantity) -> Result<Quantity, Disagreement> {
         match (self, other) {
             (Quantity::Zero, other) | (other, Quantity::Zero) => Ok(other),

@@ -1,4 +1,4 @@
-//! Units as they are written: products, quotients and rational powers of unit names, and 1.
+//! Reader of units: products, quotients and rational powers of unit names, and 1.
 
 use super::table;
 use super::unit::Unit;
@@ -7,7 +7,7 @@ use crate::syntax::ast::{Binary, Expr, ExprKind};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-/// Reads a unit such as `W/m**2/sr`; chains of operators are followed in a loop.
+/// Reads a unit such as `W/m**2/sr`. Chains of operators are processed in a loop.
 pub(super) fn unit(written: &Expr) -> Result<Unit, Diagnostic> {
     let mut spine = Vec::new();
     let mut leftmost = written;
@@ -60,7 +60,7 @@ fn unknown(name: &str, written: &Expr) -> Diagnostic {
     }
 }
 
-/// A whole number or a fraction, perhaps negative.
+/// Reads an integer or a fraction, with an optional minus sign.
 fn number(written: &Expr) -> Option<BigRational> {
     match &*written.kind {
         ExprKind::Number(value) => Some(value.clone()),

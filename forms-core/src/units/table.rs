@@ -1,12 +1,14 @@
-//! The names of units: base units of the SI, derived units by their meaning, and decimal prefixes.
+//! Table of units: base units of the SI, derived units with their definitions, and decimal
+//! prefixes.
 //!
-//! Photometry rests on the lumen rather than the candela, cd = lm/sr, so that the steradian of an intensity can be seen.
-//! Source: BIPM, *The International System of Units*, 9th edition, tables 2, 4, 7 and 8.
+//! Photometric units are based on the lumen rather than the candela, cd = lm/sr, so that the
+//! steradian of an intensity stays visible. Source: BIPM, *The International System of Units*, 9th
+//! edition, tables 2, 4, 7 and 8.
 
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-/// What units are made of.
+/// Factor of a unit: a base unit or a prime number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Base {
     /// kilogram
@@ -27,7 +29,7 @@ pub(super) enum Base {
     Radian,
     /// steradian
     Steradian,
-    /// A prime factor of a unit's size.
+    /// Prime factor of a unit's size.
     Prime(u64),
 }
 
@@ -36,7 +38,7 @@ pub(super) const RADIAN: &str = "rad";
 /// The name of the steradian.
 pub(super) const STERADIAN: &str = "sr";
 
-/// A unit: its size n·10ᵉ beside the base units, and their exponents.
+/// Unit in terms of the base units: its numeric factor n·10ᵉ and the exponents of the base units.
 struct Row {
     name: &'static str,
     /// Whether it takes prefixes.
@@ -106,7 +108,7 @@ const PREFIXES: &[(&str, i32)] = &[
     ("T", 12),
 ];
 
-/// The unit of that name in base units and primes; nothing if there is none.
+/// Returns the unit with this name in base units and primes; `None` if there is none.
 pub(super) fn row(name: &str) -> Option<Vec<(Base, BigRational)>> {
     if let Some(row) = TABLE.iter().find(|row| row.name == name) {
         return Some(meaning(row, 0));
@@ -118,7 +120,7 @@ pub(super) fn row(name: &str) -> Option<Vec<(Base, BigRational)>> {
     })
 }
 
-/// A row times a power of ten.
+/// Returns a row multiplied by a power of ten.
 fn meaning(row: &Row, exponent: i32) -> Vec<(Base, BigRational)> {
     let (number, ten) = (row.size.0, row.size.1 + exponent);
     let tens = [2, 5].map(|prime| (Base::Prime(prime), ten)).into_iter().filter(|factor| factor.1 != 0);
@@ -127,7 +129,7 @@ fn meaning(row: &Row, exponent: i32) -> Vec<(Base, BigRational)> {
     all.map(|(base, power)| (base, BigRational::from_integer(power.into()))).collect()
 }
 
-/// The prime factors of a number, each as often as it occurs.
+/// Returns the prime factors of a number with their multiplicity.
 fn prime_factors(mut number: u64) -> Vec<u64> {
     let mut factors = Vec::new();
     let mut candidate = 2;
@@ -142,7 +144,8 @@ fn prime_factors(mut number: u64) -> Vec<u64> {
     factors
 }
 
-/// A unit someone may have meant by a word that is none: the same letters in another case, or the unit's full name.
+/// Suggests a unit for a word that is not one: the same letters in another case, or the unit's full
+/// name.
 pub(super) fn suggestion(word: &str) -> Option<&'static str> {
     const WORDS: &[(&str, &str)] = &[
         ("ampere", "A"),
@@ -177,12 +180,13 @@ pub(super) fn suggestion(word: &str) -> Option<&'static str> {
     named.or_else(|| TABLE.iter().map(|row| row.name).find(|name| name.eq_ignore_ascii_case(word)))
 }
 
-/// The exponent of one base unit.
+/// Returns the exponent of one base unit.
 pub(super) fn exponent(meaning: &super::unit::Meaning, base: Base) -> BigRational {
     meaning.get(&base).cloned().unwrap_or_else(|| BigRational::from_integer(0.into()))
 }
 
-/// The size of a meaning that has no base units in it, as a number; nothing if it is irrational or very large.
+/// Returns the size of a meaning without base units, as a number; `None` if it is irrational or
+/// very large.
 pub(super) fn size(meaning: &super::unit::Meaning) -> Option<BigRational> {
     let mut size = BigRational::from_integer(1.into());
     for (base, exponent) in meaning {

@@ -1,11 +1,12 @@
-//! A unit as a product of rational powers of unit names, and what it means in terms of the base units.
+//! Unit as a product of rational powers of unit names, and its meaning in terms of the base units.
 //!
 //! ```text
 //! W/m**2/sr = W · m⁻² · sr⁻¹ ─ meaning ─▶ kg · s⁻³ · sr⁻¹
 //! ```
-//! The names are kept as they were written, for messages; two units are compared by their meaning. A size such as that of
-//! the millimetre is a product of primes, 2⁻³ 5⁻³ m, so that roots of it are exact too: by unique factorisation a product
-//! of rational powers of primes is 1 only if every exponent is 0.
+//! The names are kept as written, for messages; two units are compared by their meaning. A size
+//! such as that of the millimetre is a product of primes, 2⁻³ 5⁻³ m, so that its roots are exact as
+//! well: by unique factorisation a product of rational powers of primes is 1 only if every exponent
+//! is 0.
 
 use super::table::{self, Base};
 use num_rational::BigRational;
@@ -13,29 +14,30 @@ use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The exponents of base units and of primes; none of them is zero.
+/// Nonzero exponents of base units and of primes.
 pub(super) type Meaning = BTreeMap<Base, BigRational>;
 
-/// A product of powers of unit names; 1 without factors.
+/// Product of powers of unit names; the unit 1 has no factors.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Unit {
-    /// Each name once, in the order they were met, with an exponent that is not zero.
+    /// Unit names without duplicates, in the order of their first occurrence, each with a nonzero
+    /// exponent.
     factors: Vec<(String, BigRational)>,
 }
 
 impl Unit {
-    /// The unit of a number.
+    /// Returns the unit of a number.
     pub(super) fn one() -> Self {
         Self::default()
     }
 
-    /// The unit of that name; nothing if there is none.
+    /// Returns the unit with this name; `None` if there is none.
     pub(super) fn named(name: &str) -> Option<Self> {
         table::row(name)?;
         Some(Unit { factors: vec![(name.to_owned(), BigRational::one())] })
     }
 
-    /// The radian, the unit that the inverse trigonometric functions return.
+    /// Returns the radian, the unit of the inverse trigonometric functions.
     pub(super) fn radian() -> Self {
         Unit { factors: vec![(table::RADIAN.to_owned(), BigRational::one())] }
     }
@@ -63,7 +65,7 @@ impl Unit {
         self.product(&other.clone().power(&-BigRational::one()))
     }
 
-    /// The unit in base units and primes.
+    /// Returns the unit in base units and primes.
     pub(super) fn meaning(&self) -> Meaning {
         let mut meaning = Meaning::new();
         for (name, exponent) in &self.factors {
@@ -75,13 +77,13 @@ impl Unit {
         meaning
     }
 
-    /// The unit with the radian read as 1.
+    /// Returns the unit with the radian read as 1.
     pub(super) fn without_radians(mut self) -> Self {
         self.factors.retain(|factor| factor.0 != table::RADIAN);
         self
     }
 
-    /// The unit with the square radian read as the steradian.
+    /// Returns the unit with the square of the radian read as the steradian.
     pub(super) fn with_steradians(self) -> Self {
         let radians = self.factors.iter().find(|factor| factor.0 == table::RADIAN);
         let halves =
@@ -108,7 +110,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// `m`, `m**2` or `m**(1/2)`
+/// Writes `m`, `m**2` or `m**(1/2)`.
 fn write_power(f: &mut fmt::Formatter<'_>, name: &str, exponent: &BigRational) -> fmt::Result {
     match exponent {
         exponent if exponent.is_one() => f.write_str(name),

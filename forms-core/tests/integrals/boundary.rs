@@ -1,8 +1,10 @@
-//! The boundary of a box: Stokes' theorem holds of it, and of no boundary with a face, a sign or an end changed.
+//! Boundary of a box: Stokes' theorem holds for it, and for no boundary with a face, a sign or an
+//! end changed.
 //!
-//! A boundary is a rule that says which faces count and with which sign, and the integral over it a sum over its faces,
-//! each a box of its own with a map that sets one variable to a bound. So the rule can be put beside
-//! `boundary_integral`, which knows nothing of it, and beside ∫ dη over the inside.
+//! A boundary is a rule that determines which faces count and with which sign. The integral over it
+//! is a sum over its faces, each a box of its own with a map that sets one variable to a bound. So
+//! the rule can be compared with `boundary_integral`, which does not use it, and with ∫ dη over the
+//! interior.
 
 use super::quadrature::theory_of;
 use forms_core::decide::decide;
@@ -10,7 +12,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
-/// Scenes of each dimension.
+/// Number of scenes of each dimension.
 const SCENES: usize = 4;
 
 const BOX: [&str; 3] = ["u", "v", "w"];
@@ -19,36 +21,36 @@ const SPACE: [&str; 4] = ["x", "y", "z", "t"];
 /// One face of a box.
 #[derive(Clone, Copy, Debug)]
 struct Face {
-    /// The place of the variable that is fixed, outermost first.
+    /// Index of the fixed variable, outermost first.
     place: usize,
     /// Whether it is fixed at its upper bound.
     upper: bool,
 }
 
-/// The sign with which a face of a box of some dimension counts; none if it is left out.
+/// Sign with which a face of a box of some dimension counts; `None` if the face is omitted.
 type Boundary = fn(Face, usize) -> Option<i8>;
 
-/// (−1)^place at the upper bound, its opposite at the lower one.
+/// Gives (−1)^place at the upper bound, and the opposite at the lower one.
 fn induced(face: Face, _: usize) -> Option<i8> {
     Some(if face.upper == face.place.is_multiple_of(2) { 1 } else { -1 })
 }
 
-/// Every pair of faces has the orientation of the first.
+/// Gives every pair of faces the orientation of the first.
 fn without_signs_of_places(face: Face, _: usize) -> Option<i8> {
     Some(if face.upper { 1 } else { -1 })
 }
 
-/// Both ends of a range count alike.
+/// Gives both ends of a range the same sign.
 fn without_signs_of_ends(face: Face, _: usize) -> Option<i8> {
     Some(if face.place.is_multiple_of(2) { 1 } else { -1 })
 }
 
-/// The lower ends stand for the upper ones.
+/// Exchanges the lower and the upper ends.
 fn with_ends_swapped(face: Face, dimension: usize) -> Option<i8> {
     induced(face, dimension).map(|sign| -sign)
 }
 
-/// Places are counted from the innermost variable.
+/// Counts places from the innermost variable.
 fn counted_from_within(face: Face, dimension: usize) -> Option<i8> {
     induced(Face { place: dimension - 1 - face.place, ..face }, dimension)
 }
@@ -65,7 +67,7 @@ fn without_the_innermost_faces(face: Face, dimension: usize) -> Option<i8> {
     induced(face, dimension).filter(|_| face.place + 1 < dimension)
 }
 
-/// A form of degree n − 1 on a space, a map of an n-dimensional box into it, and the bounds of the box.
+/// Form of degree n − 1 on a space, map of an n-dimensional box into it, and bounds of the box.
 #[derive(Clone, Debug)]
 struct Scene {
     dimension: usize,
@@ -102,7 +104,8 @@ fn form(degree: usize, dimension: usize) -> impl Strategy<Value = String> {
     })
 }
 
-/// Boxes that start and end at numbers in their first variable, at polynomials in the outer ones in the others.
+/// Boxes whose bounds are numbers in the first variable, and polynomials in the outer variables in
+/// the others.
 fn scene(dimension: usize) -> impl Strategy<Value = Scene> {
     let variables = &BOX[..dimension];
     let bound = |place: usize| {
@@ -130,7 +133,8 @@ impl Scene {
         &BOX[..self.dimension]
     }
 
-    /// The map F of the box, the form η, and a map of a smaller box onto each face.
+    /// Returns the declarations of the map F of the box, the form η, and a map of a smaller box
+    /// onto each face.
     fn preamble(&self) -> String {
         let chart = |name: &str, coordinates: &[&str]| format!("chart {name}({});\n", coordinates.join(", "));
         let mut text = chart("S", &SPACE[..self.dimension]) + &chart("B", self.variables());
@@ -149,7 +153,7 @@ impl Scene {
         text
     }
 
-    /// `u = a..b, v = c..e`, one variable fixed at one of its ends.
+    /// Returns `u = a..b, v = c..e`, without the fixed variable, which is set to one of its bounds.
     fn ranges(&self, fixed: Option<Face>) -> String {
         let mut ranges = Vec::new();
         for (place, variable) in self.variables().iter().enumerate() {
@@ -177,7 +181,7 @@ impl Scene {
         format!("integral(pullback({name}{place}, pullback(F, eta)), {})", self.ranges(Some(face)))
     }
 
-    /// The signed sum over the faces that count.
+    /// Returns the signed sum over the faces that count.
     fn sum_over(&self, boundary: Boundary) -> String {
         let mut terms = Vec::new();
         for place in 0..self.dimension {

@@ -1,5 +1,5 @@
-//! Definite integrals: values against numerical quadrature, boundaries against the inside, and integrals that have to be
-//! refused.
+//! Definite integrals: values against numerical quadrature, boundaries against the interior, and
+//! integrals that must be refused.
 
 mod boundary;
 mod pieces;

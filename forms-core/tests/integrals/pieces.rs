@@ -1,4 +1,5 @@
-//! Integrals of absolute values and of symbolic powers against quadrature, and their mistaken values refuted.
+//! Integrals of absolute values and of symbolic powers against quadrature, and refutations of wrong
+//! values.
 
 use super::quadrature::{quadrature, scalar, theory_of};
 use forms_core::decide::decide;
@@ -8,7 +9,7 @@ use forms_core::resolve::Theory;
 
 const DECLARATIONS: &str = "chart Plane(x, y); param n, a, b where n > 1, 0 < a < 1, b > 1;";
 
-/// n, a and b where the values are looked at.
+/// Values of n, a and b for the comparison.
 const PARAMETERS: [(&str, f64); 3] = [("n", 2.5), ("a", 0.375), ("b", 1.75)];
 
 fn with_values(theory: &Theory, x: Option<f64>, symbols: &[Symbol]) -> Vec<(Symbol, f64)> {
@@ -21,7 +22,8 @@ fn with_values(theory: &Theory, x: Option<f64>, symbols: &[Symbol]) -> Vec<(Symb
         .collect()
 }
 
-/// The exact integral of f(x) between numbers, and quadrature between the places in order.
+/// Asserts that the exact integral of f(x) between numbers agrees with quadrature between
+/// consecutive places.
 fn assert_close(integrand: &str, (from, to): (&str, &str), places: &[f64]) {
     let text = format!("{DECLARATIONS} let f = {integrand}; let it = integral(f, x = {from}..{to});");
     let (theory, errors) = theory_of(&text);

@@ -1,4 +1,5 @@
-//! Exact integrals of random integrands against Gauss–Legendre quadrature, which knows nothing of antiderivatives.
+//! Exact integrals of random integrands against Gauss–Legendre quadrature, which uses no
+//! antiderivatives.
 
 use forms_core::expression::Expr;
 use forms_core::kernel::evaluate_f64;
@@ -10,17 +11,17 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 const CASES: usize = 160;
 
-/// How many of the integrals have to be found, in percent: all are of the class.
+/// Minimum share of the integrals that must be found, in percent; every one is in the class.
 const FLOOR: usize = 95;
 
-/// The theory of a text and the messages of its errors.
+/// Returns the theory of a text and the messages of its errors.
 pub(crate) fn theory_of(text: &str) -> (Theory, Vec<String>) {
     let (file, errors) = read(text);
     let (theory, found) = resolve(&file);
     (theory, errors.into_iter().chain(found).map(|error| error.message).collect())
 }
 
-/// The messages of a text's errors.
+/// Returns the messages of a text's errors.
 pub(crate) fn errors(text: &str) -> Vec<String> {
     theory_of(text).1
 }
@@ -57,7 +58,7 @@ fn integrand() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Gauss–Legendre with eight nodes on each of many parts.
+/// Computes Gauss–Legendre quadrature with eight nodes on each of many subintervals.
 pub(crate) fn quadrature(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     const NODES: [(f64, f64); 4] = [
         (0.183_434_642_495_649_8, 0.362_683_783_378_362),

@@ -1,4 +1,5 @@
-//! Integrals that do not converge, are not known to, or are outside the class are refused with the reason.
+//! Integrals that do not converge, are not known to converge, or are outside the class: they are
+//! refused with the reason.
 
 use super::quadrature::{errors, theory_of};
 use forms_core::check::{decide_all, read_theory};
@@ -86,8 +87,9 @@ fn a_statement_about_an_integral_that_may_not_exist_is_an_error() {
     }
 }
 
-/// What is known of a parameter leaves a zero of the denominator in the range, or at its end: each would be integrated if
-/// some rule about signs over the range took a bound, a power or an end for more than it is.
+/// The conditions on a parameter allow a zero of the denominator in the range, or at its end. Each
+/// integral would be accepted if a rule about signs over the range overestimated a bound, a power
+/// or an end.
 #[test]
 fn integrands_that_a_parameter_may_make_singular_are_refused() {
     let table = [
@@ -116,7 +118,8 @@ fn the_narrower_of_two_bounds_of_a_parameter_counts() {
     assert_eq!(errors(text), [""; 0]);
 }
 
-/// An unknown function may be singular where its conditions end, log x at 0 for x > 0 and 1/x for x ≠ 0.
+/// An unknown function can be singular at the boundary of its conditions, as log x is at 0 for x >
+/// 0, and 1/x for x ≠ 0.
 #[test]
 fn unknown_functions_are_integrated_only_where_their_conditions_hold_up_to_the_ends() {
     let table = [

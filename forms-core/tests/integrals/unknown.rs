@@ -1,5 +1,6 @@
-//! Integrals of unknown functions: linearity, Fubini, derivatives under the integral, partial integration, Gauss;
-//! refutations name functions; what depends on the sign of an integral is left open.
+//! Integrals of unknown functions: linearity, Fubini's theorem, differentiation under the integral,
+//! integration by parts, Gauss's theorem. Refutations name functions; statements that depend on the
+//! sign of an integral remain undecided.
 
 use super::quadrature::theory_of;
 use forms_core::decide::{Verdict, decide};
@@ -140,7 +141,8 @@ fn flux_out_of_a_box_is_the_integral_of_the_divergence() {
     all_are("refuted", &[&format!("{flux} == -{divergence}")]);
 }
 
-/// ∫f² ≥ 0 and Cauchy and Schwarz's inequality bind the values of integrals, so that no values of their own are a point.
+/// ∫f² ≥ 0 and the Cauchy–Schwarz inequality constrain the values of integrals, so independently
+/// chosen values are not a valid point.
 #[test]
 fn values_that_no_function_has_refute_nothing() {
     all_are(

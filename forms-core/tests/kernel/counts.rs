@@ -1,10 +1,10 @@
-//! What kernels cost, pinned so that it cannot creep.
+//! Operation counts of kernels, pinned so that they cannot grow unnoticed.
 
 use crate::formula::Formulas;
 use forms_core::expression::Expr;
 use forms_core::kernel::Program;
 
-/// x dy∧dz + y dz∧dx + z dx∧dy over r³, pulled back by (u, v) ↦ (x, y, z) as the calculus delivers it:
+/// Returns x dy∧dz + y dz∧dx + z dx∧dy over r³, pulled back by (u, v) ↦ (x, y, z), as the calculus produces it:
 /// Σ x/r³ (y_u z_v − z_u y_v) over the cyclic permutations of x, y, z, with r = √(x² + y² + z²).
 pub(crate) fn solid_angle(formulas: &mut Formulas, components: &[String; 3]) -> Expr {
     let (u, v) = (formulas.symbol("u"), formulas.symbol("v"));
@@ -22,7 +22,7 @@ pub(crate) fn solid_angle(formulas: &mut Formulas, components: &[String; 3]) -> 
 
 const CORNERS: &str = "u v ax ay az bx by bz cx cy cz dx dy dz";
 
-/// The bilinear patch with corners a, b, c, d, in the spellings people use.
+/// Bilinear patch with corners a, b, c, d, in the usual spellings.
 pub(crate) const BILINEAR: [(&str, &str); 5] = [
     ("weights", "(1-u)*(1-v)*a + u*(1-v)*b + (1-u)*v*c + u*v*d"),
     ("differences", "a + u*(b-a) + v*(c-a) + u*v*(d-c-b+a)"),
@@ -42,7 +42,7 @@ pub(crate) fn bilinear(spelling: &str) -> Program {
     formulas.program(&[result])
 }
 
-/// The formula with the points a, b, c, d replaced by their coordinates on each axis.
+/// Replaces the points a, b, c, d of a formula by their coordinates on each axis.
 fn on_each_axis(formula: &str) -> [String; 3] {
     ["x", "y", "z"].map(|axis| {
         let coordinate = |c: char| if "abcd".contains(c) { format!("{c}{axis}") } else { c.to_string() };
@@ -58,7 +58,7 @@ fn the_bilinear_patch_costs_what_an_expert_pays() {
     }
 }
 
-/// Two thirds of the arithmetic is in fused instructions, and few values are needed at once.
+/// Two thirds of the arithmetic is in fused instructions, and few values are live at once.
 #[test]
 fn the_bilinear_patch_is_fused_and_fits_sixteen_registers() {
     for (name, spelling) in BILINEAR {
@@ -68,7 +68,7 @@ fn the_bilinear_patch_is_fused_and_fits_sixteen_registers() {
     }
 }
 
-/// A kernel, and what it may cost: arithmetic operations, function calls.
+/// Kernel with its maximum cost: arithmetic operations, function calls.
 pub(crate) struct Known {
     pub(crate) name: &'static str,
     pub(crate) formulas: Formulas,
@@ -83,7 +83,7 @@ impl Known {
         Known { name, formulas, outputs, cost }
     }
 
-    /// The solid angle of a surface (u, v) ↦ (x, y, z) per du dv.
+    /// Returns the solid angle of a surface (u, v) ↦ (x, y, z) per du dv.
     fn surface(name: &'static str, variables: &str, map: [&str; 3], cost: (usize, usize)) -> Self {
         let mut formulas = Formulas::over(variables);
         let outputs = vec![solid_angle(&mut formulas, &map.map(String::from))];
@@ -95,7 +95,7 @@ impl Known {
     }
 }
 
-/// Kernels of the kinds the library generates.
+/// Returns kernels of the kinds that the library generates.
 pub(crate) fn known_kernels() -> Vec<Known> {
     let plane = on_each_axis("a + u*(b-a) + v*(c-a)");
     let points = ["x", "y", "z"].map(|axis| ["a", "b", "c"].map(|point| format!("{point}{axis}")).join(" "));

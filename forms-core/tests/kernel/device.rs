@@ -1,9 +1,11 @@
-//! Kernels in WGSL, run on a software Vulkan device: the one that Chromium brings with it, through WebGPU.
+//! Kernels in WGSL, run on a software Vulkan device: the one that comes with Chromium, through
+//! WebGPU.
 //!
 //! ```text
-//! kernels ─ emit ─▶ shader ─ page ─▶ Chromium ─ WebGPU ─ Vulkan ─▶ values, sent back ─▶ beside the interpreter's
+//! kernels ─ emit ─▶ shader ─ page ─▶ Chromium ─ WebGPU ─ Vulkan ─▶ values, sent back ─▶ comparison
 //! ```
-//! Where there is no Chromium, or none with such a device, nothing is run, and that is said.
+//! The values are compared with the interpreter's. Without Chromium, or without such a device,
+//! nothing is run, and the test is reported as skipped.
 
 use crate::emitted::{Inputs, kernels};
 use crate::targets::{emitted, has_functions};
@@ -15,14 +17,15 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// How long the browser may take to begin and to answer.
+/// Maximum time for the browser to start and answer.
 const PATIENCE: Duration = Duration::from_secs(40);
 
-/// Relative errors: WGSL promises 2.5 ulp of a division, and of sines no more than an absolute error of 2⁻¹¹.
+/// Relative errors: WGSL promises 2.5 ulp for a division, and for sines only an absolute error of
+/// 2⁻¹¹.
 const ARITHMETIC: f64 = 1e-5;
 const FUNCTIONS: f64 = 4e-3;
 
-/// Values that each kernel takes.
+/// Number of values for each kernel.
 const WIDTH: usize = 8;
 
 #[test]
@@ -53,7 +56,7 @@ fn wgsl_on_a_device_computes_what_the_interpreter_computes() {
     assert_eq!(values.next(), None);
 }
 
-/// A shader with all kernels, and an entry point that computes them at a row.
+/// Returns a shader with all kernels, and an entry point that computes them at a row.
 fn shader(programs: &[Program]) -> String {
     let mut shader = emitted(Target::Wgsl, Precision::F32);
     let outputs: usize = programs.iter().map(|program| program.outputs().len()).sum();
@@ -81,7 +84,7 @@ fn shader(programs: &[Program]) -> String {
     shader + "}\n"
 }
 
-/// A page that runs the shader at the rows and sends what it found back.
+/// Returns a page that runs the shader at the rows and sends the results back.
 fn page(programs: &[Program], rows: &[f64]) -> String {
     let outputs: usize = programs.iter().map(|program| program.outputs().len()).sum();
     let script = "
@@ -118,7 +121,8 @@ fn page(programs: &[Program], rows: &[f64]) -> String {
     )
 }
 
-/// What the page sends back from the browser, if there is one with a device.
+/// Returns the answer that the page sends from the browser; `None` without a browser that has a
+/// device.
 fn answer(page: &str) -> Option<String> {
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port of this machine");
     listener.set_nonblocking(true).expect("a listener that does not wait");
@@ -136,7 +140,7 @@ fn answer(page: &str) -> Option<String> {
     found.filter(|answer| answer != "no device")
 }
 
-/// Chromium without a window, with the device that computes on the processor.
+/// Starts Chromium without a window, with the software device.
 fn browser(place: &str) -> Option<Child> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("chromium");
     let driver = "/usr/lib/chromium/vk_swiftshader_icd.json";

@@ -1,4 +1,4 @@
-//! Emitted Rust, compiled as it stands and run beside the interpreter.
+//! Emitted Rust, compiled unchanged and compared with the interpreter.
 
 use crate::formula::Formulas;
 use forms_core::expression::Expr;
@@ -21,7 +21,8 @@ const KERNELS: &[(&str, &str, &[&str])] = &[
     ("many", "a b c d e f g H", &["a*b + c*d - (e*f - g*H)"]),
 ];
 
-/// Kernels of choices, in whose branches or beside which their sides stand, or not.
+/// Kernels with conditionals. Their sides occur inside the branches, next to the conditional, or in
+/// neither place.
 const CHOICES: &[(&str, &str, &[&str])] = &[
     (
         "in_branches",
@@ -38,7 +39,8 @@ const CHOICES: &[(&str, &str, &[&str])] = &[
     ("apart", "x y", &["x + (if x < 1 { y } else { 2 })", "if x < 2 { 1 } else { y }"]),
 ];
 
-/// Where NaN, infinities, signed zeros and ordinary numbers come from: a fixed linear congruence.
+/// Generator of NaN, infinities, signed zeros and ordinary numbers: a fixed linear congruential
+/// generator.
 pub(crate) struct Inputs(pub(crate) u64);
 
 impl Inputs {
@@ -53,7 +55,8 @@ impl Inputs {
     }
 }
 
-/// The kernels as they are written and optimised, one with compensated products, and two with conditions.
+/// Returns the kernels as written and as optimised, one with compensated products, and two with
+/// conditions.
 pub(crate) fn kernels() -> Vec<Program> {
     let mut programs = written_and_optimised(KERNELS);
     let mut products = Formulas::over("a b c d");
@@ -85,7 +88,8 @@ fn with_domains() -> Vec<Program> {
     vec![one, two]
 }
 
-/// Each kernel as a function of `f64`s and as the type `K_NAME` of a formula, with the arithmetic beside it.
+/// Emits each kernel as a function of `f64`s and as the type `K_NAME` of a formula, together with
+/// the arithmetic.
 fn emitted(programs: &[Program]) -> String {
     let docs = KernelDocs { formula: "f".into(), ..KernelDocs::default() };
     let mut source =
@@ -98,7 +102,8 @@ fn emitted(programs: &[Program]) -> String {
     source
 }
 
-/// A program that prints the bits of every kernel at each row: of the function, the formula in `f64` and in `f32`.
+/// Returns a program that prints the bits of every kernel at each row: of the function, of the
+/// formula in `f64` and in `f32`.
 fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
     let mut source = emitted(programs) + "fn main() {\n";
     for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
@@ -170,7 +175,7 @@ fn nothing_is_fused() {
             .all(|program| !emit_rust(program, &KernelDocs::default(), "forms_math").contains("mul_add"))
     );
 }
-/// Σ, one choice, two outputs and a condition, as they are printed.
+/// Σ, one conditional, two outputs and a condition, as printed.
 #[test]
 fn a_kernel_reads_as_written_by_hand() {
     let mut formulas = Formulas::over("x y");

@@ -1,4 +1,4 @@
-//! Formulas as tests write them: a text over named variables becomes an expression of a pool.
+//! Parser of formulas in tests: a text over named variables becomes an expression of a pool.
 //!
 //! sum = product { (+|−) product } · product = sign { (*|/) sign } · sign = −sign | power · power = atom [** exponent]
 
@@ -7,7 +7,7 @@ use forms_core::kernel::{KernelSource, Program, lower};
 use forms_core::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// A pool with named variables, the arguments of the kernels made from it, and names for parts of formulas.
+/// Pool with named variables, the arguments of the kernels made from it, and names for subformulas.
 pub(crate) struct Formulas {
     pub(crate) pool: Pool,
     pub(crate) arguments: Vec<Symbol>,
@@ -16,7 +16,7 @@ pub(crate) struct Formulas {
 }
 
 impl Formulas {
-    /// Formulas over these variables, written with spaces between them.
+    /// Creates a parser of formulas over these variables, written with spaces between them.
     pub(crate) fn over(variables: &str) -> Self {
         let mut pool = Pool::new();
         let arguments =
@@ -24,7 +24,7 @@ impl Formulas {
         Formulas { pool, arguments, name: "kernel".to_string(), parts: Vec::new() }
     }
 
-    /// Gives a part a name for later formulas.
+    /// Names a subformula for later formulas.
     pub(crate) fn name(&mut self, name: &str, part: Expr) -> Expr {
         self.parts.push((name.to_string(), part));
         part
@@ -35,7 +35,7 @@ impl Formulas {
         self.name(name, part)
     }
 
-    /// The name of the kernels made from here on.
+    /// Sets the name of the kernels made from here on.
     pub(crate) fn named(&mut self, name: &str) -> &mut Self {
         self.name = name.to_string();
         self
@@ -54,7 +54,7 @@ impl Formulas {
         expression
     }
 
-    /// The kernel of these outputs, as lowered.
+    /// Lowers the kernel with these outputs.
     pub(crate) fn program(&self, outputs: &[Expr]) -> Program {
         self.program_where(outputs, &[])
     }
@@ -75,7 +75,7 @@ impl Formulas {
     }
 }
 
-/// The kernel of formulas over these variables, as lowered.
+/// Lowers the kernel of formulas over these variables.
 pub(crate) fn program(variables: &str, formulas: &[&str]) -> Program {
     let mut written = Formulas::over(variables);
     let outputs: Vec<Expr> = formulas.iter().map(|formula| written.parse(formula)).collect();
@@ -164,7 +164,7 @@ impl Reader<'_> {
         base
     }
 
-    /// `3`, `-2`, `(3/2)`, `(-1/3)`
+    /// Parses `3`, `-2`, `(3/2)`, `(-1/3)`.
     fn exponent(&mut self) -> Ratio<i64> {
         let bracketed = self.accept("(");
         let sign = if self.accept("-") { -1 } else { 1 };
@@ -224,7 +224,7 @@ impl Reader<'_> {
         arguments
     }
 
-    /// `if a < b { x } else { y }`
+    /// Parses `if a < b { x } else { y }`.
     fn select(&mut self) -> Expr {
         let left = self.sum();
         let relation = if self.accept("<=") { Relation::LessEqual } else { Relation::Less };

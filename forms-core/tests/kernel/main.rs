@@ -1,4 +1,4 @@
-//! Kernels: what they cost, and that every way of computing them gives the same value.
+//! Kernels: their costs, and the agreement of all ways of computing them.
 
 mod counts;
 mod device;

@@ -1,5 +1,6 @@
-//! Every name that the language takes is a kernel and an argument on every target: the reserved words and standard names
-//! of all targets, names of generated code, and random ones are emitted together, and compilers are the judges.
+//! Every name that the language accepts can name a kernel and an argument on every target. The
+//! reserved words and standard names of all targets, names in generated code, and random names are
+//! emitted together, and compilers check the result.
 
 use crate::formula::Formulas;
 use crate::targets::{accepted, compiles, folder, validated};
@@ -9,7 +10,7 @@ use forms_core::syntax::ast::Relation;
 use forms_core::syntax::words::{Word, reserved};
 use std::collections::BTreeSet;
 
-/// The lists that emission goes by, and more that it does not have.
+/// Lists used by the emitter, and further names that it does not have.
 const LISTS: [&str; 6] = [
     include_str!("../../src/kernel/emit/names/c.txt"),
     include_str!("../../src/kernel/emit/names/c_library.txt"),
@@ -39,7 +40,7 @@ impl Random {
     }
 }
 
-/// Every name, once, in an order of its own.
+/// Returns every name once, in random order.
 fn names() -> Vec<String> {
     let lines = LISTS.iter().flat_map(|list| list.lines()).filter(|line| !line.starts_with('#'));
     let mut names: BTreeSet<String> = lines.flat_map(str::split_whitespace).map(str::to_string).collect();
@@ -63,7 +64,8 @@ fn names() -> Vec<String> {
     names
 }
 
-/// Kernels with these names, whose arguments have them too: functions, powers, branches, domains, one result or several.
+/// Returns kernels with these names, which are also the names of their arguments: functions,
+/// powers, branches, domains, one result or several.
 fn programs(names: &[String]) -> Vec<Program> {
     let at = |place: usize| names[place % names.len()].as_str();
     let program = |place: usize| {
@@ -93,12 +95,12 @@ fn source(programs: &[Program], target: Target, precision: Precision) -> String 
     emit(&sources, target, precision).expect("every kernel can be said")
 }
 
-/// The names of a part of the whole, so that each compilation is short; all of them with `FORMS_FUZZ`.
+/// Returns a part of the names, so that each compilation is short; all of them with `FORMS_FUZZ`.
 fn some_names(divisor: usize) -> Vec<String> {
     let names = names();
     assert!(names.len() > 3_000, "{} names", names.len());
     let is_long = std::env::var_os("FORMS_FUZZ").is_some();
-    // what people would call a quantity, and what is known to have gone wrong, is always among them
+    // likely names of quantities, and names that have caused errors before, are always included
     let fixed = LISTS[0].lines().chain(LISTS[2].lines()).chain(LISTS[3].lines()).chain(LISTS[5].lines());
     let fixed: BTreeSet<&str> = fixed.flat_map(str::split_whitespace).collect();
     let kept =

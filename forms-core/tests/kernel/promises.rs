@@ -1,10 +1,11 @@
-//! What becomes of `within` where a kernel is emitted: kept by precision or by a bound, or said to be lost.
+//! Treatment of `within` where a kernel is emitted: kept by precision or by a bound, or reported as
+//! lost.
 
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::kernel::{KernelDocs, Precision, Source, Target, broken_promises, emit};
 
-/// A form that rounding alone keeps near the formula, and one that it does not.
+/// Kernel whose rounding errors alone stay within the bound, and kernel for which they do not.
 const BOUNDED: &str = "kernel k(x) = x/(1 + x) where 1 <= x <= 4 within 16;";
 const CANCELLING: &str = "kernel k(x) = (1 - cos(x))/x**2 within 2;";
 
@@ -16,7 +17,7 @@ fn source(text: &str) -> Source {
     Source { program, docs: KernelDocs::default(), within: kernel.within }
 }
 
-/// The text, and what is said of promises that are not kept.
+/// Returns the emitted text, and the messages about promises that are not kept.
 fn emitted(text: &str, target: Target, precision: Precision) -> (String, Vec<String>) {
     let sources = [source(text)];
     let emitted = emit(&sources, target, precision).expect("a source");
@@ -77,7 +78,7 @@ fn rust_keeps_promises_by_precision_in_every_precision() {
         let (text, lost) = emitted(CANCELLING, Target::Rust, precision);
         assert!(text.contains(function) && text.contains(sentence) && lost.is_empty(), "{}", &text[..800]);
     }
-    // what the form alone keeps in `f32` needs no more
+    // a bound that the form alone keeps in `f32` needs no more precision
     let (text, lost) = emitted(BOUNDED, Target::Rust, Precision::F32);
     assert!(!text.contains("escalate_f32") && lost.is_empty());
     assert!(text.contains("relative to it: rounding makes at most"));

@@ -1,5 +1,6 @@
-//! Kernels in C, CUDA and WGSL: compiled or validated where there is a compiler, run, and compared with the
-//! interpreter. What is emitted is kept in the folder `targets`; with `FORMS_WRITE=1` it is written anew.
+//! Kernels in C, CUDA and WGSL: compiled or validated where there is a compiler, run, and compared
+//! with the interpreter. The emitted text is stored in the folder `targets`; `FORMS_WRITE=1`
+//! rewrites it.
 
 use crate::emitted::{Inputs, kernels};
 use crate::formula::Formulas;
@@ -9,7 +10,8 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// How far a value may be from that of the interpreter, which has functions and compensated products from elsewhere.
+/// Maximum distance from the interpreter's value; the interpreter uses other implementations of
+/// functions and compensated products.
 const ULP: i64 = 4;
 
 fn sources(programs: &[Program]) -> Vec<Source> {
@@ -29,8 +31,8 @@ pub(crate) fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// Whether a compiler makes a program of the least source; where it does not, the test is reported as skipped. A linker may bear the
-/// name of a compiler and have no assembler or headers.
+/// Whether a compiler can compile a minimal source; if not, the test is reported as skipped. A
+/// linker can have the name of a compiler but no assembler or headers.
 pub(crate) fn compiles(compiler: &str, test: &str) -> bool {
     if !forms_testing::is_installed(compiler) {
         forms_testing::skipped(test, compiler, "it is not in PATH");
@@ -53,7 +55,7 @@ pub(crate) fn compiles(compiler: &str, test: &str) -> bool {
     }
 }
 
-/// Runs a tool on a file; its complaints are a failure, silence too.
+/// Runs a tool on a file, and panics if the tool reports failure.
 #[track_caller]
 pub(crate) fn accepted(tool: &str, arguments: &[&str], file: &Path) {
     let output = Command::new(tool).args(arguments).arg(file).output().expect("the tool runs");
@@ -65,7 +67,7 @@ pub(crate) fn accepted(tool: &str, arguments: &[&str], file: &Path) {
     );
 }
 
-/// Compares a text with the file that keeps it.
+/// Compares a text with the stored file.
 #[track_caller]
 fn is_kept(name: &str, text: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kernel/targets").join(name);
@@ -76,7 +78,7 @@ fn is_kept(name: &str, text: &str) {
     assert_eq!(kept, text, "{name}: FORMS_WRITE=1 cargo test -p forms-core --test kernel targets");
 }
 
-/// Each target in its usual precision, and those that have another in that.
+/// Stored files: each target in its usual precision, and in another one if it has one.
 const KEPT: [(&str, Target, Precision); 6] = [
     ("kernels.c", Target::C, Precision::F64),
     ("kernels_f32.c", Target::C, Precision::F32),
@@ -90,13 +92,13 @@ const KEPT: [(&str, Target, Precision); 6] = [
 fn what_is_emitted_is_kept() {
     for (name, target, precision) in KEPT {
         let text = emitted(target, precision);
-        // the pasted arithmetic has its own home
+        // the included arithmetic is tested elsewhere
         let own = text.split("\n#[allow(dead_code, unused_imports").next().unwrap_or_default();
         is_kept(name, own);
     }
 }
 
-/// A program in C that prints every kernel at each row in hexadecimal digits.
+/// Returns a C program that prints every kernel at each row in hexadecimal digits.
 fn harness(programs: &[Program], rows: &[Vec<f64>], precision: Precision) -> String {
     let number = if precision == Precision::F32 { "float" } else { "double" };
     let mut source = emitted(Target::C, precision) + "\n#include <stdio.h>\nint main(void) {\n";
@@ -122,7 +124,7 @@ fn literal(value: f64) -> String {
     if value.is_infinite() { "INFINITY".to_string() } else { format!("{value:?}") }
 }
 
-/// A number as `%a` prints it.
+/// Parses a number as printed by `%a`.
 fn hexadecimal(text: &str) -> f64 {
     let (negative, text) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
     let magnitude = match text.strip_prefix("0x") {
@@ -139,7 +141,7 @@ fn hexadecimal(text: &str) -> f64 {
     if negative { -magnitude } else { magnitude }
 }
 
-/// How many numbers of the precision lie between two.
+/// Returns the distance of two numbers in units in the last place of the precision.
 fn distance(a: f64, b: f64, precision: Precision) -> i64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0;
@@ -172,7 +174,7 @@ fn c_compiles_without_warnings_and_computes_what_the_interpreter_computes() {
     let rows: Vec<Vec<f64>> = (0..30).map(row).collect();
     let programs = kernels();
     let test = "kernel::targets::c_compiles_without_warnings_and_computes_what_the_interpreter_computes";
-    // `cc` links every Rust program, and on most machines it is one of the others
+    // `cc` links every Rust program, and on most machines it is one of the other two
     for compiler in ["cc", "gcc", "clang"].into_iter().filter(|compiler| compiles(compiler, test)) {
         for precision in [Precision::F64, Precision::F32] {
             let source = harness(&programs, &rows, precision);

@@ -1,4 +1,4 @@
-//! Translation validation: what an optimised kernel computes is proved equal to what was written.
+//! Translation validation: an optimised kernel is proved equal to the formula as written.
 
 use crate::counts::{BILINEAR, bilinear_formulas, known_kernels};
 use crate::formula::Formulas;

@@ -1,4 +1,4 @@
-//! Values in floating point: the optimised kernel beside the formula as it is written.
+//! Values in floating point: the optimised kernel against the formula as written.
 
 use crate::counts::{BILINEAR, Known, bilinear, known_kernels};
 use crate::formula::{Formulas, program};
@@ -6,7 +6,7 @@ use forms_core::expression::{Expr, Symbol};
 use forms_core::kernel::{Program, evaluate_f64};
 use proptest::prelude::*;
 
-/// How many units in the last place, times the condition of the formula, a value may be off.
+/// Tolerance in units in the last place, times the condition of the formula.
 const ULPS: f64 = 32.0;
 
 fn written(formulas: &Formulas, outputs: &[Expr], point: &[f64]) -> Vec<f64> {
@@ -14,7 +14,8 @@ fn written(formulas: &Formulas, outputs: &[Expr], point: &[f64]) -> Vec<f64> {
     evaluate_f64(&formulas.pool, outputs, &values).expect("a value for every variable")
 }
 
-/// |f| + Σ |xᵢ ∂f/∂xᵢ| for every output: what an error of one part in 1/ε in the variables does.
+/// Returns |f| + Σ |xᵢ ∂f/∂xᵢ| for every output: the sensitivity to relative errors in the
+/// variables.
 fn conditions(formulas: &Formulas, outputs: &[Expr], point: &[f64]) -> Vec<f64> {
     let step = 1e-6;
     let mut sums: Vec<f64> = written(formulas, outputs, point).iter().map(|value| value.abs()).collect();

@@ -1,4 +1,5 @@
-//! The operations that laws speak of, so that one law can be put to the calculus and to its mutants.
+//! Operations that occur in the laws, as a trait, so that each law can be applied to the calculus
+//! and to its mutants.
 
 use super::scene::World;
 use forms_core::calculus::{self, Coefficients, Coordinate, Field, Form, Pullback};
@@ -51,7 +52,7 @@ pub(crate) trait Algebra {
         calculus::bracket(ring, x, y)
     }
 
-    /// φ*w for a map of the patch to itself.
+    /// Returns φ*w for a map of the patch to itself.
     fn pullback(&self, world: &mut World, map: &[Expr], w: &Form<Expr>) -> Form<Expr> {
         let values = substitution(world, map);
         let coordinates = world.coordinates();
@@ -62,7 +63,7 @@ pub(crate) trait Algebra {
         calculus::pullback(&mut ring, &prepared, w, |ring, value| ring.pool.substitute(*value, &values))
     }
 
-    /// φ∘ψ
+    /// Returns φ∘ψ.
     fn compose(&self, world: &mut World, outer: &[Expr], inner: &[Expr]) -> Vec<Expr> {
         let values = substitution(world, inner);
         world.pool.substitute_all(outer, &values)
@@ -73,7 +74,7 @@ pub(crate) fn substitution(world: &World, map: &[Expr]) -> Substitution {
     world.symbols.iter().copied().zip(map.iter().copied()).collect()
 }
 
-/// The calculus as it is.
+/// The calculus itself.
 pub(crate) struct Genuine;
 
 impl Algebra for Genuine {}

@@ -1,5 +1,6 @@
-//! Laws of angles: corners of regular polygons, inverse functions of functions, relations between them on boxes;
-//! each beside an evaluation in plain arithmetic, and provers without the branch that these reject.
+//! Laws of angles: corners of regular polygons, inverse functions of functions, relations between
+//! inverse functions on boxes. Each is compared with an evaluation in plain arithmetic; variants of
+//! the prover that ignore the branch are rejected.
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::enclosure::{Enclosure, Precision, enclose};
@@ -35,7 +36,7 @@ fn value(pool: &Pool, expression: Expr) -> Enclosure {
     enclose(pool, &[expression], &|_| None, &mut |_, _, _| None, Precision(200)).remove(0).unwrap()
 }
 
-/// left − right at a point
+/// Returns left − right at a point.
 fn difference(theory: &mut Theory, point: [f64; 2]) -> f64 {
     let statement = theory.statements[0].clone();
     let (Value::Scalar(left), Value::Scalar(right)) = (&statement.left, &statement.right) else {
@@ -81,7 +82,8 @@ fn the_corners_of_a_polygon_add_up_to_zero() {
     }
 }
 
-/// Functions f and inverse functions g: on each interval between multiples of π/2, g(f(x)) = ±x + kπ.
+/// For functions f and inverse functions g, g(f(x)) = ±x + kπ on each interval between multiples of
+/// π/2.
 #[test]
 fn an_inverse_function_of_a_function_is_proved_on_the_right_branch_and_refuted_on_the_others() {
     let pairs = ["asin(sin(x))", "acos(cos(x))", "atan(tan(x))", "atan2(sin(x), cos(x))", "acos(sin(x))"];
@@ -118,7 +120,7 @@ const RELATIONS: &[&str] = &[
     "atan2(y, x) - atan2(1, 2) == atan2(2*y - x, 2*x + y) + K*pi",
 ];
 
-/// Boxes in the plane, by the ends of x and of y.
+/// Boxes in the plane, as the ends of x and of y.
 const BOXES: &[[i64; 4]] = &[
     [0, 1, 0, 1],
     [1, 3, 1, 3],
@@ -162,7 +164,7 @@ fn relations_between_inverse_functions_have_the_verdict_of_their_box() {
     assert!(20 * unknown <= holding + failing, "{unknown} of {} are unknown", holding + failing);
 }
 
-/// What a prover of angles would prove that forgot part of its argument.
+/// Statements that a prover of angles would prove if it omitted part of its argument.
 #[test]
 fn neither_the_sine_nor_the_turn_nor_the_range_of_a_difference_is_enough() {
     let sine_vanishes = |angle: &str| verdict(&format!("sin({angle}) == 0"));

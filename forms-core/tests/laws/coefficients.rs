@@ -8,7 +8,7 @@ use proptest::prelude::*;
 /// A number times a product of coordinates, by their numbers.
 type Monomial = (i64, Vec<u8>);
 
-/// How a coefficient is made.
+/// Recipe of a random coefficient.
 #[derive(Clone, Debug)]
 pub(crate) enum Recipe {
     Polynomial(Vec<Monomial>),
@@ -40,7 +40,7 @@ pub(crate) fn recipe() -> impl Strategy<Value = Recipe> {
     ]
 }
 
-/// A component of a map: what is composed with it stays small.
+/// Components of a map, chosen so that compositions with it stay small.
 pub(crate) fn gentle() -> impl Strategy<Value = Recipe> {
     let monomial = (prop_oneof![Just(-1), 1..=2i64], prop::collection::vec(0..4u8, 1..=2));
     prop_oneof![
@@ -49,7 +49,7 @@ pub(crate) fn gentle() -> impl Strategy<Value = Recipe> {
     ]
 }
 
-/// A component of a linear map.
+/// Components of a linear map.
 pub(crate) fn linear() -> impl Strategy<Value = Recipe> {
     let monomial = (prop_oneof![Just(-1), Just(1)], prop::collection::vec(0..4u8, 1));
     prop::collection::vec(monomial, 1..=2).prop_map(Recipe::Polynomial)

@@ -1,5 +1,6 @@
-//! Divergences in normal form: a Laplacian, brought to one denominator, is the sum of second derivatives as the
-//! calculus writes it, and the ring's derivative of its derivative; and a frame changes no derivative.
+//! Divergences in normal form: a Laplacian over one denominator equals the sum of second
+//! derivatives as the calculus writes it, and the ring's derivative of its derivative; and a frame
+//! changes no derivative.
 
 use super::equality::{vanish_exactly, vanish_numerically};
 use super::scene::World;
@@ -60,13 +61,13 @@ fn laplacian(pool: &mut Pool, f: Expr, symbols: &[Symbol]) -> Expr {
     sum(pool, &parts)
 }
 
-/// Σ ∂fᵢ/∂xᵢ
+/// Returns Σ ∂fᵢ/∂xᵢ.
 fn divergence(pool: &mut Pool, field: &[Expr], symbols: &[Symbol]) -> Expr {
     let parts: Vec<Expr> = field.iter().zip(symbols).map(|(&f, &x)| pool.derivative(f, x)).collect();
     sum(pool, &parts)
 }
 
-/// Δ(fg) − fΔg − c ∇f·∇g − gΔf
+/// Returns Δ(fg) − fΔg − c ∇f·∇g − gΔf.
 fn product_rule(world: &mut World, shapes: &[Shape; 2], c: i64) -> Expr {
     let symbols = world.symbols.clone();
     let pool = &mut world.pool;
@@ -84,8 +85,8 @@ fn product_rule(world: &mut World, shapes: &[Shape; 2], c: i64) -> Expr {
     sum(pool, &parts)
 }
 
-/// Whether an expression over the world's symbols has the normal form of the Laplacian that the ring finds by two
-/// derivatives of the normal form of f.
+/// Whether an expression over the world's symbols has the normal form of the Laplacian that the
+/// ring computes by two derivatives of the normal form of f.
 fn is_laplacian_of_the_ring(world: &World, f: Expr, laplacian: Expr) -> bool {
     let mut tower = Tower::new(Trigonometry::Circle);
     let prepared = normalise(&mut tower, &world.pool, &[f, laplacian]).unwrap();
@@ -122,7 +123,8 @@ proptest! {
         prop_assert!(is_laplacian_of_the_ring(&world, f, direct));
     }
 
-    /// Differentiated in other variables and then renamed, an expression is no derivative that is known as one.
+    /// An expression that is differentiated in other variables and then renamed is not recognised
+    /// as a known derivative.
     #[test]
     fn a_laplacian_summed_quotient_by_quotient_is_that_of_the_ring(shape in shape()) {
         let mut world = World::new(3);
@@ -139,7 +141,7 @@ proptest! {
         prop_assert!(is_laplacian_of_the_ring(&world, f, written));
     }
 
-    /// The same for the divergence of a field, whose coefficients hold no derivatives.
+    /// The same holds for the divergence of a field whose coefficients contain no derivatives.
     #[test]
     fn a_divergence_of_a_field_is_that_of_the_ring_however_it_is_written(shapes in prop::array::uniform3(shape())) {
         let mut world = World::new(3);
@@ -225,8 +227,8 @@ fn a_derivative_that_forgets_that_a_variable_moves_is_another() {
     assert_eq!(vanish_exactly(&world, &[difference]), Some(false));
 }
 
-/// sin x₀/(2 + cos x₀), in the circle's generators or the tangent of the half angle, and (2 + ρ)^(k/2) x₁ with
-/// ρ² = 1 + x₀², whose root stands over a root.
+/// sin x₀/(2 + cos x₀), in the generators of the circle or in the half-angle tangent, and
+/// (2 + ρ)^(k/2) x₁ with ρ² = 1 + x₀², a root whose radicand contains a root.
 #[test]
 fn derivatives_of_half_angles_and_of_roots_over_roots_are_those_of_the_calculus() {
     let mut world = World::new(2);

@@ -1,4 +1,5 @@
-//! Whether expressions vanish: by the normal form, and independently by enclosures at exact points.
+//! Tests whether expressions vanish: by the normal form, and independently by enclosures at exact
+//! points.
 
 use super::scene::World;
 use forms_core::enclosure::{Enclosure, Precision, enclose};
@@ -7,15 +8,16 @@ use forms_core::normal::{Fraction, Obstacle, Tower, Trigonometry, normalise};
 
 const PRECISION: Precision = Precision(160);
 
-/// What has to be zero on a thousandth of a thousandth of a thousandth.
+/// Returns 10⁻⁹, the tolerance for a value that must be zero.
 fn tiny() -> Rational {
     Rational::new(1.into(), 1_000_000_000.into())
 }
 
-/// Term products that a comparison may take: more are left to the enclosures.
+/// Maximum number of term products for a comparison; larger comparisons are left to the enclosures.
 const WORK: u64 = 3_000_000;
 
-/// Whether every expression has the normal form zero; nothing if there is none, or none small enough for a test.
+/// Whether every expression has the normal form zero; `None` if there is no normal form, or none
+/// small enough for a test.
 pub(crate) fn vanish_exactly(world: &World, expressions: &[Expr]) -> Option<bool> {
     let mut tower = Tower::new(Trigonometry::Circle).with_work_limit(WORK);
     let fractions = normalise(&mut tower, &world.pool, expressions)
@@ -27,7 +29,8 @@ pub(crate) fn vanish_exactly(world: &World, expressions: &[Expr]) -> Option<bool
     }
 }
 
-/// Whether every expression is zero, to many digits, at points where all are defined; nothing if none was found.
+/// Whether every expression is zero, to many digits, at points where all are defined; `None` if no
+/// such point was found.
 pub(crate) fn vanish_numerically(world: &World, expressions: &[Expr]) -> Option<bool> {
     let mut seen = false;
     for number in 1..=4 {
@@ -41,7 +44,8 @@ pub(crate) fn vanish_numerically(world: &World, expressions: &[Expr]) -> Option<
     seen.then_some(true)
 }
 
-/// The unknown functions stand for exp(Σ cᵢ xᵢ), whose derivatives are products of the cᵢ times itself.
+/// Encloses expressions at a point, with exp(Σ cᵢ xᵢ) for the unknown functions: its derivatives
+/// are products of the cᵢ times the function itself.
 fn values_at(world: &World, expressions: &[Expr], number: i64) -> Vec<Option<Enclosure>> {
     let exact = |value: &Rational| Enclosure::exact(value, PRECISION);
     let value_of = |symbol| {
@@ -67,7 +71,7 @@ fn values_at(world: &World, expressions: &[Expr], number: i64) -> Vec<Option<Enc
     values.into_iter().map(Result::ok).collect()
 }
 
-/// Both answers, which must be one; one at least there must be.
+/// Returns the common answer of both tests; panics if they disagree or if neither has an answer.
 pub(crate) fn vanish(world: &World, expressions: &[Expr]) -> bool {
     let (exactly, numerically) = (vanish_exactly(world, expressions), vanish_numerically(world, expressions));
     if let (Some(exactly), Some(numerically)) = (exactly, numerically) {

@@ -1,5 +1,6 @@
-//! The rules by which exponentials, logarithms, powers, radicals and magnitudes are compared, each with a slip of it:
-//! every instance of a rule is proved, and of a slip refuted, unless both sides agree at every point tried.
+//! Rules by which exponentials, logarithms, powers, radicals and absolute values are compared, each
+//! with a wrong variant. Every instance of a rule is proved, and every instance of a wrong variant
+//! is refuted unless both sides agree at every point tried.
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::kernel::evaluate_f64;
@@ -8,11 +9,11 @@ use forms_core::syntax::read;
 
 const PREAMBLE: &str = "chart Plane(x, y); chart Quadrant(s, t) where s > 0, t > 0; param q, n;";
 
-/// What stands for A and B, real, and for P and R, positive.
+/// Expressions substituted for A and B, which are real, and for P and R, which are positive.
 const REAL: &[&str] = &["x", "(x + y)", "(x*y)", "(x**2/3)", "(y/(1 + x**2))", "sqrt(1 + x**2)"];
 const POSITIVE: &[&str] = &["s", "(s*t)", "(1 + x**2)", "exp(x)", "sqrt(t)", "(s/(s + t))", "(s + sqrt(t))"];
 
-/// left, right, and the right side of a slip
+/// Left side, right side, and the right side of the wrong variant.
 const RULES: &[(&str, [&str; 3])] = &[
     ("a sum of exponents is a product", ["exp(A + B)", "exp(A)*exp(B)", "exp(A) + exp(B)"]),
     (
@@ -60,7 +61,8 @@ fn instance(template: &str, number: usize) -> String {
         .replace('R', &of(POSITIVE, 3 * number + 1))
 }
 
-/// The verdict, and whether the sides agree in plain arithmetic at some points where both have a value.
+/// Returns the verdict, and whether the sides agree in plain arithmetic at some points where both
+/// have a value.
 fn decided(left: &str, right: &str) -> (Verdict, bool) {
     let text = format!("{PREAMBLE} prove it: {left} == {right};");
     let (mut theory, errors) = resolve(&read(&text).0);

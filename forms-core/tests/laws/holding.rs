@@ -1,4 +1,5 @@
-//! Every law holds of the calculus, over structured expressions and over normal forms, and both routes agree.
+//! Every law holds for the calculus, over structured expressions and over normal forms, and both
+//! representations agree.
 
 use super::algebra::Genuine;
 use super::equality::vanish;
@@ -16,7 +17,7 @@ fn check(property: impl Fn(Draft) -> Result<(), TestCaseError>) {
     TestRunner::new(config).run(&draft(), property).unwrap_or_else(|failure| panic!("{failure}"));
 }
 
-/// The law over structured expressions.
+/// Asserts the law over structured expressions.
 fn holds(law: Law) {
     check(|draft| {
         let mut world = draft.world();
@@ -28,7 +29,7 @@ fn holds(law: Law) {
     holds_of_normal_forms(law);
 }
 
-/// The law over normal forms, where zero is seen at once.
+/// Asserts the law over normal forms, where zero is recognised immediately.
 fn holds_of_normal_forms(law: Law) {
     check(|draft| {
         let mut world = draft.world();
@@ -134,7 +135,7 @@ fn pulling_back_by_a_composition_is_pulling_back_twice() {
     holds_of_maps(MapLaw::Compositions);
 }
 
-/// The normal form of da is d of the normal form of a, and likewise for L_X a.
+/// The normal form of da is d of the normal form of a; the same holds for L_X a.
 #[test]
 fn normal_forms_and_derivatives_change_places() {
     check(|draft| {

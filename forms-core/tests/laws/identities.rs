@@ -1,5 +1,5 @@
-//! Random true statements are never refuted and mostly proved; random false ones are never proved, and their
-//! witnesses stand up to evaluation in plain arithmetic.
+//! Random true statements are never refuted and mostly proved. Random false ones are never proved,
+//! and their witnesses are confirmed in plain arithmetic.
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::expression::{Expr, Symbol};
@@ -12,11 +12,12 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 const PREAMBLE: &str = "chart R3(x, y, z);";
 
-/// How many statements a run draws, and how many of the true ones must be proved, in percent.
+/// Number of statements of a run, and the minimum share of the true ones that must be proved, in
+/// percent.
 const STATEMENTS: usize = 220;
 const FLOOR: usize = 95;
 
-/// An expression as text; polynomials, quotients, radicals, waves.
+/// Expressions as text: polynomials, quotients, radicals, sines and cosines.
 fn scalar() -> impl Strategy<Value = String> {
     let variable = prop::sample::select(vec!["x", "y", "z"]);
     let number = 1..=4i64;
@@ -32,12 +33,12 @@ fn scalar() -> impl Strategy<Value = String> {
     ]
 }
 
-/// A linear angle.
+/// Linear angles.
 fn angle() -> impl Strategy<Value = String> {
     (1..=3i64, 1..=3i64, prop::sample::select(vec!["x", "y"])).prop_map(|(p, q, v)| format!("({p}*{v}/{q})"))
 }
 
-/// Both sides of an identity, made by one step of rewriting.
+/// Both sides of an identity, made by one rewriting step.
 fn identity() -> impl Strategy<Value = (String, String)> {
     (0..14usize, scalar(), scalar(), angle(), angle()).prop_map(|(kind, a, b, u, v)| match kind {
         0 => (format!("({a} + {b})**2"), format!("{a}**2 + 2*{a}*{b} + {b}**2")),
@@ -67,7 +68,7 @@ fn common_denominator(a: &str, b: &str) -> String {
     format!("(3 + {a}**2 + {b}**2)/((1 + {a}**2)*(2 + {b}**2))")
 }
 
-/// The right side with one number, sign or exponent changed.
+/// Returns the right side with one number, sign or exponent changed.
 fn perturbed(right: &str, place: usize) -> Option<String> {
     let changes: [(&str, &str); 6] =
         [(" + ", " - "), ("**2", "**3"), ("2*", "3*"), ("cos(", "sin("), ("sqrt(", "abs("), ("1 + ", "2 + ")];
@@ -87,14 +88,14 @@ fn theory_of(left: &str, right: &str) -> (Theory, Statement) {
     (theory, statement)
 }
 
-/// The same draws in every run.
+/// Draws the same values in every run.
 fn draws<S: Strategy>(strategy: &S, count: usize) -> Vec<S::Value> {
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(Config::default(), random);
     (0..count).map(|_| strategy.new_tree(&mut runner).unwrap().current()).collect()
 }
 
-/// The components of both sides, those of one blade side by side.
+/// Returns the components of both sides, paired by blade.
 fn sides(theory: &mut Theory, statement: &Statement) -> Vec<[Expr; 2]> {
     let zero = theory.pool.integer(0);
     match (&statement.left, &statement.right) {
@@ -112,7 +113,7 @@ fn sides(theory: &mut Theory, statement: &Statement) -> Vec<[Expr; 2]> {
     }
 }
 
-/// Whether some component differs at a point, by more than rounding explains.
+/// Whether some component differs at a point by more than the rounding error.
 fn differ(theory: &mut Theory, statement: &Statement, point: &[(Symbol, f64)]) -> bool {
     sides(theory, statement).iter().any(|pair| {
         let values = evaluate_f64(&theory.pool, pair, point).unwrap_or_default();

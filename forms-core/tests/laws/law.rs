@@ -1,11 +1,11 @@
-//! The laws of exterior calculus, each as the coefficients that it says vanish.
+//! Laws of exterior calculus, each given by the coefficients that must vanish.
 
 use super::algebra::Algebra;
 use super::scene::{Draft, Scene, World};
 use forms_core::calculus::{Coefficients, Coordinate, Field, Form};
 use forms_core::expression::Expr;
 
-/// A law over any ring of coefficients.
+/// Law over any ring of coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Law {
     /// d d a = 0
@@ -36,7 +36,7 @@ pub(crate) enum Law {
     PairingIsThePermutationSum,
 }
 
-/// The terms of left − right.
+/// Returns the terms of left − right.
 fn difference<R: Coefficients>(
     ring: &mut R,
     left: &Form<R::Scalar>,
@@ -46,12 +46,12 @@ fn difference<R: Coefficients>(
     coefficients(&left.add(ring, &negated))
 }
 
-/// (−1)ⁿ w
+/// Returns (−1)ⁿ w.
 fn signed<R: Coefficients>(ring: &mut R, n: u32, w: Form<R::Scalar>) -> Form<R::Scalar> {
     if n % 2 == 1 { w.negate(ring) } else { w }
 }
 
-/// All coefficients of a form.
+/// Returns all coefficients of a form.
 fn coefficients<S: Clone>(form: &Form<S>) -> Vec<S> {
     form.terms().iter().map(|term| term.1.clone()).collect()
 }
@@ -61,7 +61,7 @@ fn components<S: Clone>(field: &Field<S>) -> Vec<S> {
 }
 
 impl Law {
-    /// What vanishes if the law holds.
+    /// Returns the coefficients that vanish if the law holds.
     pub(crate) fn defects<R: Coefficients>(
         self,
         ring: &mut R,
@@ -135,7 +135,7 @@ fn associativity<R: Coefficients>(
     difference(ring, &left, &right)
 }
 
-/// For the forms of the scene and for dc, whose terms meet more often.
+/// Returns the defects for the forms of the scene and for dc, in which more terms coincide.
 fn powers<R: Coefficients>(ring: &mut R, algebra: &impl Algebra, scene: &Scene<R::Scalar>) -> Vec<R::Scalar> {
     let dc = algebra.d(ring, &scene.c, &scene.coordinates);
     let mut defects = Vec::new();
@@ -240,7 +240,7 @@ fn skewness<R: Coefficients>(
     components(&forward.add(ring, &backward))
 }
 
-/// i_Y i_X w − Σ w_ij (XⁱYʲ − XʲYⁱ) for a 2-form, i_X w − Σ w_i Xⁱ for a 1-form
+/// Returns i_Y i_X w − Σ w_ij (XⁱYʲ − XʲYⁱ) for a 2-form, i_X w − Σ w_i Xⁱ for a 1-form.
 fn pairing_defect<R: Coefficients>(
     ring: &mut R,
     algebra: &impl Algebra,
@@ -272,7 +272,7 @@ fn pairing_defect<R: Coefficients>(
     difference(ring, &value, &sum)
 }
 
-/// A law about maps, which need coefficients that can be composed.
+/// Law about maps, which needs coefficients that can be composed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MapLaw {
     /// φ*(a∧b) = φ*a∧φ*b

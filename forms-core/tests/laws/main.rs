@@ -1,4 +1,4 @@
-//! Laws of the calculus and of the prover, and mutants that each of them must reject.
+//! Laws of the calculus and of the prover, and mutants that each law must reject.
 
 mod algebra;
 mod angles;

@@ -1,4 +1,4 @@
-//! Wrong algebras: each differs from the calculus in one operation, as a slip in its code would.
+//! Mutants of the calculus: each differs from it in one operation, as after a programming error.
 
 use super::algebra::{Algebra, Genuine, substitution};
 use super::scene::World;
@@ -20,7 +20,7 @@ impl Algebra for WedgeWithoutSigns {
     }
 }
 
-/// The sign of moving a form past one of higher degree is lost.
+/// Loses the sign of moving a form past one of higher degree.
 #[derive(Debug)]
 pub(crate) struct WedgeLosingOneSign;
 
@@ -38,7 +38,7 @@ impl Algebra for WedgeLosingOneSign {
     }
 }
 
-/// dx∧dx is not zero; it stands at another basis form of its degree.
+/// Maps dx∧dx to another basis form of its degree instead of zero.
 #[derive(Debug)]
 pub(crate) struct WedgeKeepingSquares;
 
@@ -55,7 +55,7 @@ impl Algebra for WedgeKeepingSquares {
     }
 }
 
-/// γ_m(w) for m! γ_m(w)
+/// γ_m(w) instead of m! γ_m(w)
 #[derive(Debug)]
 pub(crate) struct PowerTakingEachSetOnce;
 
@@ -75,7 +75,7 @@ impl Algebra for PowerTakingEachSetOnce {
     }
 }
 
-/// Sets whose blades interleave are left out.
+/// Omits sets whose blades interleave.
 #[derive(Debug)]
 pub(crate) struct PowerOfNeighboursAlone;
 
@@ -91,7 +91,7 @@ impl Algebra for PowerOfNeighboursAlone {
     }
 }
 
-/// The terms of a form of odd degree are taken to commute.
+/// Assumes that the terms of a form of odd degree commute.
 #[derive(Debug)]
 pub(crate) struct PowerOfOddFormsAsOfEvenOnes;
 
@@ -104,7 +104,7 @@ impl Algebra for PowerOfOddFormsAsOfEvenOnes {
     }
 }
 
-/// The last coordinate is not differentiated by.
+/// Omits the derivative by the last coordinate.
 #[derive(Debug)]
 pub(crate) struct DerivativeSkippingACoordinate;
 
@@ -114,7 +114,7 @@ impl Algebra for DerivativeSkippingACoordinate {
     }
 }
 
-/// ∂ᵢw_I goes to dx_I∪i without a sign.
+/// Adds ∂ᵢw_I to the coefficient of dx_I∪i without a sign.
 #[derive(Debug)]
 pub(crate) struct DerivativeWithoutSigns;
 
@@ -134,7 +134,7 @@ impl Algebra for DerivativeWithoutSigns {
     }
 }
 
-/// The field goes into the last slot.
+/// Inserts the field into the last slot.
 #[derive(Debug)]
 pub(crate) struct InteriorIntoTheLastSlot;
 
@@ -150,7 +150,7 @@ impl Algebra for InteriorIntoTheLastSlot {
     }
 }
 
-/// Every slot gets the sign of the first.
+/// Gives every slot the sign of the first.
 #[derive(Debug)]
 pub(crate) struct InteriorWithoutSigns;
 
@@ -175,7 +175,7 @@ impl Algebra for InteriorWithoutSigns {
     }
 }
 
-/// X(w_I) dx_I alone.
+/// X(w_I) dx_I alone
 #[derive(Debug)]
 pub(crate) struct LieWithoutItsSecondTerm;
 
@@ -233,7 +233,7 @@ impl Algebra for PullbackWithoutJacobian {
     }
 }
 
-/// ψ∘φ for φ∘ψ
+/// ψ∘φ instead of φ∘ψ
 #[derive(Debug)]
 pub(crate) struct CompositionInTheWrongOrder;
 
@@ -243,7 +243,7 @@ impl Algebra for CompositionInTheWrongOrder {
     }
 }
 
-/// Coordinates are replaced one after the other.
+/// Replaces coordinates one after the other.
 #[derive(Debug)]
 pub(crate) struct SubstitutionOneAfterTheOther;
 
@@ -258,7 +258,7 @@ impl Algebra for SubstitutionOneAfterTheOther {
     }
 }
 
-/// Puts a product at the blade that a rule gives, with the sign it gives.
+/// Multiplies two forms; a rule gives the blade and the sign of each product of terms.
 fn wedge_by<R: Coefficients>(
     ring: &mut R,
     a: &Form<R::Scalar>,
@@ -278,8 +278,8 @@ fn wedge_by<R: Coefficients>(
     sum
 }
 
-/// A basis form of the degree that the product ought to have, made from the union and the first coordinates
-/// outside it.
+/// Returns a basis form of the expected degree of the product, made from the union and the first
+/// coordinates outside it.
 fn crowded(left: Blade, right: Blade) -> Option<Blade> {
     let degree = left.degree() + right.degree();
     let mut union = left;
@@ -291,7 +291,7 @@ fn crowded(left: Blade, right: Blade) -> Option<Blade> {
     (union.degree() == degree).then_some(union)
 }
 
-/// X(Y), component by component.
+/// Returns X(Y), component by component.
 fn field_along<R: Coefficients>(
     ring: &mut R,
     x: &Field<R::Scalar>,
@@ -300,7 +300,7 @@ fn field_along<R: Coefficients>(
     y.map(ring, |ring, component| derivative_along(ring, x, component))
 }
 
-/// w·(w·(…)) with products put where a rule says.
+/// Returns w·(w·(…)), where a rule gives the blade and the sign of each product of terms.
 fn repeated<R: Coefficients>(
     ring: &mut R,
     w: &Form<R::Scalar>,

@@ -6,18 +6,18 @@ use forms_core::expression::{Expr, Node, Operation, SymbolKind};
 use num_rational::Ratio;
 use std::collections::HashMap;
 
-/// What a wrong normal form does to an expression before it compares.
+/// Error of a wrong normal form, applied to an expression before the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Slip {
     /// The last term of the sum is lost.
     DroppedTerm,
     /// √(q²) is q.
     RootOfSquareIsBase,
-    /// sin and cos of one angle know nothing of each other.
+    /// sin and cos of one angle are independent.
     CircleForgotten,
-    /// exp(2u) knows nothing of exp(u).
+    /// exp(2u) is independent of exp(u).
     PowersOfExponentialForgotten,
-    /// Mixed partial derivatives are different things.
+    /// Mixed partial derivatives in different order are different.
     PartialsDoNotCommute,
 }
 
@@ -61,14 +61,14 @@ impl Slip {
         }
     }
 
-    /// A variable that nothing is known of.
+    /// Returns a variable without known properties.
     fn fresh(self, world: &mut World, part: Expr) -> Expr {
         let symbol = world.pool.declare_symbol(format!("{part:?}"), SymbolKind::Local);
         world.pool.symbol(symbol)
     }
 }
 
-/// sin²x + cos²x − 1, and others that are zero.
+/// Returns sin²x + cos²x − 1 and other expressions that are zero.
 fn zeros(world: &mut World) -> Vec<(&'static str, Expr)> {
     let (x, y) = (world.variable(0), world.variable(1));
     let pool = &mut world.pool;
@@ -89,7 +89,7 @@ fn zeros(world: &mut World) -> Vec<(&'static str, Expr)> {
     vec![("circle", circle), ("exponential", exponential), ("binomial", binomial)]
 }
 
-/// √(x²) − x, and others that are not.
+/// Returns √(x²) − x and other expressions that are not zero.
 fn nonzeros(world: &mut World) -> Vec<(&'static str, Expr)> {
     let (x, y) = (world.variable(0), world.variable(1));
     let pool = &mut world.pool;

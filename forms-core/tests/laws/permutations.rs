@@ -1,5 +1,5 @@
-//! Wedge product and derivative once more, by permutation sums on antisymmetric tensors: slow, and nothing
-//! shared with the calculus but the coefficients.
+//! Independent implementation of the wedge product and the derivative by permutation sums on
+//! antisymmetric tensors: slow, and sharing nothing with the calculus except the coefficients.
 
 use super::equality::vanish;
 use super::scene::{World, blades, draft};
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 /// Every component T_{i₁…iₖ}, the indices in any order.
 type Tensor = HashMap<Vec<usize>, Expr>;
 
-/// All orders of k things, each with its sign.
+/// Returns all permutations of k elements, each with its sign.
 fn permutations(k: usize) -> Vec<(i64, Vec<usize>)> {
     if k == 0 {
         return vec![(1, vec![])];
@@ -46,7 +46,7 @@ fn tensor(world: &mut World, form: &Form<Expr>) -> Tensor {
     tensor
 }
 
-/// (a∧b)_{i₁…i_{p+q}} = 1/(p! q!) Σ_σ sgn σ a_{i_σ(1)…i_σ(p)} b_{i_σ(p+1)…}
+/// Returns (a∧b)_{i₁…i_{p+q}} = 1/(p! q!) Σ_σ sgn σ a_{i_σ(1)…i_σ(p)} b_{i_σ(p+1)…}.
 fn slow_wedge(world: &mut World, (a, p): (&Tensor, usize), (b, q): (&Tensor, usize)) -> Tensor {
     let factorial = |n: usize| (1..=n as i64).product::<i64>();
     let share = world.pool.ratio(1, factorial(p) * factorial(q));
@@ -66,7 +66,7 @@ fn slow_wedge(world: &mut World, (a, p): (&Tensor, usize), (b, q): (&Tensor, usi
     product
 }
 
-/// (dw)_{i₀…iₖ} = Σⱼ (−1)ʲ ∂_{iⱼ} w_{i₀…îⱼ…iₖ}
+/// Returns (dw)_{i₀…iₖ} = Σⱼ (−1)ʲ ∂_{iⱼ} w_{i₀…îⱼ…iₖ}.
 fn slow_derivative(world: &mut World, (w, k): (&Tensor, usize)) -> Tensor {
     let mut derivative = Tensor::new();
     for index in indices(world.symbols.len(), k + 1) {
@@ -83,7 +83,7 @@ fn slow_derivative(world: &mut World, (w, k): (&Tensor, usize)) -> Tensor {
     derivative
 }
 
-/// What a form and a tensor differ by, at every index in every order.
+/// Returns the nonzero differences of a form and a tensor, at every index in every order.
 fn differences(world: &mut World, form: &Form<Expr>, slow: &Tensor) -> Vec<Expr> {
     let fast = tensor(world, form);
     let zero = world.pool.integer(0);
@@ -123,7 +123,8 @@ proptest! {
     }
 }
 
-/// Σ w_I dx_I over all basis forms of a degree, each coefficient a parameter of its own.
+/// Returns Σ w_I dx_I over all basis forms of a degree, with a separate parameter for each
+/// coefficient.
 fn generic_form(world: &mut World, degree: u32) -> Form<Expr> {
     let blades = blades(&world.coordinates(), degree);
     let terms = blades.into_iter().enumerate().map(|(number, blade)| {
@@ -133,7 +134,8 @@ fn generic_form(world: &mut World, degree: u32) -> Form<Expr> {
     Form::from_terms(degree, terms.collect::<Vec<_>>())
 }
 
-/// (wᵐ)_{1…n} = 1/(p!)ᵐ Σ_σ sgn σ w_{σ(1)…σ(p)} ⋯ w_{σ(n−p+1)…σ(n)} for a p-form w, where n = m p.
+/// Returns (wᵐ)_{1…n} = 1/(p!)ᵐ Σ_σ sgn σ w_{σ(1)…σ(p)} ⋯ w_{σ(n−p+1)…σ(n)} for a p-form w, where
+/// n = m p.
 fn slow_top_power(world: &mut World, w: &Form<Expr>) -> Expr {
     let degree = w.degree() as usize;
     let dimension = world.symbols.len();

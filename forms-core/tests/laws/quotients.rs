@@ -1,5 +1,6 @@
-//! Forms over one denominator: d of their normal forms, by one quotient rule for all partial derivatives of a basis
-//! form, is the normal form of d as the calculus writes it, by the rules for each operation.
+//! Forms over one denominator: d of their normal forms, computed by one quotient rule for all
+//! partial derivatives of a basis form, is the normal form of d as the calculus writes it, by the
+//! rules for each operation.
 
 use super::scene::World;
 use forms_core::calculus::{Blade, Form, exterior_derivative};
@@ -25,7 +26,8 @@ fn numerator(world: &mut World, numbers: Numerator) -> Expr {
     sum
 }
 
-/// (1 + x₀²)^(k₀/2) (2 + x₁² + x₂²)^(k₁/2) (3 + x₀x₁)^k₂: no factor has every coordinate.
+/// Returns (1 + x₀²)^(k₀/2) (2 + x₁² + x₂²)^(k₁/2) (3 + x₀x₁)^k₂, in which no factor contains every
+/// coordinate.
 fn denominator(world: &mut World, halves: [i64; 3]) -> Expr {
     let x = [0, 1, 2].map(|place| world.variable(place));
     let pool = &mut world.pool;

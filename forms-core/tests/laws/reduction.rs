@@ -1,5 +1,6 @@
-//! Reduction: the normal form of a polynomial in roots and sines has every bound generator below the order of its
-//! relation, and is what a plain reduction finds that replaces one power at a time; and reductions with a slip.
+//! Reduction: in the normal form of a polynomial in roots and sines, every bound generator has an
+//! exponent below the order of its relation, and the result equals that of a simple reduction which
+//! replaces one power at a time. Wrong reductions are rejected.
 
 use super::scene::World;
 use forms_core::expression::{Expr, Operation};
@@ -17,10 +18,10 @@ struct Relation {
     value: Polynomial,
 }
 
-/// A way to write a polynomial modulo relations.
+/// Reduction of a polynomial modulo relations.
 type Reduction = fn(&Polynomial, &[Relation]) -> Polynomial;
 
-/// Replaces ρᵏ by ρᵏ⁻ⁿ f, the last generator first, until nothing is left to replace.
+/// Replaces ρᵏ by ρᵏ⁻ⁿ f, the last generator first, until no replacement is possible.
 fn one_power_at_a_time(polynomial: &Polynomial, relations: &[Relation]) -> Polynomial {
     let mut reduced = polynomial.clone();
     while let Some(relation) = relations.iter().rev().find(|r| reduced.degree(r.variable) >= r.order) {
@@ -36,7 +37,7 @@ fn one_power_at_a_time(polynomial: &Polynomial, relations: &[Relation]) -> Polyn
     reduced
 }
 
-/// ρⁿᵏ gives f and not fᵏ.
+/// Replaces ρⁿᵏ by f instead of fᵏ.
 fn with_powers_taken_once(polynomial: &Polynomial, relations: &[Relation]) -> Polynomial {
     let mut reduced = polynomial.clone();
     while let Some(relation) = relations.iter().rev().find(|r| reduced.degree(r.variable) >= r.order) {
@@ -50,7 +51,7 @@ fn with_powers_taken_once(polynomial: &Polynomial, relations: &[Relation]) -> Po
     reduced
 }
 
-/// ρⁿᵏ⁺ʳ gives fᵏ and not fᵏ ρʳ.
+/// Replaces ρⁿᵏ⁺ʳ by fᵏ instead of fᵏ ρʳ.
 fn without_remainders(polynomial: &Polynomial, relations: &[Relation]) -> Polynomial {
     let mut reduced = polynomial.clone();
     while let Some(relation) = relations.iter().rev().find(|r| reduced.degree(r.variable) >= r.order) {
@@ -66,7 +67,7 @@ fn without_remainders(polynomial: &Polynomial, relations: &[Relation]) -> Polyno
     reduced
 }
 
-/// Relations of earlier generators are not looked at again.
+/// Applies each relation only once, so that relations of earlier generators are not applied again.
 fn in_one_pass(polynomial: &Polynomial, relations: &[Relation]) -> Polynomial {
     relations.iter().fold(polynomial.clone(), |reduced, relation| {
         one_power_at_a_time(&reduced, std::slice::from_ref(relation))
@@ -84,7 +85,7 @@ fn exponent_of(exponents: &[(u32, u32)], variable: u32) -> u32 {
     exponents.iter().find(|entry| entry.0 == variable).map_or(0, |entry| entry.1)
 }
 
-/// x, y, ρ = (1 + x²)^(1/2), σ = (2 + y + ρ)^(1/3) and the sine of x.
+/// Returns x, y, ρ = (1 + x²)^(1/2), σ = (2 + y + ρ)^(1/3) and the sine of x.
 fn generators(world: &mut World) -> Vec<Expr> {
     let (x, y) = (world.variable(0), world.variable(1));
     let pool = &mut world.pool;
@@ -97,7 +98,7 @@ fn generators(world: &mut World) -> Vec<Expr> {
     vec![x, y, rho, sigma, sine]
 }
 
-/// Terms by a coefficient and the exponents of the five.
+/// Terms, as a coefficient and the exponents of the five generators.
 type Shape = Vec<(i64, [u32; 5])>;
 
 fn shape() -> impl Strategy<Value = Shape> {
@@ -105,7 +106,8 @@ fn shape() -> impl Strategy<Value = Shape> {
     prop::collection::vec((prop_oneof![-3..=-1i64, 1..=3i64], exponents), 1..=4)
 }
 
-/// The normal form of a shape, the same multiplied out without any relation, and the relations.
+/// Returns the normal form of a shape, the shape multiplied out without any relation, and the
+/// relations.
 fn both(shape: &Shape) -> (Polynomial, Polynomial, Vec<Relation>) {
     let mut world = World::new(2);
     let expressions = generators(&mut world);
@@ -114,7 +116,7 @@ fn both(shape: &Shape) -> (Polynomial, Polynomial, Vec<Relation>) {
     for (coefficient, exponents) in shape {
         let mut term = pool.integer(*coefficient);
         for (&expression, &exponent) in expressions.iter().zip(exponents) {
-            // a power would be kept as a known factor
+            // a `power` node would be kept as a known factor
             term = (0..exponent).fold(term, |product, _| pool.multiply(product, expression));
         }
         written = pool.add(written, term);

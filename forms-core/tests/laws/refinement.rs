@@ -1,5 +1,6 @@
-//! Denominators that turn out to be products: an element P/Gᵏ with G = ±Fᵉ H keeps its value when it is added to one
-//! over F, and is written over F and H from then on; and refinements with a slip, whose elements have other values.
+//! Denominators that turn out to be products: an element P/Gᵏ with G = ±Fᵉ H keeps its value when
+//! it is added to one over F, and is represented over F and H from then on. Wrong refinements give
+//! elements with other values.
 
 use super::equality::{vanish, vanish_numerically};
 use super::scene::World;
@@ -13,8 +14,9 @@ use proptest::prelude::*;
 struct Denominator {
     negative: bool,
     numbers: [i64; 4],
-    /// Whether F = c₀ + c₁ x₀ + ρ and H = c₂ + x₁ − 3ρ with ρ² = 1 + 20 x₀² + x₁², so that reduction changes the sign of
-    /// the leading term of F H, and not F = c₀ + c₁ x₀ + x₁² and H = c₂ + x₁ + c₃ x₀ x₁.
+    /// Selects F = c₀ + c₁ x₀ + ρ and H = c₂ + x₁ − 3ρ with ρ² = 1 + 20 x₀² + x₁², so that
+    /// reduction changes the sign of the leading term of F H; otherwise
+    /// F = c₀ + c₁ x₀ + x₁² and H = c₂ + x₁ + c₃ x₀ x₁.
     has_root: bool,
     e: i64,
     k: i64,
@@ -26,7 +28,7 @@ fn denominator() -> impl Strategy<Value = Denominator> {
         .prop_map(|(negative, numbers, has_root, e, k)| Denominator { negative, numbers, has_root, e, k })
 }
 
-/// How P/Gᵏ is written over F and H.
+/// Representation of P/Gᵏ over F and H.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Refinement {
     /// P (±1)ᵏ/(Fᵉᵏ Hᵏ)
@@ -63,7 +65,7 @@ impl Denominator {
         [pool.add(sum, of_f), pool.add(shift, of_h)]
     }
 
-    /// ±F⋯F H multiplied out, so that nothing tells its factors.
+    /// Returns ±F⋯F H as a plain product, so that its factors are not marked.
     fn product(&self, world: &mut World) -> Expr {
         let [f, h] = self.factors(world);
         let product = (0..self.e).fold(h, |product, _| world.pool.multiply(product, f));
@@ -92,7 +94,7 @@ impl Denominator {
         if negative { world.pool.negate(element) } else { element }
     }
 
-    /// P/Gᵏ + 1/F − (refined P/Gᵏ + 1/F)
+    /// Returns P/Gᵏ + 1/F − (refined P/Gᵏ + 1/F).
     fn defect(&self, world: &mut World, refinement: Refinement) -> Expr {
         let sum = self.sum(world, |world| self.element(world));
         let other = self.sum(world, |world| self.refined(world, refinement));
@@ -118,8 +120,8 @@ proptest! {
         prop_assert!(vanish(&world, &[defect]));
     }
 
-    /// The sum in normal form, read back, has the value of the sum as it was written; and a sum with it finds the
-    /// factors of the denominator.
+    /// The sum in normal form, read back, has the value of the sum as written, and a sum with it
+    /// finds the factors of the denominator.
     #[test]
     fn a_sum_over_finer_factors_keeps_its_value(denominator in denominator()) {
         let mut world = World::new(2);

@@ -1,4 +1,5 @@
-//! Which law rejects which mutant. A law that no mutant breaks, or a mutant that no law catches, proves nothing.
+//! Which law rejects which mutant. A law that no mutant breaks, or a mutant that no law catches,
+//! proves nothing.
 
 use super::algebra::{Algebra, Genuine};
 use super::equality::vanish_numerically;
@@ -9,11 +10,12 @@ use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::fmt::Debug;
 
-/// How many scenes a mutant has to get through, and on how many the calculus is tried beside it.
+/// Maximum number of scenes for each mutant, and the number of scenes on which the calculus is
+/// tried for comparison.
 const SCENES: usize = 200;
 const SCENES_OF_THE_CALCULUS: usize = 20;
 
-/// The same scenes in every run.
+/// Returns the same scenes in every run.
 fn scenes() -> Vec<Draft> {
     let random = TestRng::deterministic_rng(RngAlgorithm::ChaCha);
     let mut runner = TestRunner::new_with_rng(Config::default(), random);
@@ -38,7 +40,7 @@ fn rejects_map(law: MapLaw, algebra: &impl Algebra, scenes: &[Draft]) -> bool {
     })
 }
 
-/// Asserts that every law named rejects the mutant, and that none rejects the calculus.
+/// Asserts that every given law rejects the mutant, and that none rejects the calculus.
 fn assert_broken(mutant: &(impl Algebra + Debug), laws: &[Law], map_laws: &[MapLaw]) {
     let scenes = scenes();
     for &law in laws {

@@ -1,11 +1,11 @@
-//! What a law speaks of: a patch with a few random forms, fields and maps on it.
+//! Subject of a law: a patch with a few random forms, fields and maps on it.
 
 use super::coefficients::{Recipe, gentle, linear, recipe};
 use forms_core::calculus::{Blade, Coefficients, Coordinate, Field, Form, Structured};
 use forms_core::expression::{Expr, FunctionId, Pool, Symbol, SymbolKind};
 use proptest::prelude::*;
 
-/// A pool with coordinates and two unknown functions of them.
+/// Pool with coordinates and two unknown functions of them.
 pub(crate) struct World {
     pub(crate) pool: Pool,
     pub(crate) symbols: Vec<Symbol>,
@@ -25,7 +25,7 @@ impl World {
         (0..self.symbols.len() as u8).map(Coordinate).collect()
     }
 
-    /// The coordinate of that number, counted around.
+    /// Returns the coordinate with this number, modulo the number of coordinates.
     pub(crate) fn variable(&mut self, number: u8) -> Expr {
         let symbol = self.symbols[number as usize % self.symbols.len()];
         self.pool.symbol(symbol)
@@ -52,10 +52,10 @@ pub(crate) struct Scene<S> {
     pub(crate) fields: [Field<S>; 3],
 }
 
-/// Which basis forms or directions, with which coefficients.
+/// Basis forms or directions, each with its coefficient.
 type Parts = Vec<(u8, Recipe)>;
 
-/// A scene as it was drawn.
+/// Scene as drawn, before its coefficients are built.
 #[derive(Clone, Debug)]
 pub(crate) struct Draft {
     pub(crate) dimension: u8,
@@ -79,7 +79,7 @@ pub(crate) fn draft() -> impl Strategy<Value = Draft> {
     )
 }
 
-/// All basis forms of a degree.
+/// Returns all basis forms of a degree.
 pub(crate) fn blades(coordinates: &[Coordinate], degree: u32) -> Vec<Blade> {
     let mut all = vec![Blade::SCALAR];
     for &coordinate in coordinates {
@@ -130,7 +130,7 @@ impl Draft {
         field
     }
 
-    /// The components of the two maps.
+    /// Returns the components of the two maps.
     pub(crate) fn maps(&self, world: &mut World) -> [Vec<Expr>; 2] {
         [0, 1].map(|place| {
             self.maps[place].iter().take(self.dimension as usize).map(|recipe| world.build(recipe)).collect()
@@ -139,7 +139,7 @@ impl Draft {
 }
 
 impl<S: Clone> Scene<S> {
-    /// Every coefficient of the scene.
+    /// Returns every coefficient of the scene.
     pub(crate) fn scalars(&self) -> Vec<S> {
         let of_forms =
             [&self.a, &self.b, &self.c].into_iter().flat_map(|form| form.terms().iter().map(|t| t.1.clone()));
@@ -147,7 +147,8 @@ impl<S: Clone> Scene<S> {
         of_forms.chain(of_fields).collect()
     }
 
-    /// The scene over another ring, its coefficients in the order of [`Scene::scalars`].
+    /// Returns the scene over another ring, with its coefficients in the order of
+    /// [`Scene::scalars`].
     pub(crate) fn over<T: Clone>(
         &self,
         ring: &mut impl Coefficients<Scalar = T>,

@@ -1,5 +1,5 @@
-//! Statements at which provers go wrong, each with its verdict: roots of squares, signs within signs, degenerate
-//! points, conditions that nothing meets.
+//! Statements at which provers go wrong, each with its verdict: roots of squares, signs within
+//! signs, degenerate points, conditions that cannot all hold.
 
 use super::verdicts;
 
@@ -20,7 +20,7 @@ fn assert_verdicts(expected: &str, statements: &[&str]) {
     verdicts::assert_verdicts(PREAMBLE, expected, statements);
 }
 
-/// Neither answer that would be wrong is given; `unknown` is no mistake.
+/// Asserts that a wrong verdict is never given; `unknown` is not an error.
 fn assert_never(wrong: &str, statements: &[&str]) {
     for (verdict, written) in verdicts::verdicts(PREAMBLE, statements).iter().zip(statements) {
         assert_ne!(verdict.name(), wrong, "{written}: {verdict:?}");
@@ -103,7 +103,7 @@ fn a_sign_within_a_sign_is_not_taken_for_granted() {
 
 #[test]
 fn mixed_signs_and_degenerate_points_count() {
-    // at x = 0 a product says nothing of the sign of y
+    // at x = 0 a product does not determine the sign of y
     assert_never(
         "proved",
         &[
@@ -202,7 +202,7 @@ fn a_statement_that_speaks_of_no_point_is_empty() {
             "x == x + 1 where abs(x) - x > 0, x > 0",
         ],
     );
-    // neither proved nor refuted where emptiness is not seen
+    // neither proved nor refuted where the prover does not detect that the statement is vacuous
     for wrong in ["proved", "refuted"] {
         assert_never(
             wrong,
@@ -235,7 +235,7 @@ fn an_integral_that_may_run_backwards_knows_no_sign_inside() {
     );
 }
 
-/// What holds for q > 0 fails between −1/10 and 0, and nowhere else where q > −1/10.
+/// Statements that hold for q > 0 fail between −1/10 and 0, and nowhere else where q > −1/10.
 #[test]
 fn a_condition_that_says_nearly_enough_is_not_enough() {
     assert_verdicts(
@@ -251,7 +251,8 @@ fn a_condition_that_says_nearly_enough_is_not_enough() {
     );
 }
 
-/// 1 + √2 and x + √(1 + x²) divide everything, so dividing by them never ends.
+/// 1 + √2 and x + √(1 + x²) are units, which divide everything, so repeated division by them would
+/// not terminate.
 #[test]
 fn denominators_that_are_units_are_no_factors_of_others() {
     assert_verdicts(
@@ -345,8 +346,9 @@ fn sides_that_are_equal_by_two_conditions_are_no_contradiction() {
     );
 }
 
-/// √(3 + 2√2) is divided by a number only, so it is taken apart at x = 0, y < 0 too, beside which there are no points. A
-/// divisor that vanishes there is solved for.
+/// The denesting of √(3 + 2√2) divides by a number only, so it is valid at isolated points such as
+/// x = 0, y < 0 too, which are not limits of other points. A divisor that vanishes there is solved
+/// for.
 #[test]
 fn nested_radicals_are_taken_apart_at_points_that_lie_apart() {
     assert_verdicts(

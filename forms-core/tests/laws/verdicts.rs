@@ -1,10 +1,10 @@
-//! Verdicts on statements that are written after a preamble.
+//! Verdicts on statements after a preamble.
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::resolve::resolve;
 use forms_core::syntax::read;
 
-/// The verdicts on the statements of a table, in order.
+/// Returns the verdicts on the statements of a table, in order.
 pub(crate) fn verdicts(preamble: &str, statements: &[&str]) -> Vec<Verdict> {
     let mut text = preamble.to_string();
     for (number, statement) in statements.iter().enumerate() {

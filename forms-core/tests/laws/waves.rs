@@ -1,4 +1,5 @@
-//! Signs of sines and cosines by the ranges of their angles, beside signs in plain arithmetic; parts of inverse functions.
+//! Signs of sines and cosines by the ranges of their angles, compared with signs in plain
+//! arithmetic; arguments of inverse functions.
 
 use super::verdicts;
 use std::f64::consts::PI;
@@ -9,7 +10,7 @@ fn assert_verdicts(expected: &str, statements: &[&str]) {
     verdicts::assert_verdicts(PREAMBLE, expected, statements);
 }
 
-/// A wave in plain arithmetic.
+/// Sine or cosine in plain arithmetic.
 type Wave = fn(f64) -> f64;
 
 /// Whether ±f(kx + jπ/4) is nowhere negative from aπ/12 to bπ/12.
@@ -20,7 +21,8 @@ fn never_negative(f: Wave, sign: f64, (k, j): (i32, i32), (a, b): (i32, i32)) ->
     })
 }
 
-/// Every range has one of four outcomes for each wave; a claim that holds is proved, one that does not is refuted.
+/// Every range has one of four outcomes for each sine or cosine; a claim that holds is proved, any
+/// other is refuted.
 #[test]
 fn a_wave_is_its_magnitude_exactly_where_it_is_not_negative() {
     let waves: [(&str, Wave); 2] = [("sin", f64::sin), ("cos", f64::cos)];

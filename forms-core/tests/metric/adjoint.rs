@@ -3,7 +3,8 @@
 use super::random::Random;
 use super::theory::{assert_proved, is_refuted};
 
-/// A metric Σ ±θᵢ² with θ = dx + p dy, …: its determinant is ±1, so that everything stays polynomial.
+/// Returns a metric Σ ±θᵢ² with θ = dx + p dy, …: its determinant is ±1, so that everything stays
+/// polynomial.
 fn unimodular(random: &mut Random) -> String {
     let signs = [0, 1, 2].map(|_| ["", "-"][random.below(2)]);
     let slopes = [0, 1, 2].map(|_| ["0", "1", "x", "y*z", "2*y"][random.below(5)]);

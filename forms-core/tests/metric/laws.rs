@@ -1,9 +1,10 @@
-//! Laws of the metric operations on random metrics; beside each, the same with a slip, which must be refuted somewhere.
+//! Laws of the metric operations on random metrics. Each has a wrong variant, which must be refuted
+//! for some metric.
 
 use super::random::{COORDINATES, Metric, blade, metrics, subsets};
 use super::theory::{assert_proved, is_refuted};
 
-/// A random form of one degree: unknown functions times basis forms.
+/// Returns a random form of one degree: unknown functions times basis forms.
 fn form(metric: &Metric, degree: usize) -> String {
     let functions = ["p", "q", "x", "(1 + y)"];
     let terms = subsets(metric.dimension(), degree).into_iter().enumerate();
@@ -19,10 +20,10 @@ fn field(metric: &Metric) -> String {
     terms.collect::<Vec<_>>().join(" + ")
 }
 
-/// s = det g/|det g| by the volume: ⋆vol = s.
+/// Sign s = det g/|det g| in terms of the volume: ⋆vol = s.
 const SIGN: &str = "hodge[g](volume[g])";
 
-/// A law: both sides for a metric and a degree, and a right side with a slip.
+/// Law: both sides for a metric and a degree, and the right side of a wrong variant.
 type Law = fn(&Metric, usize) -> Option<[String; 3]>;
 
 fn two_stars(metric: &Metric, k: usize) -> Option<[String; 3]> {

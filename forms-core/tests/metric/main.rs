@@ -1,5 +1,5 @@
-//! The metric operations on random metrics: against a slow definition, by their laws, and on mutants of both; what is
-//! said about mistakes.
+//! Metric operations on random metrics: against a slow definition, by their laws, and on mutants of
+//! both; messages about errors.
 
 mod adjoint;
 mod laws;

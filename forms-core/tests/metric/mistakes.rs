@@ -1,4 +1,4 @@
-//! What is said about mistakes with metrics, potentials and boundaries.
+//! Messages about errors with metrics, potentials and boundaries.
 
 use super::theory::errors;
 
@@ -6,7 +6,7 @@ const PREAMBLE: &str = "chart R2(x, y); chart R3(x, y, z); chart R4(x, y, z, w);
     metric e2 on R2 = dx**2 + dy**2; metric e3 on R3 = dx**2 + dy**2 + dz**2; \
     field X on R3 = x*@x; map F: R2 -> R3 = (x, y, x*y);";
 
-/// The one error of an expression after the preamble.
+/// Returns the only error of an expression after the preamble.
 fn said_about(expression: &str) -> String {
     let found = errors(&format!("{PREAMBLE} let it = {expression};"));
     assert_eq!(found.len(), 1, "{expression}: {found:?}");

@@ -1,4 +1,5 @@
-//! Random metrics as texts: entries are small polynomials and unknown functions, some off the diagonal.
+//! Random metrics as texts: the entries, some of them off the diagonal, are small polynomials and
+//! unknown functions.
 
 /// SplitMix64
 pub(crate) struct Random(pub(crate) u64);
@@ -19,13 +20,13 @@ impl Random {
 
 pub(crate) const COORDINATES: [&str; 4] = ["x", "y", "z", "w"];
 
-/// A symmetric matrix of texts.
+/// Symmetric matrix of texts.
 pub(crate) struct Metric {
     pub(crate) entries: Vec<Vec<String>>,
 }
 
 impl Metric {
-    /// A metric of some dimension and signature.
+    /// Draws a metric of some dimension and signature.
     pub(crate) fn draw(random: &mut Random, dimension: usize) -> Self {
         let mut lower: Vec<Vec<String>> = Vec::new();
         for size in 0..dimension {
@@ -44,7 +45,7 @@ impl Metric {
         self.entries.len()
     }
 
-    /// The declarations: chart, an unknown function, the metric g.
+    /// Returns the declarations: chart, an unknown function, the metric g.
     pub(crate) fn preamble(&self) -> String {
         let n = self.dimension();
         let names = COORDINATES[..n].join(", ");
@@ -65,14 +66,14 @@ impl Metric {
     }
 }
 
-/// Metrics that are not degenerate, of dimension 2 and 3, the same in every run.
+/// Returns nondegenerate metrics of dimension 2 and 3, the same in every run.
 pub(crate) fn metrics(count: usize) -> Vec<Metric> {
     let mut random = Random(7);
     let drawn = (0..).map(|number| Metric::draw(&mut random, 2 + number % 2));
     drawn.filter(|metric| !metric.is_degenerate()).take(count).collect()
 }
 
-/// Every ordered choice of k of n places in ascending order.
+/// Returns every subset of k of n places, in ascending order.
 pub(crate) fn subsets(n: usize, k: usize) -> Vec<Vec<usize>> {
     (0..1_u32 << n)
         .filter(|set| set.count_ones() as usize == k)
@@ -80,7 +81,7 @@ pub(crate) fn subsets(n: usize, k: usize) -> Vec<Vec<usize>> {
         .collect()
 }
 
-/// dx∧dy as text; 1 for no factor.
+/// Returns dx∧dy as text; 1 for no factor.
 pub(crate) fn blade(places: &[usize]) -> String {
     if places.is_empty() {
         return "1".into();

@@ -1,26 +1,27 @@
-//! The Hodge star against its slow definition by sums over permutations, and what a slip in either would do:
-//! (⋆dx_I)_J = √|det g| Σ_K ε(K, J) det(gⁱʲ; i ∈ K, j ∈ I), with gⁱʲ the cofactor over the determinant.
+//! Hodge star against its slow definition by sums over permutations, and the effect of an error in
+//! either: (⋆dx_I)_J = √|det g| Σ_K ε(K, J) det(gⁱʲ; i ∈ K, j ∈ I), with gⁱʲ the cofactor over the
+//! determinant.
 
 use super::random::{Metric, blade, metrics, subsets};
 use super::theory::{assert_proved, is_refuted};
 
-/// Slips in the definition.
+/// Errors in the definition.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Slip {
     None,
     /// ε(K, J) = 1
     SignLost,
-    /// det g for √|det g|
+    /// det g instead of √|det g|
     RootMissing,
-    /// gᵢⱼ for gⁱʲ
+    /// gᵢⱼ instead of gⁱʲ
     IndicesNotRaised,
-    /// √|det g| left out
+    /// √|det g| omitted
     DensityMissing,
-    /// ε(J, K)
+    /// ε(J, K) instead of ε(K, J)
     OrderExchanged,
 }
 
-/// Every permutation of 0..n with its sign.
+/// Returns every permutation of 0..n with its sign.
 fn permutations(n: usize) -> Vec<(Vec<usize>, i8)> {
     if n == 0 {
         return vec![(vec![], 1)];
@@ -37,7 +38,7 @@ fn permutations(n: usize) -> Vec<(Vec<usize>, i8)> {
     all
 }
 
-/// Σ_σ sgn σ ∏ m(rowᵢ, column_σ(i))
+/// Returns Σ_σ sgn σ ∏ m(rowᵢ, column_σ(i)).
 fn determinant(rows: &[usize], columns: &[usize], entry: &impl Fn(usize, usize) -> String) -> String {
     let terms = permutations(rows.len()).into_iter().map(|(order, sign)| {
         let factors: Vec<String> =
@@ -48,7 +49,7 @@ fn determinant(rows: &[usize], columns: &[usize], entry: &impl Fn(usize, usize) 
     format!("(0 {})", terms.collect::<Vec<_>>().join(" "))
 }
 
-/// ε of a sequence of distinct numbers.
+/// Returns ε of a sequence of distinct numbers.
 fn epsilon(sequence: &[usize]) -> i8 {
     let inversions = (0..sequence.len())
         .flat_map(|i| (i + 1..sequence.len()).map(move |j| (i, j)))
@@ -57,7 +58,7 @@ fn epsilon(sequence: &[usize]) -> i8 {
     if inversions % 2 == 0 { 1 } else { -1 }
 }
 
-/// ⋆dx_I by the definition.
+/// Returns ⋆dx_I by the definition.
 fn slow_star(metric: &Metric, blade_places: &[usize], slip: Slip) -> String {
     let n = metric.dimension();
     let all: Vec<usize> = (0..n).collect();
@@ -108,7 +109,7 @@ fn the_star_is_the_sum_over_permutations() {
     }
 }
 
-/// Whether some star of some metric differs from the definition with the slip.
+/// Whether some star of some metric differs from the wrong definition.
 fn is_seen(slip: Slip) -> bool {
     metrics(10).iter().any(|metric| {
         (1..=metric.dimension()).any(|degree| {

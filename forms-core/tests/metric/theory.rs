@@ -4,7 +4,7 @@ use forms_core::decide::{Verdict, decide};
 use forms_core::resolve::resolve;
 use forms_core::syntax::read;
 
-/// The verdict on `left == right` after a preamble.
+/// Returns the verdict on `left == right` after a preamble.
 pub(crate) fn verdict(preamble: &str, left: &str, right: &str) -> Verdict {
     let text = format!("{preamble} prove it: {left} == {right};");
     let (file, errors) = read(&text);
@@ -26,7 +26,7 @@ pub(crate) fn is_refuted(preamble: &str, left: &str, right: &str) -> bool {
     matches!(verdict(preamble, left, right), Verdict::Refuted(_))
 }
 
-/// The errors of a text, each by its message.
+/// Returns the messages of the errors of a text.
 pub(crate) fn errors(text: &str) -> Vec<String> {
     let (file, errors) = read(text);
     let (_, found) = resolve(&file);

@@ -1,9 +1,10 @@
-//! The ends of the range of `f64`: where a formula as it is written gives a value to ten digits, its stable form gives that
-//! value too, also where reciprocals and products of its parts would overflow or vanish.
+//! Ends of the range of `f64`: where a formula as written gives a value to ten digits, its stable
+//! form gives that value too, even where reciprocals and products of its parts would overflow or
+//! underflow.
 //!
-//! Forms of scanned kernels, of random formulas by rules alone, and of random formulas by a search. The judge is exact:
-//! enclosures of the formula at the arguments as they are, asked only where the two programs disagree. `FORMS_KERNELS` says
-//! how many formulas there are.
+//! The forms are those of scanned kernels, of random formulas by rules alone, and of random
+//! formulas by a search. The reference is exact: enclosures of the formula at the given arguments,
+//! computed only where the two programs disagree. `FORMS_KERNELS` sets the number of formulas.
 
 use forms_core::accuracy::{Format, Rounded, Truth, Value};
 use forms_core::check::read_theory;
@@ -23,15 +24,17 @@ const SIMPLE: &[f64] = &[0.0, 0.25, 0.5, 1.0, 2.0, 0.1, 3.0, 1e-3, 1e3, 1e-9, 1e
 
 const EDGES: &[f64] = &[5e-324, 3e-320, 1e-310, 1e-307, 1e-300, 1e-160, 1e160, 1e300, 1e307, 1.5e308];
 
-/// A form that is further off than this, relative to the value, where the formula is within [`AGREES`] of it, has lost it.
+/// Relative error from which a form has lost the value, where the formula is within [`AGREES`] of
+/// it.
 const LOST: f64 = 1e-3;
 const AGREES: f64 = 1e-10;
 
-/// Values from here on round to infinity, and below here to few digits, where one more rounding meets them.
+/// Magnitudes from which one more rounding can overflow to infinity, and below which it can leave
+/// few digits.
 const LARGE: f64 = f64::MAX / 16.0;
 const SMALL: f64 = f64::MIN_POSITIVE * 16.0;
 
-/// Random arguments and formulas.
+/// Generator of random arguments and formulas.
 pub(super) struct Random(SplitMix);
 
 impl Random {
@@ -44,7 +47,8 @@ impl Random {
         if self.0.below(2) == 0 { number } else { -number }
     }
 
-    /// A formula in which digits cancel, beside factors and divisors that can be large or small.
+    /// Returns a formula in which digits cancel, together with factors and divisors that can be
+    /// large or small.
     fn formula(&mut self, depth: usize) -> String {
         if depth == 0 {
             return self.0.of(&["x", "y", "x", "y", "1", "2", "(x + y)", "(x - y)", "x*y"]).to_string();
@@ -80,7 +84,8 @@ impl Random {
     }
 }
 
-/// The value of one output, where the formula has one and the arguments are in the domain.
+/// Returns the value of one output, where the formula is defined and the arguments are in the
+/// domain.
 fn truth(theory: &Theory, kernel: &Kernel, output: Expr, arguments: &[f64]) -> Option<f64> {
     let numbers = arguments.iter().map(|&value| Rational::from_float(value).expect("finite"));
     let point: Vec<_> = kernel.arguments.iter().copied().zip(numbers).collect();
@@ -93,7 +98,8 @@ fn truth(theory: &Theory, kernel: &Kernel, output: Expr, arguments: &[f64]) -> O
     }
 }
 
-/// Whether the value is right by chance: a neighbouring argument gives quite another one, as the sine of a large number.
+/// Whether the value is right only by chance: a neighbouring argument gives a quite different
+/// value, as for the sine of a large number.
 fn is_chance(formula: &Program, place: usize, arguments: &[f64]) -> bool {
     let value = formula.interpret(arguments)[place];
     (0..arguments.len()).any(|at| {
@@ -104,7 +110,7 @@ fn is_chance(formula: &Program, place: usize, arguments: &[f64]) -> bool {
     })
 }
 
-/// A value that a form has lost.
+/// Value that a form has lost.
 pub(super) struct Lost {
     pub(super) exact: f64,
     pub(super) text: String,
@@ -114,7 +120,7 @@ fn told(lost: &[Lost]) -> String {
     lost.iter().map(|lost| format!("{}\n", lost.text)).collect()
 }
 
-/// The points at which the form of a kernel has lost a value, of so many.
+/// Returns the values that the form of a kernel has lost, among `points` random points.
 pub(super) fn lost(
     theory: &Theory,
     kernel: &Kernel,
@@ -123,7 +129,7 @@ pub(super) fn lost(
     random: &mut Random,
 ) -> Vec<Lost> {
     let mut lost = Vec::new();
-    // what more bits do not tell is NaN by promise
+    // with a bound (`within`), a value that more bits do not determine is NaN by promise
     if kernel.within.is_some() {
         return lost;
     }
@@ -143,7 +149,7 @@ pub(super) fn lost(
             if !exact.is_finite() {
                 continue;
             }
-            // a zero that is right can be chance: of its form only a number is asked
+            // a zero can be exact by chance: there the form only has to give a number
             let allowed = |limit: f64| if exact == 0.0 { f64::MAX } else { limit * exact.abs() };
             let is_near = |value: f64, limit: f64| (value - exact).abs() <= allowed(limit);
             if is_near(formula, AGREES) && !is_near(form, LOST) {

@@ -1,8 +1,9 @@
-//! The scan: at points from simple numbers and powers of ten, where strata lie, no kernel is without a value that its
-//! formula has, as it is computed: by its stable form, chosen beforehand where a file of forms lies next to it.
+//! Scan of kernels: at points from simple numbers and powers of ten, where strata lie, no kernel
+//! lacks a value that its formula has. Each kernel is computed by its stable form, chosen
+//! beforehand where a file of forms lies next to it.
 //!
-//! The judge is exact: enclosures of the formula at the arguments as they are. It is asked only where a program gives
-//! NaN. `FORMS_SCAN` says how many points each kernel is looked at.
+//! The reference is exact: enclosures of the formula at the given arguments. It is computed only
+//! where a program gives NaN. `FORMS_SCAN` sets the number of points for each kernel.
 
 mod extremes;
 
@@ -14,12 +15,13 @@ use forms_core::resolve::Kernel;
 use forms_core::stability::{Choices, EXTENSION};
 use std::path::{Path, PathBuf};
 
-/// Points of each kernel.
+/// Returns the number of points for each kernel.
 fn count() -> usize {
     std::env::var("FORMS_SCAN").ok().and_then(|text| text.parse().ok()).unwrap_or(24)
 }
 
-/// Powers of ten reach from −n to n: beyond, squares and products of a few arguments leave the range of `f64`.
+/// Largest exponent n of the powers of ten, which reach from −n to n: beyond, squares and products
+/// of a few arguments leave the range of `f64`.
 const LARGEST_POWER: i32 = 12;
 
 const SIMPLE: [f64; 9] = [0.0, 0.25, -0.25, 0.5, -0.5, 1.0, -1.0, 2.0, -2.0];
@@ -45,19 +47,20 @@ impl Random {
     }
 }
 
-/// What a scan found.
+/// Results of a scan.
 #[derive(Default)]
 struct Scan {
     kernels: usize,
     points: usize,
-    /// Values of `f64` programs that are numbers, and that are none where the formula has none.
+    /// Number of points at which the `f64` program gives numbers, and at which it gives NaN where
+    /// the formula is undefined.
     numbers: usize,
     undefined: usize,
-    /// NaN where the formula has a value, and values that are lost at the ends of the range.
+    /// NaN where the formula has a value, and values lost at the ends of the range.
     lost: Vec<String>,
 }
 
-/// The values of the formula in `f64`, where it has them.
+/// Returns the values of the formula in `f64`, where it is defined.
 fn truth(pool: &Pool, kernel: &Kernel, arguments: &[f64], format: Format) -> Vec<Value> {
     let numbers = arguments.iter().map(|&value| Rational::from_float(value).expect("finite"));
     let point: Vec<(Symbol, Rational)> = kernel.arguments.iter().copied().zip(numbers).collect();
@@ -93,7 +96,7 @@ impl Scan {
             self.kernels += 1;
             if kernel.has_form() || !generated.rewritten.is_empty() {
                 let lost = extremes::lost(&theory, &kernel, &generated, count, &mut extremes::Random::new(7));
-                // products that vanish in another order are no fault of a form
+                // products that underflow in another order are not a fault of the form
                 let lost = lost.into_iter().filter(|lost| lost.exact != 0.0);
                 self.lost.extend(lost.map(|lost| format!("{}: {}", kernel.name, lost.text)));
             }
@@ -165,7 +168,7 @@ fn kernels_of_the_repository_have_every_value_of_their_formulas() {
 fn formulas_as_people_write_them_keep_their_values() {
     let mut scan = Scan::default();
     scan.file(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/formulas.forms"), count());
-    // what lies beside the repository, where it does
+    // files next to the repository, if there are any
     files("../../shared/faults").iter().for_each(|path| scan.file(path, count()));
     scan.finish("formulas");
 }

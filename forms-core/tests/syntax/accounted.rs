@@ -1,13 +1,15 @@
-//! No statement vanishes: a file of n `prove`s and `refute`s has n statements, or it is an error.
+//! No statement vanishes: a file with n `prove`s and `refute`s has n statements, or it has an
+//! error.
 //!
-//! Random files declare things of every kind, some of which use their own name, a name that nobody declares or one whose
-//! declaration is damaged, and claim something of them. The generator counts what it claims and knows what it damaged.
+//! Random files declare and claim things of every kind. Some declarations use their own name, an
+//! undeclared name or a name whose declaration is damaged. The generator counts its claims and
+//! knows what it damaged.
 
 use forms_core::check::read_theory;
 use forms_core::diagnostic::MOST_DIAGNOSTICS;
 use std::fmt::Write;
 
-/// How many files are made where nobody asks for more.
+/// Default number of files.
 const CASES: u64 = 3_000;
 
 #[test]
@@ -88,15 +90,15 @@ impl Random {
     }
 }
 
-/// What kinds of things a name can stand for.
+/// Kinds of declarations.
 const KINDS: [&str; 7] = ["let", "form", "field", "map", "metric", "fn", "chart"];
 
-/// A file with what its generator knows of it.
+/// File with the generator's knowledge of it.
 struct File {
     text: String,
     claims: usize,
     is_damaged: bool,
-    /// The names of each kind that are declared so far.
+    /// Names of each kind declared so far.
     known: [Vec<String>; KINDS.len()],
 }
 
@@ -117,7 +119,8 @@ impl File {
         file
     }
 
-    /// A name of a kind that may be used by the item that declares `own`: mostly one declared before.
+    /// Returns a name of a kind for use in the declaration of `own`: usually a name declared
+    /// before, sometimes `own` or an undeclared name.
     fn name(&mut self, kind: usize, own: &str, is_prone: bool, random: &mut Random) -> Option<String> {
         if is_prone && random.below(8) == 0 {
             self.is_damaged = true;
@@ -129,7 +132,7 @@ impl File {
 
     fn declare(&mut self, kind: usize, number: usize, is_prone: bool, random: &mut Random) {
         let own = format!("n{number}");
-        // the condition of a `fn` may be about itself
+        // the condition of a `fn` is allowed to mention the function itself
         let used = self.name(kind, &own, is_prone && kind != 5, random);
         let text = match (kind, used) {
             (0, Some(a)) => format!("let {own} = {} + {a};", random.of(&["x*y", "sqrt(c)", "2", "sin(x)"])),

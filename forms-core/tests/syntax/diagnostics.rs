@@ -1,6 +1,6 @@
-//! What is said about each mistake: the message, its place, what it depends on and the hint.
+//! Diagnostics for each kind of error: the message, its place, the related place and the hint.
 //!
-//! Each file under `diagnostics` is a table of blocks: a text, then all that is said about it.
+//! Each file under `diagnostics` is a table of blocks: a text, followed by all its diagnostics.
 
 use forms_core::check::read_file;
 use forms_core::diagnostic::Diagnostic;
@@ -9,24 +9,24 @@ use forms_core::syntax::{Source, end_of, lex, parse, read, words};
 use std::fmt::Write;
 use std::path::Path;
 
-/// All that is said about how a text is written.
+/// Returns the diagnostics of the parser.
 fn said_about(text: &str) -> String {
     table_of(text, read(text).1)
 }
 
-/// All that is said about what a text that is written well means.
+/// Returns the diagnostics of resolution for a text without syntax errors.
 fn said_about_the_meaning(text: &str) -> String {
     let (file, mistakes) = read(text);
     assert_eq!(mistakes, [], "{text}");
     table_of(text, resolve(&file).1)
 }
 
-/// All that is said about a text, and about what it means as far as it can be read.
+/// Returns the diagnostics of the parser, and of resolution for the items that can be read.
 fn said_about_all(text: &str) -> String {
     table_of(text, read_file(text).2)
 }
 
-/// Diagnostics in the form the tables have.
+/// Formats diagnostics as in the tables.
 fn table_of(text: &str, diagnostics: Vec<Diagnostic>) -> String {
     let source = Source::new("table", text);
     let mut said = String::new();
@@ -46,7 +46,7 @@ fn table_of(text: &str, diagnostics: Vec<Diagnostic>) -> String {
     said
 }
 
-/// Whether a line of a table opens a diagnostic: `3:14 expected …`.
+/// Whether a line of a table begins a diagnostic: `3:14 expected …`.
 fn is_diagnostic(line: &str) -> bool {
     line.split_once(' ')
         .and_then(|(place, _)| place.split_once(':'))

@@ -1,13 +1,13 @@
-//! The case files of the workspace.
+//! Case files of the workspace.
 
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::{Source, lex, read};
 use std::path::Path;
 
-/// Where the workspace keeps `.forms` files.
+/// Folders of the workspace with `.forms` files.
 const FOLDERS: &[&str] = &["../tests/cases", "../forms-radiometry/theory", "../forms-radiometry/kernels"];
 
-/// The text of every `.forms` file of the workspace.
+/// Returns the text of every `.forms` file of the workspace.
 pub(crate) fn sources() -> Vec<Source> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut sources: Vec<Source> = FOLDERS
@@ -26,7 +26,7 @@ pub(crate) fn sources() -> Vec<Source> {
     sources
 }
 
-/// The tokens of each item: up to a semicolon outside of brackets.
+/// Returns the tokens of each item, up to a semicolon outside of brackets.
 pub(crate) fn items(tokens: &[Token]) -> Vec<&[Token]> {
     let mut depth = 0_usize;
     let is_end = |token: &Token| {

@@ -1,13 +1,14 @@
-//! Every limit is an error with its name, one step beyond what it allows, on the 2 MiB stack of a test's thread.
+//! Every limit gives an error that names it, one step beyond the allowed value, on the 2 MiB stack
+//! of a test's thread.
 
 use forms_core::syntax::{MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS, lex, read};
 
-/// The messages about a text.
+/// Returns the messages about a text.
 fn messages(text: &str) -> Vec<String> {
     read(text).1.into_iter().map(|diagnostic| diagnostic.message).collect()
 }
 
-/// `let a = ((( … x … )));`, nested `levels` deep.
+/// Returns `let a = ((( … x … )));`, nested `levels` deep.
 fn nested(levels: usize, open: &str, inner: &str, close: &str) -> String {
     format!("let a = {}{inner}{};", open.repeat(levels), close.repeat(levels))
 }

@@ -1,4 +1,5 @@
-//! The front end, through its public door: what parses, what does not and what is said about it.
+//! Front end, through its public interface: texts that parse, texts that do not, and the messages
+//! about them.
 
 mod accounted;
 mod diagnostics;

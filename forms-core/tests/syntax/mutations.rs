@@ -1,11 +1,11 @@
-//! Damaged files: nothing panics, every place is in the text, and one wound is one report.
+//! Damaged files: nothing panics, every place is in the text, and one defect gives one report.
 
 use crate::files;
 use forms_core::syntax::token::Symbol;
 use forms_core::syntax::{Source, end_of, lex, parse, read};
 use proptest::prelude::*;
 
-/// Reads a text and renders all that is said about it.
+/// Reads a text and renders all its diagnostics.
 fn survives(text: &str) {
     let source = Source::new("damaged", text);
     for diagnostic in read(text).1 {
@@ -47,7 +47,7 @@ fn a_file_may_end_behind_any_token() {
     }
 }
 
-/// Pieces of the language and of what is not the language.
+/// Pieces of text, both inside and outside the language.
 fn piece() -> impl Strategy<Value = String> {
     let words =
         ["x", "d", "if", "else", "where", "effects", "kernel", "prove", "pub", "jump", "chart", "on", "fn"];

@@ -1,17 +1,18 @@
-//! A syntax tree as text: with the fewest brackets, to be parsed again, or with all of them, to be compared.
+//! Printer of syntax trees: with the fewest brackets, to be parsed again, or with all of them, to
+//! be compared.
 
 use forms_core::syntax::ast::*;
 
-/// How many brackets are written.
+/// Choice of brackets.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Brackets {
-    /// Those that precedence asks for.
+    /// Only the brackets that precedence requires.
     Fewest,
-    /// One pair about every part, so that equal texts mean equal trees.
+    /// One pair around every part, so that equal texts mean equal trees.
     All,
 }
 
-/// How tightly an expression holds together, and how tight its surroundings want it.
+/// Precedence of an expression, and the precedence that its context requires.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Level {
     Sum,
@@ -19,7 +20,7 @@ enum Level {
     Unary,
     Power,
     Postfix,
-    /// A name, number or bracket; only these can be indexed and stay one operand.
+    /// Name, number or bracket; only these can be indexed and remain one operand.
     Atom,
 }
 
@@ -28,7 +29,7 @@ impl Brackets {
         self.at(Level::Sum, expr)
     }
 
-    /// An expression where at least `wanted` is needed.
+    /// Prints an expression where at least the precedence `wanted` is required.
     fn at(self, wanted: Level, expr: &Expr) -> String {
         let (level, text) = self.bare(expr);
         let needed = match self {
@@ -199,7 +200,7 @@ impl Brackets {
         )
     }
 
-    /// A word and values, or nothing where there are none.
+    /// Prints a word and values, or nothing if there are no values.
     fn behind(self, word: &str, values: &[Expr]) -> String {
         if values.is_empty() { String::new() } else { format!(" {word} {}", self.values(values)) }
     }
@@ -232,7 +233,7 @@ fn joined<T>(list: &[T], text: impl Fn(&T) -> String) -> String {
     list.iter().map(text).collect::<Vec<_>>().join(", ")
 }
 
-/// A fraction whose denominator divides a power of ten, as a decimal.
+/// Prints a fraction whose denominator divides a power of ten, as a decimal.
 fn decimal(value: &num_rational::BigRational) -> String {
     let mut places = 0_i32;
     let mut shifted = value.clone();

@@ -1,4 +1,4 @@
-//! Printing and parsing undo each other, and every span holds what its tree was made from.
+//! Printing and parsing are inverse to each other, and every span covers the source of its tree.
 
 use crate::files;
 use crate::print::Brackets;
@@ -120,7 +120,7 @@ fn an_equation_stands_alone_with_its_conditions() {
     assert!(parse_equation(&lex(rest).0, end_of(rest)).is_err());
 }
 
-/// Every part of an expression, itself included.
+/// Returns every part of an expression, including the expression itself.
 fn parts(expr: &Expr) -> Vec<&Expr> {
     let mut parts = vec![expr];
     let mut next = 0;

@@ -1,10 +1,10 @@
-//! How a diagnostic reads on a terminal.
+//! Rendering of diagnostics on a terminal.
 
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::syntax::source::Position;
 use forms_core::syntax::{Source, read};
 
-/// All diagnostics of a text, rendered.
+/// Returns all diagnostics of a text, rendered.
 fn rendered(text: &str) -> String {
     let source = Source::new("box.forms", text);
     read(text).1.iter().map(|diagnostic| source.render(diagnostic)).collect()

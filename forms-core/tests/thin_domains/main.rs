@@ -1,8 +1,8 @@
-//! Statements on thin domains, whose conditions hold on points, curves and borders only: no verdict contradicts the exact
-//! values at points of these strata.
+//! Statements on thin domains, whose conditions hold only on points, curves and boundaries: no
+//! verdict contradicts the exact values at points of these strata.
 //!
-//! The judge computes with fractions, and with cosines that are known at multiples of π/6; it shares nothing with the
-//! prover. `FORMS_STATEMENTS=100000` tries that many statements.
+//! The reference computes with fractions, and with cosines known at multiples of π/6; it shares
+//! nothing with the prover. `FORMS_STATEMENTS=100000` sets the number of statements.
 
 mod statement;
 mod tree;
@@ -12,10 +12,10 @@ use forms_core::check::read_theory;
 use forms_core::decide::{Verdict, decide};
 use statement::{Dice, Statement};
 
-/// How many statements are tried where nobody asks for more.
+/// Default number of statements.
 const STATEMENTS: u64 = 800;
 
-/// Points looked at for each statement.
+/// Number of points for each statement.
 const POINTS: usize = 120;
 
 #[derive(Default)]
@@ -23,7 +23,7 @@ struct Tally {
     proved: u64,
     refuted: u64,
     unknown: u64,
-    /// Statements that are false at a point of a stratum, as the judge saw.
+    /// Number of statements that the reference found false at a point of a stratum.
     seen_false: u64,
     wrong: Vec<String>,
 }
@@ -61,7 +61,7 @@ fn tally(cases: impl Iterator<Item = u64>) -> Tally {
     tally
 }
 
-/// Compares a verdict with whether the sides differ at points of which the statement speaks.
+/// Compares a verdict with the differences of the sides at points that satisfy the conditions.
 fn judge(case: u64, statement: &Statement, seen: &[bool], tally: &mut Tally) {
     let is_false = seen.contains(&true);
     tally.seen_false += u64::from(is_false);
@@ -84,12 +84,13 @@ fn judge(case: u64, statement: &Statement, seen: &[bool], tally: &mut Tally) {
     }
 }
 
-/// False each, at points at which a value that was found for an integral or a limit is none.
+/// Statements that are false at points where the closed form found for an integral or a limit is
+/// not valid.
 const FALSE: &[&str] = &[
     "abs(y) + integral(cos(k*x), x = 0..1) == integral(cos(k*x), x = 0..1) - y where k**2*y <= 0",
     "integral(cos(k*x), x = 0..1) == 2 where k**2 <= 0",
     "integral(exp(k*x), x = 0..1) + abs(y) == integral(exp(k*x), x = 0..1) - y where abs(k)*y <= 0",
-    // what is divided by is zero in half of the space
+    // the divisor is zero in half of the space
     "integral(cos((abs(k) - k)*x), x = 0..1)*(k + abs(k)) == 0",
     "abs(k) + integral(exp((abs(k) - k)*x), x = 0..1) == integral(exp((abs(k) - k)*x), x = 0..1) - k",
     "integral(x**(abs(k) - k - 1), x = 1..2)*(k + abs(k)) == 0",
@@ -111,7 +112,8 @@ fn no_false_statement_about_integrals_is_proved_on_a_thin_domain() {
     }
 }
 
-/// The judge can be trusted: |y| = −y fails at x = π, y = 1 under (1 + cos x) y <= 0, and at no point under y <= 0.
+/// The reference is reliable: |y| = −y fails at x = π, y = 1 under (1 + cos x) y <= 0, and at no
+/// point under y <= 0.
 #[test]
 fn the_judge_knows_a_point_from_its_surroundings() {
     use statement::Condition;

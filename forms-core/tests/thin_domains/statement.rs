@@ -7,14 +7,14 @@ use num_rational::Ratio;
 /// left ≤ right
 pub(crate) struct Condition(pub(crate) Tree, pub(crate) Tree);
 
-/// An equation under conditions.
+/// Equation under conditions.
 pub(crate) struct Statement {
     pub(crate) left: Tree,
     pub(crate) right: Tree,
     pub(crate) conditions: Vec<Condition>,
 }
 
-/// Pseudo-random numbers, the same for the same case.
+/// Pseudorandom numbers that depend only on the case.
 pub(crate) struct Dice(u64);
 
 impl Dice {
@@ -22,7 +22,7 @@ impl Dice {
         Dice(case.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678_9abc_def1)
     }
 
-    /// A number from 0 up to a bound, by SplitMix64.
+    /// Returns a number from 0 up to a bound, by SplitMix64.
     pub(crate) fn below(&mut self, bound: u64) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -40,7 +40,7 @@ impl Dice {
         Angle { of_x, of_z, over: self.among(&[1, 1, 1, 2, 3]) }
     }
 
-    /// y, w, or a sum of small multiples of both and a number.
+    /// Returns y, w, or a sum of small multiples of both and a number.
     fn linear(&mut self) -> Tree {
         match self.below(4) {
             0 => Plain(0),
@@ -50,7 +50,7 @@ impl Dice {
         }
     }
 
-    /// What is never negative, and zero on a stratum.
+    /// Returns an expression that is never negative, and zero on a stratum.
     fn distance(&mut self) -> Tree {
         let angle = self.angle();
         let wave = if self.below(2) == 0 { Cos(angle) } else { Sin(angle) };
@@ -72,14 +72,14 @@ impl Dice {
         }
     }
 
-    /// An angle without its turns, or the turns.
+    /// Returns a folded angle, or the multiple of π that folding removes.
     fn folded(&mut self) -> Tree {
         let fold = self.among(&[Fold::Acos, Fold::Asin, Fold::Atan, Fold::Atan2]);
         let angle = self.angle();
         if self.below(3) == 0 { Excess(fold, angle) } else { Folded(fold, angle) }
     }
 
-    /// What is zero on a stratum, or on half of the space.
+    /// Returns an expression that is zero on a stratum, or on half of the space.
     fn parameter(&mut self) -> Tree {
         match self.below(4) {
             0 => self.distance(),
@@ -92,7 +92,7 @@ impl Dice {
         }
     }
 
-    /// What is always positive.
+    /// Returns an expression that is always positive.
     fn positive(&mut self) -> Tree {
         let angle = self.angle();
         match self.below(5) {
@@ -104,7 +104,7 @@ impl Dice {
         }
     }
 
-    /// An expression with a sign that matters.
+    /// Returns an expression whose sign matters.
     fn signed(&mut self) -> Tree {
         let angle = self.angle();
         match self.below(7) {
@@ -120,7 +120,8 @@ impl Dice {
         if self.below(3) == 0 { of.clone().squared().sqrt() } else { of.clone().abs() }
     }
 
-    /// |e| p = ±e |p|, or an identity of half angles with one sign, or with terms that vanish on strata.
+    /// Returns |e| p = ±e |p|, or an identity of half angles with one sign, or with terms that
+    /// vanish on strata.
     fn sides(&mut self, e: &Tree) -> (Tree, Tree) {
         let p = self.positive();
         let signed = if self.below(3) == 0 { e.clone() } else { e.clone().negated() };
@@ -177,7 +178,7 @@ impl Dice {
         Statement { left, right, conditions }
     }
 
-    /// A point, mostly at quarters and thirds of a turn and at small numbers.
+    /// Returns a point, mostly at quarters and thirds of a turn and at small numbers.
     pub(crate) fn point(&mut self) -> Point {
         let turns = [
             (0, 1),
@@ -207,7 +208,8 @@ impl Statement {
         format!("chart C(x, z, y, w); chart S(s); prove it: {self};")
     }
 
-    /// Whether the sides differ at a point; nothing where that, or whether the statement speaks of it, is not certain.
+    /// Whether the sides differ at a point; `None` where this is not certain, or where the
+    /// conditions do not certainly hold.
     pub(crate) fn differs_at(&self, point: &Point) -> Option<bool> {
         for Condition(left, right) in &self.conditions {
             if left.at(point)?.at_most(right.at(point)?) != Some(true) {

@@ -1,13 +1,14 @@
-//! Random expressions over two angles x, z, which are multiples of π at the points looked at, and two fractions y, w.
+//! Random expressions over two angles x, z, which are multiples of π at the points under test, and
+//! two fractions y, w.
 
 use crate::value::Value;
 use num_rational::Ratio;
 use num_traits::Signed;
 
-/// A point: x/π, z/π, y and w.
+/// Point, as x/π, z/π, y and w.
 pub(crate) type Point = [Ratio<i64>; 4];
 
-/// A sum of multiples of the angles, over a small number.
+/// Sum of multiples of the angles, divided by a small number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Angle {
     pub(crate) of_x: i64,
@@ -15,7 +16,8 @@ pub(crate) struct Angle {
     pub(crate) over: i64,
 }
 
-/// An inverse function of a function of an angle, which is the angle without its turns.
+/// Inverse function applied to its function of an angle, which folds the angle into the principal
+/// range.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Fold {
     Acos,
@@ -25,8 +27,8 @@ pub(crate) enum Fold {
 }
 
 impl Fold {
-    /// What is left of so many half turns; nothing where the tangent is not defined, and on the cut of `atan2`, which
-    /// statements leave out.
+    /// Folds an angle of `turns` half turns; `None` where the tangent is undefined, and on the
+    /// branch cut of `atan2`, which statements exclude.
     fn of(self, turns: Ratio<i64>) -> Option<Ratio<i64>> {
         let two = Ratio::from_integer(2);
         let within = turns - ((turns + 1) / two).ceil() * two + two;
@@ -55,7 +57,7 @@ pub(crate) enum Tree {
     /// The angle itself.
     Turns(Angle),
     Folded(Fold, Angle),
-    /// What folding takes away.
+    /// Folded angle minus the angle.
     Excess(Fold, Angle),
     /// ∫₀¹ cos(n s) ds
     Mean(Box<Tree>),
@@ -102,7 +104,7 @@ impl Tree {
         Exp(Box::new(self))
     }
 
-    /// The value at a point; nothing where it is not defined, or may not be.
+    /// Returns the value at a point; `None` where it is not certainly defined.
     pub(crate) fn at(&self, point: &Point) -> Option<Value> {
         Some(match self {
             Number(n) => Value::fraction(*n, 1),

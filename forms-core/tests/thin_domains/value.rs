@@ -1,14 +1,15 @@
-//! Values of random expressions at special points: exact where arithmetic of fractions is, and floating point beside it.
+//! Values of random expressions at special points: exact fractions where possible, and
+//! floating-point numbers in addition.
 
 use num_rational::Ratio;
 use num_traits::{CheckedAdd, CheckedMul, Signed, Zero};
 
 type Fraction = Ratio<i64>;
 
-/// Differences of floating-point values below this, relative to their size, decide nothing.
+/// Relative difference below which floating-point values decide nothing.
 const CERTAIN: f64 = 1e-7;
 
-/// A real number, exactly if a fraction is known for it.
+/// Real number, exact if it is known as a fraction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Value {
     exact: Option<Fraction>,
@@ -49,7 +50,7 @@ impl Value {
         Value { exact: self.exact.map(|value| value.abs()), near: self.near.abs() }
     }
 
-    /// The square root; nothing of a negative number, nor of one that may be negative.
+    /// Returns the square root; `None` for a number that is or could be negative.
     pub(crate) fn sqrt(self) -> Option<Self> {
         match self.exact {
             Some(value) if value.is_negative() => None,
@@ -66,12 +67,12 @@ impl Value {
         }
     }
 
-    /// e raised to the number, exact for 0.
+    /// Returns e raised to the number, exact for 0.
     pub(crate) fn exp(self) -> Self {
         if self.is_exactly_zero() { Value::fraction(1, 1) } else { Value::near(self.near.exp()) }
     }
 
-    /// The cosine of a multiple of π, exact at the sixths where it is a fraction.
+    /// Returns the cosine of a multiple of π, exact at the sixths where it is a fraction.
     pub(crate) fn cosine_of_turns(turns: Fraction) -> Self {
         let two = Fraction::from_integer(2);
         let turns = turns - (turns / two).floor() * two;
@@ -91,7 +92,7 @@ impl Value {
         found.map_or(Value::near(near), |&(_, (p, q))| Value::fraction(p, q))
     }
 
-    /// A multiple of π, exact for 0.
+    /// Returns a multiple of π, exact for 0.
     pub(crate) fn turns(turns: Fraction) -> Self {
         if turns.is_zero() {
             return Value::fraction(0, 1);
@@ -99,7 +100,7 @@ impl Value {
         Value::near(*turns.numer() as f64 / *turns.denom() as f64 * std::f64::consts::PI)
     }
 
-    /// sin(n)/n, and 1 for n = 0; nothing where n may be 0.
+    /// Returns sin(n)/n, and 1 for n = 0; `None` where n could be 0.
     pub(crate) fn mean_of_wave(self) -> Option<Self> {
         if self.is_exactly_zero() {
             return Some(Value::fraction(1, 1));
@@ -107,7 +108,7 @@ impl Value {
         (self.near.abs() > CERTAIN).then(|| Value::near(self.near.sin() / self.near))
     }
 
-    /// The sine of a multiple of π.
+    /// Returns the sine of a multiple of π.
     pub(crate) fn sine_of_turns(turns: Fraction) -> Self {
         Value::cosine_of_turns(turns - Fraction::new(1, 2))
     }
@@ -120,7 +121,7 @@ impl Value {
         self.is_far_from(other).then_some(self.near < other.near)
     }
 
-    /// Whether two values differ for certain.
+    /// Whether two values certainly differ.
     pub(crate) fn differs(self, other: Self) -> bool {
         match self.exact.zip(other.exact) {
             Some((a, b)) => a != b,

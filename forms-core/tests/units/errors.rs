@@ -1,10 +1,10 @@
-//! What is refused, and what is said of it.
+//! Unit errors that are refused, and their messages.
 
 use crate::{SCENE, read};
 use forms_core::check::read_theory;
 use forms_core::syntax::Source;
 
-/// A declaration or claim over the scene with the one message it is met with.
+/// Declarations or claims over the scene, each with its only message.
 const REFUSED: &[(&str, &str)] = &[
     // Sums, comparisons, equations.
     ("let q = x + t;", "cannot add unlike units: the left side is in m, the right side in s"),
@@ -88,7 +88,7 @@ const REFUSED: &[(&str, &str)] = &[
     ),
     ("kernel k(x: s) = x;", "`x` is declared in m above, and here in s"),
     ("chart Again(x: mm);", "`x` is declared in m above, and here in mm"),
-    // Units that are none.
+    // Unknown units.
     ("param q: meters;", "`meters` is not a unit"),
     ("param q: deg;", "`deg` is not a unit"),
     ("param q: furlong;", "`furlong` is not a unit"),
@@ -110,7 +110,7 @@ fn each_mistake_is_told_once() {
     }
 }
 
-/// What is to be done about a mistake.
+/// Advice for fixing each error.
 const ADVICE: &[(&str, &str)] = &[
     ("prove p: E == L;", "the right side lacks a solid angle: multiply it by one in sr"),
     ("prove p: L == E;", "the left side lacks a solid angle: multiply it by one in sr"),

@@ -1,11 +1,11 @@
-//! The unit of each operation.
+//! Unit of each operation.
 
 use crate::{read, unit};
 use forms_core::check::read_theory;
 use forms_core::units::sentence;
 use num_bigint::BigInt;
 
-/// Each expression with its unit; `-` where nothing states it.
+/// Expressions with their units; `-` where no unit is stated.
 const LAWS: &[(&str, &str)] = &[
     // Numbers and names.
     ("3", "1"),
@@ -53,7 +53,7 @@ const LAWS: &[(&str, &str)] = &[
     ("atan2(1, 2)", "1"),
     ("if x > 0 { x } else { 0 }", "m"),
     ("if jump x > y { 2*r } else { z }", "m"),
-    // Unknown functions, their derivatives and values elsewhere.
+    // Unknown functions, their derivatives and their values at other arguments.
     ("f", "K"),
     ("f(r, 2*r, c*t)", "K"),
     ("diff(f, x)", "K/m"),
@@ -86,12 +86,13 @@ const LAWS: &[(&str, &str)] = &[
     ("bracket(@x, x*@t)", "1/s"),
     ("pair(dx^dt, @x, @t)", "1"),
     ("pair(f*dx, X)", "K*m"),
-    // Maps keep the unit of what they pull back.
+    // Pullbacks keep the unit.
     ("pullback(globe, f)", "K"),
     ("pullback(globe, dx^dy)", "m**2"),
     ("pullback(globe, beta)[dtheta^dphi]", "sr/rad**2"),
     ("pullback(path, dx)[dt]", "m/s"),
-    // Integrals: a form as it is, a scalar times the units of the variables.
+    // Integrals: the unit of a form is kept, the unit of a scalar is multiplied by the units of the
+    // variables.
     ("integral(x*dx, x = 0..r)", "m**2"),
     ("integral(x, x = 0..r)", "m**2"),
     ("integral(E, x = 0..r, y = 0..2*r)", "W"),
@@ -125,7 +126,7 @@ const LAWS: &[(&str, &str)] = &[
     // Prefixes and derived units.
     ("lambda*x", "nm*m"),
     ("j/t + w", "J/s"),
-    // Angles: the radian may be read as 1, and two of them as a steradian.
+    // Angles: the radian can be read as 1, and its square as the steradian.
     ("L*theta*phi + E", "W/m**2"),
     ("E + L*theta*phi", "W/m**2"),
     ("theta + 1", "1"),
@@ -170,7 +171,7 @@ fn a_declared_unit_is_the_unit_of_the_value() {
     }
 }
 
-/// Equations whose sides have units that mean the same.
+/// Equations whose sides have units with the same meaning.
 const AGREEING: &[(&str, &str)] = &[
     ("w", "j/t"),
     ("E", "w/r**2"),
@@ -188,7 +189,7 @@ const AGREEING: &[(&str, &str)] = &[
     ("0", "x"),
 ];
 
-/// The derived units by their definitions.
+/// Derived units with their definitions.
 const DERIVED: &[(&str, &str)] = &[
     ("Hz", "1/s"),
     ("N", "kg*m/s**2"),

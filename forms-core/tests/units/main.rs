@@ -1,4 +1,4 @@
-//! Units: the unit of every operation, what is refused, and the same by rescaling.
+//! Units: the unit of every operation, refused sources, and an independent check by rescaling.
 
 mod errors;
 mod laws;
@@ -24,13 +24,14 @@ metric round on Sphere = r**2*(dtheta**2 + sin(theta)**2*dphi**2);
 form beta: 2, sr on Space = (x*dy^dz + y*dz^dx + z*dx^dy)/sqrt(x**2 + y**2 + z**2)**3;
 ";
 
-/// What is declared and claimed behind the scene, and the messages of all errors.
+/// Reads declarations and claims after the scene; returns the theory and the messages of all
+/// errors.
 pub fn read(text: &str) -> (Theory, Vec<String>) {
     let (theory, errors) = read_theory(&format!("{SCENE}{text}"));
     (theory, errors.into_iter().map(|error| error.message).collect())
 }
 
-/// The unit of an expression over the scene, and the messages of all errors.
+/// Returns the unit of an expression over the scene, and the messages of all errors.
 pub fn unit(expression: &str) -> (Option<String>, Vec<String>) {
     let (theory, errors) = read(&format!("let it = {expression};"));
     let unit = match theory.named("it") {

@@ -1,4 +1,4 @@
-//! Sources that state few units or none are read as they always are.
+//! Sources that state few or no units are read as usual.
 
 use forms_core::check::read_theory;
 

@@ -1,5 +1,6 @@
-//! A second way to the unit of an expression: measure it. If every length is given in a unit four times smaller, a value
-//! in mᵃ is multiplied by 4ᵃ, and likewise for times. The checker has to accept the units that are measured, and no others.
+//! Second way to find the unit of an expression, by measurement. If every length is given in a unit
+//! four times smaller, a value in mᵃ is multiplied by 4ᵃ; the same holds for times. The checker
+//! must accept the measured units, and no others.
 
 use forms_core::check::read_theory;
 use forms_core::kernel::{KernelSource, lower};
@@ -7,7 +8,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use std::cell::Cell;
 
-/// Lengths a and b, times p and q, a number n; a map that mixes them.
+/// Lengths a and b, times p and q, a number n, and a map that mixes them.
 const SCENE: &str = "chart C(a: m, b: m, p: s, q: s); param n: 1;
 map F: C -> C = (2*b + a, a*p/q, q, p + 3*q);
 metric g on C = da**2 + 2*db**2 + (a/p)**2*dp**2 + (b/q)**2*dq**2 + a/(3*p)*db*dq;
@@ -51,7 +52,7 @@ fn expression() -> impl Strategy<Value = String> {
     })
 }
 
-/// An operation that needs a metric or a chart, on top of an expression.
+/// Operations that need a metric or a chart, applied to an expression.
 fn operation() -> impl Strategy<Value = String> {
     let applied = prop::sample::select(vec![
         "hodge[g]((E)*da^dp)[db^dq]",
@@ -94,15 +95,15 @@ fn operation() -> impl Strategy<Value = String> {
     (applied, small).prop_map(|(applied, part)| applied.replace('E', part))
 }
 
-/// The messages about a kernel with this result.
+/// Returns the messages about a kernel with this result.
 fn messages(unit: &str, expression: &str) -> Vec<String> {
     let text = format!("{SCENE} kernel k(a, b, p, q, n){unit} = {expression};");
     read_theory(&text).1.into_iter().map(|error| error.message).collect()
 }
 
-/// The values of an expression at a point and at the same point in other units.
+/// Returns the values of an expression at a point, and at the same point in other units.
 fn values(expression: &str, point: [f64; 5], [metre, second]: [f64; 2]) -> Option<[f64; 2]> {
-    // Read without units: the meaning of an expression does not depend on them.
+    // Read without units: the value of an expression does not depend on them.
     let scene = [": m", ": s", ": 1"].iter().fold(SCENE.to_owned(), |scene, unit| scene.replace(unit, ""));
     let (theory, errors) = read_theory(&format!("{scene} kernel k(a, b, p, q, n) = {expression};"));
     if !errors.is_empty() {
@@ -121,7 +122,8 @@ fn values(expression: &str, point: [f64; 5], [metre, second]: [f64; 2]) -> Optio
 
 const POINT: [f64; 5] = [2.375, 1.25, 0.8125, 1.5, 0.625];
 
-/// The exponents of metre and second, in 64ths; nothing if the expression has no value or does not scale.
+/// Returns the exponents of metre and second, in 64ths; `None` if the expression has no value or
+/// does not scale.
 fn measured(expression: &str) -> Option<[i64; 2]> {
     let exponent = |units: [f64; 2]| {
         let [value, other] = values(expression, POINT, units)?;
@@ -131,7 +133,8 @@ fn measured(expression: &str) -> Option<[i64; 2]> {
     Some([exponent([4.0, 1.0])?, exponent([1.0, 4.0])?])
 }
 
-/// The same expressions in every run, so that it is known how many say something.
+/// Returns a runner that draws the same expressions in every run, so that the number of informative
+/// ones is known.
 fn runner() -> TestRunner {
     let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
     TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha))

@@ -1,33 +1,34 @@
-//! Blocks: what only one branch of a choice needs is computed in that branch.
+//! Blocks: values that only one branch of a conditional needs are computed in that branch.
 //!
-//! The block of a value is the innermost one that contains every use of it. Choices make a tree of blocks below
-//! the function's own.
+//! The block of a value is the innermost one that contains every use of the value. Conditionals
+//! form a tree of blocks below the block of the function.
 
 use crate::kernel::program::{Instruction, Program, Value};
 
-/// A block, by its number; the function's own is the first.
+/// Block, by its number; the block of the function is the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Block(usize);
 
-/// The function's own block.
+/// Block of the function.
 pub(super) const FUNCTION: Block = Block(0);
 
-/// Which block each instruction is written in.
+/// Assignment of instructions to the blocks in which they are written.
 pub(super) struct Blocks {
-    /// The block of each instruction.
+    /// Block of each instruction.
     of: Vec<Block>,
-    /// The block each block stands in, and how deep.
+    /// Parent of each block, and its depth.
     parents: Vec<(Block, usize)>,
-    /// The value each block ends in, if it is one.
+    /// Value that each block ends in, if it ends in a single one.
     values: Vec<Option<Value>>,
-    /// The computed instructions of each block.
+    /// Computed instructions of each block.
     members: Vec<Vec<usize>>,
-    /// The blocks of each choice: where its relation holds, and where not.
+    /// Blocks of each conditional: for a relation that holds, and for one that fails.
     branches: Vec<Option<[Block; 2]>>,
 }
 
 impl Blocks {
-    /// Everything in the function's own block, for targets whose choices compute both branches.
+    /// Puts everything into the block of the function, for targets whose conditionals compute both
+    /// branches.
     pub(super) fn one(program: &Program) -> Blocks {
         let mut blocks = Blocks::function(program);
         blocks.list_members(program);
@@ -55,7 +56,7 @@ impl Blocks {
         }
     }
 
-    /// Everything as deep as its uses allow.
+    /// Nests every instruction as deep as its uses allow.
     pub(super) fn nested(program: &Program) -> Blocks {
         let mut blocks = Blocks::function(program);
         let mut found: Vec<Option<Block>> = vec![None; program.instructions.len()];
@@ -83,14 +84,14 @@ impl Blocks {
         blocks
     }
 
-    /// A new block within this one, which ends in a value.
+    /// Creates a block within this one that ends in a value.
     fn within(&mut self, block: Block, value: Value) -> Block {
         self.values.push(Some(value));
         self.parents.push((block, self.parents[block.0].1 + 1));
         Block(self.parents.len() - 1)
     }
 
-    /// The innermost block that contains both.
+    /// Returns the innermost block that contains both.
     fn common(&self, mut a: Block, mut b: Block) -> Block {
         while a != b {
             let outwards = if self.parents[a.0].1 >= self.parents[b.0].1 { &mut a } else { &mut b };
@@ -99,17 +100,17 @@ impl Blocks {
         a
     }
 
-    /// The computed instructions of a block, in their order.
+    /// Returns the computed instructions of a block, in their order.
     pub(super) fn members(&self, block: Block) -> Vec<usize> {
         self.members[block.0].clone()
     }
 
-    /// The value a block ends in, if it is one.
+    /// Returns the value that a block ends in, if it ends in a single one.
     pub(super) fn value(&self, block: Block) -> Option<Value> {
         self.values[block.0]
     }
 
-    /// The blocks of a choice.
+    /// Returns the blocks of a conditional.
     pub(super) fn branches(&self, place: usize) -> Option<[Block; 2]> {
         self.branches[place]
     }
@@ -121,7 +122,7 @@ mod tests {
     use crate::kernel::formula::program;
     use crate::kernel::numbering::number_values;
 
-    /// How deep the sines of a kernel stand, in the order of their computation.
+    /// Returns the nesting depths of the sines of a kernel, in the order of their computation.
     fn depths(formula: &str) -> Vec<usize> {
         let program = number_values(&program("x y", &[formula]));
         let blocks = Blocks::nested(&program);

@@ -1,4 +1,4 @@
-//! The statements of an emitted function.
+//! Statements of an emitted function.
 
 use super::blocks::{Block, Blocks, FUNCTION};
 use super::dialect::{Branches, ChoiceFunction, Choices, Dialect};
@@ -8,13 +8,13 @@ use crate::kernel::program::{Comparison, Instruction, Program, Value};
 use std::fmt::Write;
 use std::ops::Range;
 
-/// The longest text of a value that is written where it is used.
+/// Length of the longest text of a value that is written where it is used.
 const INLINED: usize = 36;
-/// Spaces of one level.
+/// Spaces of one level of indentation.
 const INDENT: usize = 4;
 
-/// Writes the statements that compute the program, and its outputs as the function's value. The arguments are called
-/// by these names.
+/// Writes the statements that compute the program, and its outputs as the function's value.
+/// `arguments` are the names of the arguments.
 pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[String]) -> String {
     let (blocks, unordered) = match dialect.choices() {
         Choices::Function(_) => (Blocks::one(program), unordered(program)),
@@ -41,7 +41,8 @@ pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[Strin
     source + &body.results()
 }
 
-/// What temporaries begin with: a `t` or as many as no argument begins with.
+/// Returns the prefix of temporaries: the shortest run of `t` for which no argument is named like a
+/// temporary.
 fn prefix(arguments: &[String]) -> String {
     let mut prefix = "t".to_string();
     let is_taken = |prefix: &str| {
@@ -61,7 +62,8 @@ struct Body<'a> {
     arguments: &'a [String],
     uses: Vec<usize>,
     blocks: Blocks,
-    /// What the choices of a language that makes them by functions do where sides cannot be compared.
+    /// For a language whose conditionals are functions, their behaviour if their sides cannot be
+    /// compared.
     unordered: Vec<Unordered>,
     texts: Vec<Option<Written>>,
     prefix: String,
@@ -78,7 +80,7 @@ impl Body<'_> {
         format!("{}{}", self.prefix, self.temporaries - 1)
     }
 
-    /// Arguments and numbers are written where they are used.
+    /// Writes arguments and numbers, which appear where they are used.
     fn write_leaves(&mut self) {
         for (place, instruction) in self.program.instructions.iter().enumerate() {
             self.texts[place] = match instruction {
@@ -93,7 +95,7 @@ impl Body<'_> {
         }
     }
 
-    /// The statements of a block at this level, as far as they compute these places.
+    /// Writes the statements of a block at this level, restricted to the instructions in `places`.
     fn block(&mut self, block: Block, places: Range<usize>, level: usize) -> String {
         let mut source = String::new();
         for place in self.blocks.members(block) {
@@ -117,7 +119,7 @@ impl Body<'_> {
         source
     }
 
-    /// A choice whose branches assign to a variable, which is what is left of it.
+    /// Writes a conditional whose branches assign to a variable, and returns the variable.
     fn assigned(&mut self, place: usize, level: usize, source: &mut String) -> Option<Written> {
         let dialect = self.dialect;
         let Choices::Branches(branches) = dialect.choices() else { return None };
@@ -130,7 +132,8 @@ impl Body<'_> {
         Some(Written::name(name))
     }
 
-    /// Whether a value is written where it is used: the value of a block, and what is short and used once.
+    /// Whether a value is written where it is used: the final value of a block, or a short value
+    /// that is used once.
     fn is_inlined(&self, place: usize, block: Block, written: &Written) -> bool {
         let is_short = written.text.len() <= INLINED && written.binding != Binding::Choice;
         let is_value = self.blocks.value(block) == Some(Value(place as u32));
@@ -146,7 +149,8 @@ impl Body<'_> {
         self.program.domain.iter().map(leave).collect()
     }
 
-    /// The outputs; where choices are functions, each is NaN where a condition of the domain fails.
+    /// Writes the outputs. If conditionals are functions, each output is NaN where a condition of
+    /// the domain fails.
     fn results(&self) -> String {
         let outputs = self.program.outputs.iter().map(|&output| match self.dialect.choices() {
             Choices::Function(function) => self.inside_domain(function, self.text(output)).text,
@@ -212,8 +216,8 @@ impl Body<'_> {
         }
     }
 
-    /// Each branch is taken where its own comparison holds, so that NaN takes neither. A branch ends in what `end`
-    /// makes of its value.
+    /// Writes an `if` in which each branch is taken if its own comparison holds, so that NaN takes
+    /// neither. A branch ends in the text that `end` makes of its value.
     fn select(
         &mut self,
         language: &dyn Branches,
@@ -241,7 +245,7 @@ impl Body<'_> {
     }
 }
 
-/// The spaces before a statement at this level.
+/// Returns the indentation of a statement at this level.
 fn margin(level: usize) -> String {
     " ".repeat(level * INDENT)
 }

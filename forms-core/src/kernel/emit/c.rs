@@ -1,7 +1,7 @@
-//! C11 and CUDA: one function a kernel over `float` or `double`.
+//! C11 and CUDA: one function per kernel over `float` or `double`.
 //!
-//! Several outputs are written to an array. Products and sums are fused where that is an instruction: always on
-//! CUDA devices, in C where `FP_FAST_FMA` says so.
+//! Several outputs are written to an array. Products and sums are fused if the hardware has the
+//! instruction: always on CUDA devices, in C if `FP_FAST_FMA` is defined.
 
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
@@ -15,23 +15,23 @@ use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// Which of the languages with the notation of C.
+/// Language of the C family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Flavour {
     C,
     Cuda,
 }
 
-/// One of them with one type of numbers.
+/// Language of the C family with one number type.
 pub(super) struct C {
     flavour: Flavour,
     precision: Precision,
 }
 
-/// The longest line of a signature.
+/// Longest line of a signature.
 const WIDTH: usize = 100;
 
-/// a b + c, rounded once where that is an instruction.
+/// a b + c, rounded once if there is an instruction for it.
 const MULTIPLY_ADD: &str = "\
 // a b + c, rounded once where the processor does that.
 SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
@@ -43,7 +43,7 @@ SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
 }
 ";
 
-/// The same on CUDA, whose devices always do.
+/// a b + c on CUDA, whose devices always round it once.
 const FUSED_MULTIPLY_ADD: &str = "\
 // a b + c, rounded once.
 SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
@@ -51,7 +51,8 @@ SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
 }
 ";
 
-/// a b − c d = fl(a b − p) + (p − c d) with p = fl(c d), after Kahan: both differences have one rounding.
+/// a b − c d = fl(a b − p) + (p − c d) with p = fl(c d), after Kahan: both differences have one
+/// rounding.
 const DIFFERENCE_OF_PRODUCTS: &str = "\
 // a b - c d within 2 ulp, by the error of one product (Kahan).
 SPECIFIERS NUMBER forms_difference_of_products(NUMBER a, NUMBER b, NUMBER c, NUMBER d) {
@@ -82,12 +83,12 @@ impl C {
         if self.precision == Precision::F32 { "float" } else { "double" }
     }
 
-    /// What stands behind the names of functions of `float`.
+    /// Returns the suffix of the names of functions of `float`.
     fn suffix(&self) -> &'static str {
         if self.precision == Precision::F32 { "f" } else { "" }
     }
 
-    /// The inclusions and the functions that these programs need.
+    /// Writes the includes and the helper functions that these programs need.
     pub(super) fn head(&self, programs: &[&Program]) -> String {
         let needs = |is_needed: fn(&Instruction) -> bool| {
             programs.iter().any(|program| program.instructions.iter().any(is_needed))
@@ -117,7 +118,7 @@ impl C {
         format!("\n{}", text.replace("SUFFIX", self.suffix()).replace("FAST_FMA", fast))
     }
 
-    /// The documented function of a kernel.
+    /// Writes the documented function of a kernel.
     pub(super) fn function(&self, program: &Program, docs: &KernelDocs) -> String {
         let arguments = &program.arguments;
         let mut source = documentation(program, docs, "//") + &self.signature(program, arguments) + " {\n";
@@ -234,7 +235,7 @@ impl Branches for C {
     }
 }
 
-/// A relation where `!=` holds for NaN: a ≠ b is a < b or a > b.
+/// Writes a relation in a language in which `!=` holds for NaN: a ≠ b becomes a < b or a > b.
 pub(super) fn unequal_as_less_or_greater(
     left: &Written,
     relation: Option<Relation>,

@@ -1,4 +1,4 @@
-//! What one language says differently from another.
+//! Differences between the target languages.
 
 use super::unordered::Unordered;
 use super::written::{Written, infix};
@@ -8,55 +8,58 @@ use crate::kernel::program::{ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// A language that programs are written in.
+/// Language that programs are written in.
 pub(super) trait Dialect {
-    /// How it chooses between two values.
+    /// Returns the mechanism that selects one of two values.
     fn choices(&self) -> Choices<'_>;
 
-    /// A number.
+    /// Writes a number.
     fn number(&self, constant: &Constant) -> Written;
     /// √a
     fn sqrt(&self, value: &Written) -> Written;
     /// aʳ
     fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written;
-    /// A function of the op table.
+    /// Writes a call of a function of the operation table.
     fn call(&self, operation: Operation, operands: &[&Written]) -> Written;
-    /// a b − c d without cancellation of roundings.
+    /// a b − c d without loss by cancellation of rounded products.
     fn difference_of_products(&self, factors: [&Written; 4]) -> Written;
-    /// a b + c d, likewise.
+    /// a b + c d, without such a loss.
     fn sum_of_products(&self, factors: [&Written; 4]) -> Written;
-    /// A product and a third number; as two operations where the language has no fused one.
+    /// Writes a product plus or minus a third number, as two operations if the language has no
+    /// fused one.
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
         let product = infix(a, "*", b);
         let [left, right] = sum.terms(&product, c);
         infix(left, if sum.is_difference() { "-" } else { "+" }, right)
     }
 
-    /// The integral of a program of one output from the first operand to the second; the others are what it depends on
-    /// beside its first argument. Only of languages with functions within functions.
+    /// Writes the integral of a program with one output from the first operand to the second; the
+    /// remaining operands are the arguments of the program after its first. Only for languages with
+    /// functions within functions.
     fn quadrature(&self, _integrand: &Program, _operands: &[&Written]) -> Written {
         Written::atom(self.nan())
     }
 
     /// NaN
     fn nan(&self) -> String;
-    /// The statement that names a value.
+    /// Writes the statement that names a value.
     fn declaration(&self, name: &str, value: &str) -> String;
-    /// The statements that return the outputs.
+    /// Writes the statements that return the outputs.
     fn results(&self, outputs: &[&str]) -> String;
 }
 
-/// How a language chooses between two values.
+/// Mechanism by which a language selects one of two values.
 pub(super) enum Choices<'a> {
-    /// By a function of both.
+    /// A function of both values.
     Function(&'a dyn ChoiceFunction),
-    /// By computing one of them.
+    /// Branches, one of which is computed.
     Branches(&'a dyn Branches),
 }
 
-/// Choices that compute both values.
+/// Conditionals that compute both values.
 pub(super) trait ChoiceFunction {
-    /// A relation, and the values where it holds and where not; and what is to be where the sides cannot be compared.
+    /// Writes the selection between the value for a relation that holds and the value for one that
+    /// fails. `unordered` is the behaviour if the sides cannot be compared.
     fn choice(
         &self,
         sides: [&Written; 2],
@@ -66,14 +69,15 @@ pub(super) trait ChoiceFunction {
     ) -> Written;
 }
 
-/// Choices by `if`.
+/// Conditionals by `if`.
 pub(super) trait Branches {
-    /// The statement that declares a variable which the branches assign to; nothing where `if` has a value.
+    /// Writes the declaration of a variable that the branches assign to; `None` if `if` has a
+    /// value.
     fn variable(&self, name: &str) -> Option<String>;
-    /// A relation, or else equality, as a condition that NaN does not meet.
+    /// Writes a relation, or equality if there is none, as a condition that is false for NaN.
     fn comparison(&self, left: &Written, relation: Option<Relation>, right: &Written) -> String;
-    /// What stands between `if` and its block.
+    /// Writes the text between `if` and its block.
     fn condition(&self, comparison: &str) -> String;
-    /// The statements that leave the function with NaN for every output unless a comparison holds.
+    /// Writes the statements that return NaN for every output unless a comparison holds.
     fn leave_unless(&self, comparison: &str, outputs: usize) -> String;
 }

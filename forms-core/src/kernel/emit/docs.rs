@@ -1,27 +1,27 @@
-//! What is said above a function: the formula, what it rests on, and what it costs.
+//! Documentation of emitted functions: the formula, the statements that it rests on, and its cost.
 
 use crate::kernel::program::Program;
 
-/// What is said above the function.
+/// Documentation of an emitted function.
 #[derive(Clone, Debug, Default)]
 pub struct KernelDocs {
-    /// The formula, in the language's notation, one line or several.
+    /// Formula in the language's notation, on one line or several.
     pub formula: String,
-    /// The names of the statements the formula rests on.
+    /// Names of the statements that the formula rests on.
     pub statements: Vec<String>,
-    /// Under which conditions.
+    /// Conditions under which it holds.
     pub conditions: Vec<String>,
-    /// The units of arguments and results, where they are known.
+    /// Units of arguments and results, if known.
     pub units: String,
-    /// What is known of the agreement of the program with the formula.
+    /// Verdict on the agreement of the program with the formula.
     pub translation: String,
-    /// A bound of the error in `f64`, where there is one.
+    /// Bound of the error in `f64`, if there is one.
     pub rounding: String,
-    /// The author's own lines.
+    /// Lines that the author wrote.
     pub docs: Vec<String>,
 }
 
-/// The lines above a function, each behind `comment`.
+/// Writes the lines above a function, each with the prefix `comment`.
 pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str) -> String {
     let mut lines = docs.docs.clone();
     if !docs.formula.is_empty() {
@@ -60,9 +60,10 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     })
 }
 
-/// A line that ends where the comment does, and is read as it is seen: no backslash at its end, which would continue the
-/// comment in C, no `??/`, which is one there, no character that ends a line in WGSL, and none that turns the direction
-/// of text, which Rust refuses.
+/// Returns a line that ends where the comment ends and reads as it appears. The line has no
+/// backslash at its end, which would continue the comment in C, no `??/` there, which is a
+/// backslash in C, no character that ends a line in WGSL, and none that changes the direction of
+/// text, which Rust rejects.
 fn in_a_comment(line: &str) -> String {
     let ends_or_turns = |c: char| {
         c.is_control()

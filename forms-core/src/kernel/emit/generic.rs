@@ -1,7 +1,8 @@
-//! The generic body: `impl Formula<…> for …`, one straight line that runs in any `Real`.
+//! Generic body: `impl Formula<…> for …`, straight-line code that runs in any `Real`.
 //!
-//! Choices compute both branches, so that the same body runs in the lanes of a vector; outside the domain every
-//! output is NaN. Numbers are written exactly, with two words for the precisions that need no more.
+//! Conditionals compute both branches, so that the same body runs in the lanes of a vector; outside
+//! the domain every output is NaN. Numbers are written exactly, with two words for the precisions
+//! that need no more.
 
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
@@ -17,10 +18,10 @@ use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// The module that is pasted beside kernels.
+/// Name of the module that is pasted next to kernels.
 pub(super) const MATH: &str = "forms_math";
 
-/// `impl FORMULA for TYPE`, where the paths `math` lead to what `forms_math` exports.
+/// Emits `impl FORMULA for TYPE`; the path `math` leads to the items that `forms_math` exports.
 pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     let (arguments, outputs) = (program.arguments.len(), program.outputs.len());
     let names: Vec<String> = (0..arguments).map(|place| format!("x{place}")).collect();
@@ -41,7 +42,8 @@ pub fn emit_formula(program: &Program, type_name: &str, math: &str) -> String {
     )
 }
 
-/// Whether lanes compute an instruction whatever its operands are: arithmetic, choices, roots and absolute values.
+/// Whether lanes can compute an instruction for all operands: arithmetic, conditionals, roots and
+/// absolute values.
 fn lanes_have_it_everywhere(instruction: &Instruction) -> bool {
     match instruction {
         Instruction::Call(operation, _) => *operation == Operation::Abs,
@@ -50,15 +52,15 @@ fn lanes_have_it_everywhere(instruction: &Instruction) -> bool {
     }
 }
 
-/// A type `Formula` of the program, to stand in a function.
+/// Writes a type `Formula` of the program, to be nested in a function.
 pub(super) fn nested_formula(program: &Program) -> String {
     let formula = emit_formula(program, "Formula", MATH);
     let lines: String = formula.lines().map(|line| format!("    {line}\n")).collect();
     format!("    enum Formula {{}}\n{lines}")
 }
 
-/// A documented function of double-doubles, with its formula beside it; one that keeps its digits by more precision where
-/// the kernel promises an accuracy.
+/// Writes a documented function of double-doubles that contains its formula. If the kernel promises
+/// an accuracy, the function keeps its digits by higher precision.
 pub(super) fn double_double(program: &Program, docs: &KernelDocs, promised: bool) -> String {
     let number = "forms_math::DoubleDouble";
     let parameters: Vec<String> = program.arguments.iter().map(|name| format!("{name}: {number}")).collect();
@@ -84,7 +86,8 @@ pub(super) fn double_double(program: &Program, docs: &KernelDocs, promised: bool
     )
 }
 
-/// `quadrature(from, to, |s| …)`, where what the integrand depends on is given names before.
+/// Writes `quadrature(from, to, |s| …)`, preceded by names for the values that the integrand
+/// depends on.
 pub(super) fn closure(
     dialect: &dyn Dialect,
     quadrature: &str,
@@ -128,7 +131,7 @@ impl Dialect for Generic<'_> {
     }
 
     fn number(&self, constant: &Constant) -> Written {
-        // the first word by its name where it has one
+        // the first word by its name, if it has one
         let first = number(constant, Precision::F64).text;
         if constant.is_double() {
             return Written::atom(format!("T::from_f64({first})"));
@@ -194,7 +197,8 @@ impl ChoiceFunction for Generic<'_> {
         [then, otherwise]: [&Written; 2],
         unordered: Unordered,
     ) -> Written {
-        // one comparison gives the second value where it fails, and so where there is none
+        // a single comparison gives the second value if it fails, and so also if the sides cannot
+        // be compared
         let (relation, then, otherwise) = match (unordered, relation.complement()) {
             (Unordered::Then, Some(complement)) => (complement, otherwise, then),
             _ => (relation, then, otherwise),

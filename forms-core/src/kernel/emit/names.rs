@@ -1,8 +1,9 @@
-//! Names of kernels and arguments in the languages that source is emitted in.
+//! Names of kernels and arguments in the target languages.
 //!
-//! A name of a file enters, and one leaves that the target's compiler takes for a new name: the same wherever that is
-//! possible, else the same with underscores behind it (`printf_`), with a beginning that nothing of the target has
-//! (`k_forms_power`), or as Rust writes keywords (`r#match`). Different names stay different.
+//! Each name of a file becomes a name that the target's compiler accepts as new: the same name if
+//! possible, or else the same name with trailing underscores (`printf_`), with a prefix that no
+//! name of the target has (`k_forms_power`), or in the form in which Rust writes keywords
+//! (`r#match`). Different names stay different.
 
 use super::docs::KernelDocs;
 use super::target::Target;
@@ -17,23 +18,23 @@ const CUDA: &str = include_str!("names/cuda.txt");
 const RUST: &str = include_str!("names/rust.txt");
 const WGSL: &str = include_str!("names/wgsl.txt");
 
-/// Names that functions of generated code give their own variables, in C and in Rust.
+/// Names that generated functions give to their own variables, in C and in Rust.
 const VARIABLES_OF_C: &str = "outputs";
 const VARIABLES_OF_RUST: &str = "from to inside";
 
-/// What stands before a name whose own beginning is reserved.
+/// Prefix for a name whose own prefix is reserved.
 const BEGINNING: &str = "k_";
 
-/// What a name is given to.
+/// Kind of object that is named.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// A function, which the rest of the program sees.
+    /// A function, which the rest of the program can see.
     Kernel,
     /// A variable of a function.
     Argument,
 }
 
-/// Words that are no new names for something in a target.
+/// Words that cannot be new names in a target.
 struct Reserved {
     words: FxHashSet<&'static str>,
     beginnings: &'static [&'static str],
@@ -47,7 +48,8 @@ impl Reserved {
 
     fn of(target: Target, role: Role) -> &'static Reserved {
         static TABLE: OnceLock<[Reserved; 7]> = OnceLock::new();
-        // what begins with an underscore, or has two, is left to the implementations of C and C++
+        // names that begin with an underscore, or contain two, are reserved for the implementations
+        // of C and C++
         const OF_C: &[&str] = &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL"];
         const OF_CUDA: &[&str] =
             &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL", "cuda", "CUDA", "CU_", "cu_"];
@@ -74,7 +76,7 @@ impl Reserved {
         }
     }
 
-    /// The name, or one near it that is not reserved.
+    /// Returns the name, or a similar one that is not reserved.
     fn nearest(&self, name: &str) -> String {
         let begins = name == "_" || self.beginnings.iter().any(|beginning| name.starts_with(beginning));
         let mut free = if begins { format!("{BEGINNING}{name}") } else { name.to_string() };
@@ -85,7 +87,7 @@ impl Reserved {
     }
 }
 
-/// The names in the target, none of which occurs twice or among `others`. A name that can stay does.
+/// Returns distinct names in the target. A name that can stay does.
 fn chosen(target: Target, role: Role, names: &[String]) -> Vec<String> {
     let reserved = Reserved::of(target, role);
     let nearest: Vec<String> = names.iter().map(|name| reserved.nearest(name)).collect();
@@ -108,13 +110,14 @@ fn chosen(target: Target, role: Role, names: &[String]) -> Vec<String> {
     distinct.map(|name| written(target, name)).collect()
 }
 
-/// A keyword of Rust is written so that it is a name.
+/// Writes a keyword of Rust as a raw identifier.
 fn written(target: Target, name: String) -> String {
     let is_keyword = target == Target::Rust && words::is_rust_keyword(&name);
     if is_keyword { format!("r#{name}") } else { name }
 }
 
-/// What an unused argument of a function in Rust is called: its name behind an underscore, which no other has.
+/// Returns the name of an unused argument of a Rust function: its name with a leading underscore,
+/// different from the others.
 pub(super) fn unused(name: &str, others: &[String]) -> String {
     let mut free = format!("_{}", name.trim_start_matches("r#"));
     while others.contains(&free) {
@@ -123,13 +126,13 @@ pub(super) fn unused(name: &str, others: &[String]) -> String {
     free
 }
 
-/// The names of kernels that stand in one file.
+/// Returns the names of the kernels of one file.
 pub(super) fn of_kernels(target: Target, names: &[String]) -> Vec<String> {
     chosen(target, Role::Kernel, names)
 }
 
-/// The same program with names of the target: its own is given, those of its arguments are chosen. What has another name
-/// than in its source is listed above the function.
+/// Returns the same program with names of the target: its own name is given, the names of its
+/// arguments are chosen. Names that differ from the source are listed above the function.
 pub(super) fn renamed(
     program: &Program,
     docs: &KernelDocs,
@@ -144,7 +147,7 @@ pub(super) fn renamed(
     let mut notes: Vec<String> = Vec::new();
     for (old, new) in all.filter(|(old, new)| old != new) {
         let note = format!("`{old}` is `{new}` here");
-        // an argument may have the name of its kernel
+        // an argument can have the name of its kernel
         if !notes.contains(&note) {
             notes.push(note);
         }

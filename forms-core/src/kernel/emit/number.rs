@@ -1,10 +1,11 @@
-//! Numbers in Rust: the shortest decimals that read back as the nearest `f64`; π and its parts by name.
+//! Numbers in Rust: the shortest decimals that read back as the nearest `f64`; multiples of π by
+//! name.
 
 use super::target::Precision;
 use super::written::{Binding, Written};
 use crate::kernel::constant::Constant;
 
-/// Multiples p/q πᵏ the standard library has names for: (p, q, k, name).
+/// Multiples p/q πᵏ that the standard library has names for: (p, q, k, name).
 const NAMED: [(i64, i64, i32, &str); 9] = [
     (1, 1, 1, "PI"),
     (2, 1, 1, "TAU"),
@@ -17,18 +18,19 @@ const NAMED: [(i64, i64, i32, &str); 9] = [
     (2, 1, -1, "FRAC_2_PI"),
 ];
 
-/// The number as an operand.
+/// Writes a number as an operand.
 pub(super) fn number(constant: &Constant, precision: Precision) -> Written {
     signed(constant, magnitude(constant, precision))
 }
 
-/// A number in the notation of C: the shortest decimals, with what stands behind those of single precision.
+/// Writes a number in the notation of C: the shortest decimals, with the suffix of single precision
+/// if needed.
 pub(super) fn literal(constant: &Constant, precision: Precision) -> Written {
     let digits = digits(constant, precision);
     signed(constant, if precision == Precision::F32 { format!("{digits}f") } else { digits })
 }
 
-/// A value as what a method is called on: a plain literal has to say which type it has.
+/// Writes a value as the receiver of a method call, in which a plain literal needs its type.
 pub(super) fn receiver(value: &Written, precision: Precision) -> String {
     let Some(constant) = &value.constant else { return value.within(Binding::Atom) };
     let magnitude = magnitude(constant, precision);
@@ -56,7 +58,7 @@ fn magnitude(constant: &Constant, precision: Precision) -> String {
     }
 }
 
-/// The shortest decimals of the nearest number above zero.
+/// Returns the shortest decimals of the magnitude of the nearest number.
 fn digits(constant: &Constant, precision: Precision) -> String {
     match precision {
         Precision::F32 => format!("{:?}", constant.to_f32().abs()),

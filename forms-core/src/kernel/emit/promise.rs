@@ -1,25 +1,27 @@
-//! What a target makes of `within`: kept by more precision, kept by a bound of the rounding, or not kept and said so.
+//! `within` promises in a target: kept by higher precision, kept by a bound of the rounding error,
+//! or not kept and reported.
 
 use super::target::{Precision, Source, Target};
 use crate::expression::Rational;
 use crate::kernel::constant::nearest_f64;
 use crate::rounding::Arithmetic;
 
-/// Boxes that the domain is split into for the bound.
+/// Number of boxes that the domain is split into for the bound.
 const BOXES: usize = 256;
 
-/// How the value of a kernel with `within` stands to the exact one where it is emitted.
+/// How the emitted value of a kernel with `within` relates to the exact one.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Promise {
-    /// As much precision as it takes is used.
+    /// The promise is kept by the precision that it needs.
     ByPrecision,
-    /// The rounding of the form is bounded by so many units, which are within the promise.
+    /// The rounding error of the form is bounded by this number of units, which is within the
+    /// promise.
     ByBound(f64),
-    /// It is not kept, for this reason.
+    /// The promise is not kept, for this reason.
     NotKept(String),
 }
 
-/// A promise where a kernel is emitted in a precision of a target.
+/// Decides how a promise is kept if a kernel is emitted in a precision of a target.
 pub(super) fn promise(source: &Source, within: &Rational, target: Target, precision: Precision) -> Promise {
     if target == Target::Rust && precision != Precision::F32 {
         return Promise::ByPrecision;
@@ -49,7 +51,7 @@ pub(super) fn promise(source: &Source, within: &Rational, target: Target, precis
         Err(reason) => Promise::NotKept(format!("no bound of its error is known, since {reason}")),
     };
     match promise {
-        // numbers of more digits are at hand
+        // numbers with more digits are available
         Promise::NotKept(_) if target == Target::Rust => Promise::ByPrecision,
         promise => promise,
     }
@@ -68,7 +70,7 @@ fn unit(precision: Precision) -> &'static str {
 }
 
 impl Promise {
-    /// What is said of it above the function.
+    /// Returns the sentence about the promise in the documentation of the function.
     pub(super) fn sentence(&self, within: &Rational, target: Target, precision: Precision) -> String {
         let unit = unit(precision);
         match self {
@@ -91,7 +93,7 @@ impl Promise {
     }
 }
 
-/// What a bound takes for granted of the library of a target.
+/// Returns the assumption of a bound about the library of a target.
 fn assumption(precision: Precision) -> &'static str {
     if precision == Precision::F32 {
         ", where functions are within 4 ulp and nothing is computed by fast mathematics"
@@ -100,7 +102,7 @@ fn assumption(precision: Precision) -> &'static str {
     }
 }
 
-/// The promises that these kernels do not keep in a target, each in a line.
+/// Lists the promises that these kernels do not keep in a target, one per line.
 ///
 /// ```
 /// use forms_core::{check::read_theory, compile::compile_kernel, kernel::{KernelDocs, Precision, Source, Target}};

@@ -1,4 +1,5 @@
-//! Rust source: one function of `f64`s a kernel, its documentation above it, with nothing but the standard library.
+//! Rust source: one function per kernel, with its documentation above it, that needs the standard
+//! library and, for some instructions, `forms_math`.
 
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
@@ -14,22 +15,24 @@ use crate::kernel::program::{Instruction, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// The longest line of a signature.
+/// Longest line of a signature.
 const WIDTH: usize = 100;
-/// The longest array that stays on one line.
+/// Longest array that stays on one line.
 const ARRAY: usize = 60;
-/// The most arguments a function has before clippy asks for a structure.
+/// Largest number of arguments of a function before clippy asks for a structure.
 pub const MANY_ARGUMENTS: usize = 7;
 
-/// A documented function. It needs nothing but the standard library, and where that does not do (see
-/// [`Program::needs_math`]) what `forms_math` exports, found by the path `math`.
+/// Emits a documented function. It needs the standard library only or, if that is not sufficient
+/// (see [`Program::needs_math`]), also the items that `forms_math` exports, found by the path
+/// `math`.
 pub fn emit_rust(program: &Program, docs: &KernelDocs, math: &str) -> String {
     let (program, docs) = names::renamed(program, docs, Target::Rust, &program.name);
     written(&program, &docs, math, Precision::F64)
 }
 
-/// The same, its values within so many units of 2⁻⁵³ of the exact ones, relative to them: computed by `escalate` of
-/// `forms_math` from the type `formula`, which is a formula of this program (see [`emit_formula`](super::emit_formula)).
+/// Emits a documented function whose values are within `within` units of 2⁻⁵³ of the exact ones,
+/// relative to them. They are computed by `escalate` of `forms_math` from the type `formula`, which
+/// is a formula of this program (see [`emit_formula`](super::emit_formula)).
 pub fn emit_rust_within(
     program: &Program,
     docs: &KernelDocs,
@@ -47,7 +50,7 @@ pub fn emit_rust_within(
     )
 }
 
-/// The same with the formula inside.
+/// Emits such a function with its formula inside.
 pub(super) fn escalating(
     program: &Program,
     docs: &KernelDocs,
@@ -63,7 +66,7 @@ fn promised(docs: &KernelDocs, within: &Rational) -> KernelDocs {
     KernelDocs { rounding: sentence, ..docs.clone() }
 }
 
-/// The statements that compute the values of a formula well enough.
+/// Writes the statements that compute the values of a formula within the promised error.
 fn escalated(
     program: &Program,
     math: &str,
@@ -84,14 +87,14 @@ fn escalated(
     }
 }
 
-/// The largest `f64` that is not above a number above zero.
+/// Returns the largest `f64` that does not exceed a positive number.
 fn below(number: &Rational) -> f64 {
     let nearest = nearest_f64(number);
     let is_above = Rational::from_float(nearest).is_none_or(|exact| exact > *number);
     if is_above { nearest.next_down() } else { nearest }
 }
 
-/// The function of `f32`s or of `f64`s.
+/// Emits the function of `f32`s or of `f64`s.
 pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precision: Precision) -> String {
     let dialect = Rust { math, precision };
     let used = |place: usize| names::uses(program, place);
@@ -99,7 +102,7 @@ pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precisio
 }
 
 impl Program {
-    /// Whether its Rust source needs more than the standard library.
+    /// Whether the program's Rust source needs more than the standard library.
     pub fn needs_math(&self) -> bool {
         self.instructions.iter().any(|instruction| match instruction {
             Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => true,
@@ -123,7 +126,8 @@ impl Rust<'_> {
         function(&format!("<{} as {}::Real>::{name}", self.number_type(), self.math), operands)
     }
 
-    /// The documented function with this body, which uses some of the arguments.
+    /// Writes the documented function with this body; `uses` says whether the body uses an
+    /// argument.
     fn function(
         &self,
         program: &Program,
@@ -258,7 +262,8 @@ impl Branches for Rust<'_> {
     }
 }
 
-/// Only the lints that the names and the number of the arguments make necessary.
+/// Returns the lint attributes that the names and the number of the arguments make necessary, and
+/// no others.
 pub(super) fn attributes(program: &Program) -> String {
     let mut text = String::new();
     if program.arguments.len() > MANY_ARGUMENTS {

@@ -1,4 +1,4 @@
-//! The languages and precisions that source is emitted in, and a whole file of it.
+//! Target languages and precisions, and the emission of a whole source file.
 
 use super::c::{C, Flavour};
 use super::docs::KernelDocs;
@@ -25,7 +25,7 @@ impl Target {
     /// Every target.
     pub const ALL: [Target; 4] = [Target::Rust, Target::C, Target::Wgsl, Target::Cuda];
 
-    /// Its name on the command line.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Target::Rust => "rust",
@@ -35,7 +35,7 @@ impl Target {
         }
     }
 
-    /// Its name in prose.
+    /// Returns the name in prose.
     pub(super) fn title(self) -> &'static str {
         match self {
             Target::Rust => "Rust",
@@ -45,7 +45,7 @@ impl Target {
         }
     }
 
-    /// The precision it is written in where none is asked for.
+    /// Returns the default precision of the target.
     pub fn usual_precision(self) -> Precision {
         if self == Target::Wgsl { Precision::F32 } else { Precision::F64 }
     }
@@ -59,7 +59,7 @@ impl Target {
     }
 }
 
-/// The numbers of emitted source.
+/// Number type of emitted source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// Single precision.
@@ -74,7 +74,7 @@ impl Precision {
     /// Every precision.
     pub const ALL: [Precision; 3] = [Precision::F32, Precision::F64, Precision::DoubleDouble];
 
-    /// Its name on the command line.
+    /// Returns the name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Precision::F32 => "f32",
@@ -84,7 +84,7 @@ impl Precision {
     }
 }
 
-/// What a target cannot say.
+/// Feature that a target lacks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum EmitError {
     /// The target does not have this precision.
@@ -98,7 +98,8 @@ pub enum EmitError {
         /// The target.
         target: Target,
     },
-    /// A number of the kernel is infinite in this precision, or zero where it is not.
+    /// A number of the kernel is infinite in this precision, or is rounded to zero although it is
+    /// not zero.
     Number {
         /// The kernel.
         kernel: String,
@@ -131,20 +132,21 @@ impl fmt::Display for EmitError {
 
 impl std::error::Error for EmitError {}
 
-/// A kernel to be emitted.
+/// Kernel to be emitted.
 #[derive(Clone, Debug)]
 pub struct Source {
-    /// What it computes.
+    /// Program of the kernel.
     pub program: Program,
-    /// What is said above it.
+    /// Documentation above the function.
     pub docs: KernelDocs,
-    /// How far its `f64` value may be from the exact one, in units of 2⁻⁵³ of that; in `f32` of
-    /// 2⁻²⁴. Kept by more precision in Rust, elsewhere where a bound of the rounding shows it.
+    /// Promised largest distance of its `f64` value from the exact one, in units of 2⁻⁵³ of the
+    /// exact value; in `f32` of 2⁻²⁴. Kept by higher precision in Rust, and elsewhere if a bound of
+    /// the rounding error shows it.
     pub within: Option<Rational>,
 }
 
 impl Source {
-    /// The documented function, under this name.
+    /// Writes the documented function under this name.
     fn function(&self, name: &str, target: Target, precision: Precision) -> String {
         let promise = self.promise(target, precision);
         let (program, mut docs) = names::renamed(&self.program, &self.docs, target, name);
@@ -168,12 +170,12 @@ impl Source {
         }
     }
 
-    /// What becomes of its promise, if it has one.
+    /// Returns how the promise of the kernel is kept, if it has one.
     fn promise(&self, target: Target, precision: Precision) -> Option<Promise> {
         Some(promise(self, self.within.as_ref()?, target, precision))
     }
 
-    /// Whether its Rust source needs the arithmetic of `forms_math`.
+    /// Whether the kernel's Rust source needs the arithmetic of `forms_math`.
     fn needs_math(&self, precision: Precision) -> bool {
         match precision {
             Precision::F32 | Precision::F64 => {
@@ -185,10 +187,11 @@ impl Source {
     }
 }
 
-/// Kernels as source that compiles as it stands: what they need, then a documented function each.
+/// Emits kernels as source that compiles as it stands: the definitions that they need, and a
+/// documented function for each.
 ///
 /// # Errors
-/// What the target cannot say, of the first kernel that needs it.
+/// The missing feature of the target, for the first kernel that needs it.
 pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<String, EmitError> {
     if !target.has(precision) {
         return Err(EmitError::Precision(target, precision));
@@ -209,13 +212,13 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
     let functions = kernels.iter().zip(&names).map(|(kernel, name)| kernel.function(name, target, precision));
     let functions: Vec<String> = functions.collect();
     let functions = functions.join("\n");
-    // in Rust what is needed comes last, so that the kernels can be read first
+    // in Rust the needed definitions come last, so that the kernels can be read first
     let parts = if target == Target::Rust { [functions, head] } else { [head, functions] };
     let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     Ok(parts.join("\n"))
 }
 
-/// Whether the target can say what the program does.
+/// Checks that the target has every feature that the program needs.
 fn check(program: &Program, target: Target, precision: Precision) -> Result<(), EmitError> {
     let kernel = || program.name.clone();
     for instruction in &program.instructions {

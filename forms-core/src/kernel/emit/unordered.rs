@@ -1,31 +1,33 @@
-//! Choices whose sides cannot be compared: which of them may leave it to what they choose that the kernel is NaN there.
+//! Conditionals whose sides cannot be compared because one is NaN: which of them can rely on their
+//! branches or on the outputs to make the kernel NaN there.
 //!
 //! ```text
 //! c = if l < r { a } else { b },  l is NaN ─▶ c has to be NaN:  b is NaN too     ─▶ one comparison, b where it fails
-//!                                                               the outputs are  ─▶ one comparison, no matter what c is
+//!                                                               the outputs are  ─▶ one comparison, c is arbitrary
 //!                                                               else             ─▶ two comparisons
 //! ```
-//! Arithmetic, roots and functions of a NaN are NaN. So a NaN spreads from operands to results, but for the branches of a
-//! choice, which may not be taken, and for the sides of a choice that does not look at them. Choices are settled one after
-//! another, and what is not settled counts as one that does not look: so no two rely on each other.
+//! Arithmetic, roots and functions of a NaN are NaN. A NaN therefore propagates from operands to
+//! results, except from the branches of a conditional, which may not be taken, and from the sides
+//! of a conditional that does not test for NaN. Conditionals are settled one after another, and an
+//! unsettled one counts as one that does not test: so no two rely on each other.
 
 use crate::kernel::program::{Instruction, Program, Value};
 use num_traits::Zero;
 
-/// What a choice does where its sides cannot be compared.
+/// Value of a conditional whose sides cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Unordered {
-    /// It is NaN.
+    /// NaN.
     Nan,
-    /// It takes the value where its relation holds, which is NaN there.
+    /// The value for a relation that holds, which is NaN there.
     Then,
-    /// It takes the value where its relation does not hold, which is NaN there.
+    /// The value for a relation that fails, which is NaN there.
     Otherwise,
-    /// It takes either, since every output is NaN there.
+    /// Either value, since every output is NaN there.
     Either,
 }
 
-/// What each instruction does that is a choice; NaN of all others.
+/// Returns the behaviour of each instruction that is a conditional, and `Nan` for all others.
 pub(super) fn unordered(program: &Program) -> Vec<Unordered> {
     let mut choices = Choices { program, settled: vec![None; program.instructions.len()] };
     let mut open = choices.settle_by_branches();
@@ -37,12 +39,13 @@ pub(super) fn unordered(program: &Program) -> Vec<Unordered> {
 
 struct Choices<'a> {
     program: &'a Program,
-    /// What is known of choices.
+    /// Behaviour of the conditionals settled so far.
     settled: Vec<Option<Unordered>>,
 }
 
 impl Choices<'_> {
-    /// Settles the choices that have a branch with both sides in it, and gives the places of the others.
+    /// Settles the conditionals that have a branch with both sides in it, and returns the indices
+    /// of the others.
     fn settle_by_branches(&mut self) -> Vec<usize> {
         let mut open = Vec::new();
         for (place, instruction) in self.program.instructions.iter().enumerate() {
@@ -60,7 +63,8 @@ impl Choices<'_> {
         open
     }
 
-    /// Settles the choices whose sides spread to every output anyway, and one that has to look; gives the others.
+    /// Settles the conditionals whose sides propagate NaN to every output anyway, and one that has
+    /// to test; returns the others.
     fn settle_by_outputs(&mut self, mut open: Vec<usize>) -> Vec<usize> {
         let spreads = self.spreading_to_outputs();
         open.retain(|&place| {
@@ -73,7 +77,8 @@ impl Choices<'_> {
             }
             !is_free
         });
-        // one that spreads what it sees to the outputs, if there is one: the others need not look at the same
+        // prefer one that propagates its NaN to the outputs: the others need not test the same
+        // sides
         let looking = open.iter().position(|&place| spreads[place]).unwrap_or(0);
         if !open.is_empty() {
             self.settled[open.remove(looking)] = Some(Unordered::Nan);
@@ -81,7 +86,8 @@ impl Choices<'_> {
         open
     }
 
-    /// The values of which a NaN makes every output NaN; numbers are never NaN.
+    /// Returns which values make every output NaN if they are NaN; numbers, which never are, count
+    /// too.
     fn spreading_to_outputs(&self) -> Vec<bool> {
         let sides = self.program.domain.iter().flat_map(|condition| [condition.left, condition.right]);
         let sides: Vec<Value> = sides.collect();
@@ -94,7 +100,7 @@ impl Choices<'_> {
         every
     }
 
-    /// The values of which a NaN makes one of these roots NaN, and numbers.
+    /// Returns which values make one of these roots NaN if they are NaN; numbers count too.
     fn spreading_to(&self, roots: &[Value]) -> Vec<bool> {
         let mut spreads = vec![false; self.program.instructions.len()];
         roots.iter().for_each(|root| spreads[root.place()] = true);
@@ -107,7 +113,7 @@ impl Choices<'_> {
         spreads
     }
 
-    /// The operands of which a NaN makes this instruction's value NaN.
+    /// Returns the operands that make this instruction's value NaN if they are NaN.
     fn spreading_through(&self, place: usize) -> Vec<Value> {
         match &self.program.instructions[place] {
             Instruction::Quadrature { .. } => vec![],
@@ -128,7 +134,8 @@ mod tests {
     use crate::kernel::formula::program;
     use crate::kernel::numbering::number_values;
 
-    /// What the choices of kernels of x, y and z do, in the order of their computation.
+    /// Returns the behaviour of the conditionals of kernels of x, y and z, in the order of their
+    /// computation.
     fn choices(formulas: &[&str]) -> Vec<Unordered> {
         let program = number_values(&program("x y z", formulas));
         let is_choice = |place: &usize| matches!(program.instructions[*place], Instruction::Select { .. });
@@ -155,7 +162,7 @@ mod tests {
     #[test]
     fn of_choices_by_the_same_sides_one_looks() {
         assert_eq!(choices(&["(if x < 1 { y } else { z }) + (if x < 2 { z } else { y })"]), [Nan, Either]);
-        // the inner choice may not be taken, so the outer one looks for itself
+        // the inner conditional may not be taken, so the outer one tests for itself
         assert_eq!(
             choices(&["if y < 1 { if x < 1 { y } else { z } } else { if x < 1 { z } else { 1 } }"]),
             [Nan; 3]

@@ -1,7 +1,7 @@
-//! WGSL: one function a kernel over `f32`.
+//! WGSL: one function per kernel over `f32`.
 //!
-//! The language has no way to write NaN, and compilers may assume that there is none: outside the domain of a
-//! kernel its value is NaN where the device has it.
+//! The language has no notation for NaN, and compilers may assume that NaN does not occur: outside
+//! the domain of a kernel its value is NaN if the device has NaN.
 
 use super::body;
 use super::c::unequal_as_less_or_greater;
@@ -16,10 +16,10 @@ use crate::kernel::program::{Instruction, ProductSum, Program};
 use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 
-/// The longest line of a signature.
+/// Longest line of a signature.
 const WIDTH: usize = 100;
 
-/// NaN, by way of a variable, since no constant may be NaN.
+/// NaN through a variable, since a constant cannot be NaN.
 const NAN: &str = "\
 fn forms_nan() -> f32 {
     var bits = 0x7fc00000u;
@@ -37,7 +37,7 @@ fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 }
 ";
 
-/// The functions that these programs need.
+/// Writes the helper functions that these programs need.
 pub(super) fn head(programs: &[&Program]) -> String {
     let needs = |is_needed: fn(&Instruction) -> bool| {
         programs.iter().any(|program| program.instructions.iter().any(is_needed))
@@ -56,7 +56,7 @@ pub(super) fn head(programs: &[&Program]) -> String {
     parts.join("\n")
 }
 
-/// The documented function of a kernel.
+/// Writes the documented function of a kernel.
 pub(super) fn function_of(program: &Program, docs: &KernelDocs) -> String {
     let body = body::write(&Wgsl { outputs: program.outputs.len() }, program, &program.arguments);
     format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program, &program.arguments))
@@ -101,7 +101,8 @@ impl Dialect for Wgsl {
         function("sqrt", &[value])
     }
 
-    /// `pow` is of positive numbers: whole powers of others have the sign that their exponent gives them.
+    /// `pow` takes positive numbers: integer powers of other numbers get the sign that their
+    /// exponent implies.
     fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
         let quotient = format!("{}.0f / {}.0f", exponent.numer(), exponent.denom());
         if !exponent.is_integer() {

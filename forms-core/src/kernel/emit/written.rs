@@ -1,8 +1,8 @@
-//! Values as text, with what is needed to put brackets around them.
+//! Values as text, with the precedence that decides on brackets.
 
 use crate::kernel::constant::Constant;
 
-/// How tightly the outermost operator of a text binds.
+/// Precedence of the outermost operator of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Binding {
     Choice,
@@ -12,14 +12,14 @@ pub(super) enum Binding {
     Atom,
 }
 
-/// A value's text.
+/// Text of a value.
 #[derive(Clone, Debug)]
 pub(super) struct Written {
     pub(super) text: String,
     pub(super) binding: Binding,
-    /// The number it is, if it is one.
+    /// The number, if the value is one.
     pub(super) constant: Option<Constant>,
-    /// Whether it is the name of a variable.
+    /// Whether the text is the name of a variable.
     pub(super) is_name: bool,
 }
 
@@ -36,18 +36,18 @@ impl Written {
         Written { is_name: true, ..Self::atom(text) }
     }
 
-    /// The text, in brackets if it binds less tightly than its place needs.
+    /// Returns the text, in brackets if the context needs a higher precedence.
     pub(super) fn within(&self, needed: Binding) -> String {
         if self.binding >= needed { self.text.clone() } else { format!("({})", self.text) }
     }
 
-    /// The text as one of several between commas.
+    /// Returns the text as an element of a list separated by commas.
     pub(super) fn argument(&self) -> String {
         self.within(Binding::Sum)
     }
 }
 
-/// `left operator right`, bracketed so that it is read in this order.
+/// Writes `left operator right` with the brackets that preserve this grouping.
 pub(super) fn infix(left: &Written, operator: &str, right: &Written) -> Written {
     let (binding, of_right) = match operator {
         "+" | "-" => (Binding::Sum, Binding::Product),

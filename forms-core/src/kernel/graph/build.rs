@@ -1,4 +1,4 @@
-//! Building sums, products and powers in their canonical forms.
+//! Construction of sums, products and powers in canonical form.
 
 use super::super::constant::Constant;
 use super::{Coefficient, Exponent, Factor, Form, Graph, Node, Scaled, Term};
@@ -9,12 +9,12 @@ impl Graph {
         self.plain(Form::One)
     }
 
-    /// The node of a form, once.
+    /// Returns the unique node of a form.
     pub(in crate::kernel) fn plain(&mut self, form: Form) -> Scaled {
         Scaled { coefficient: Coefficient::ONE, node: self.intern(form) }
     }
 
-    /// A number: a coefficient if it is small, a node of its own if not.
+    /// Builds a number: a coefficient if it is small, or else a node of its own.
     pub(in crate::kernel) fn number(&mut self, constant: &Constant) -> Scaled {
         match Coefficient::of(constant) {
             Some(coefficient) => Scaled { coefficient, ..self.one() },
@@ -51,13 +51,14 @@ impl Graph {
         }
     }
 
-    /// Π fᵢ^eᵢ. Powers of one base join, except that a positive and a negative one never cancel.
+    /// Π fᵢ^eᵢ. Powers of one base merge, except that a positive and a negative one never cancel.
     pub(in crate::kernel) fn product(&mut self, factors: &[(Scaled, Exponent)]) -> Scaled {
         let opened: Vec<(Scaled, Exponent, bool)> = factors.iter().map(|&(f, e)| (f, e, true)).collect();
         self.product_with(&opened)
     }
 
-    /// The same, where each factor says whether it is opened if it is a product itself.
+    /// Builds a product in which each factor says whether it is flattened if it is a product
+    /// itself.
     pub(in crate::kernel) fn product_with(&mut self, factors: &[(Scaled, Exponent, bool)]) -> Scaled {
         let mut coefficient = Coefficient::ONE;
         let mut flat: Vec<Factor> = Vec::with_capacity(factors.len());
@@ -80,7 +81,8 @@ impl Graph {
         Scaled { coefficient, node: self.product_of(flat) }
     }
 
-    /// A factor that stays closed: its node as it is, its coefficient raised.
+    /// Returns a factor that is not flattened: its node as it is, its coefficient raised to the
+    /// exponent.
     fn kept(&mut self, factor: Scaled, exponent: Exponent) -> Scaled {
         match exponent.integer().and_then(|whole| factor.coefficient.power(whole)) {
             Some(coefficient) => Scaled { coefficient, node: factor.node },
@@ -89,7 +91,7 @@ impl Graph {
         }
     }
 
-    /// The product of flat factors.
+    /// Builds the product of flattened factors.
     pub(in crate::kernel) fn product_of(&mut self, factors: Vec<Factor>) -> Node {
         let factors = joined(factors);
         match factors[..] {
@@ -108,7 +110,7 @@ impl Graph {
         }
     }
 
-    /// (c n)^e: whole powers are taken factor by factor, roots of the whole.
+    /// (c n)^e: integer powers are taken factor by factor, roots of the whole.
     fn power_of(&mut self, base: Scaled, exponent: Exponent) -> Scaled {
         if exponent == Exponent::ONE {
             return base;
@@ -126,7 +128,7 @@ impl Graph {
         Scaled { coefficient, node: self.product_of(factors) }
     }
 
-    /// A fractional power. √(x²) is not x, so only roots of roots are joined.
+    /// A fractional power. √(x²) is not x, so only roots of roots merge.
     fn root(&mut self, base: Scaled, exponent: Exponent) -> Scaled {
         let unscaled = if base.coefficient == Coefficient::ONE { base.node } else { self.unfactored(base) };
         let joined = match self.form(unscaled) {
@@ -142,7 +144,7 @@ impl Graph {
         Scaled { coefficient: Coefficient::ONE, node: self.product_of(vec![factor]) }
     }
 
-    /// c n as a node, its coefficient multiplied in.
+    /// c n as a node, with its coefficient multiplied in.
     fn unfactored(&mut self, scaled: Scaled) -> Node {
         let terms: Option<Vec<Term>> = match self.form(scaled.node) {
             Form::Sum(terms) => {
@@ -155,7 +157,7 @@ impl Graph {
     }
 }
 
-/// Like terms added, zeros dropped, in the order of the nodes.
+/// Adds like terms and drops zeros; the result is in the order of the nodes.
 fn collected(mut terms: Vec<Term>) -> Vec<Term> {
     terms.sort_by_key(|&(_, node)| node);
     let mut sum: Vec<Term> = Vec::with_capacity(terms.len());
@@ -173,7 +175,8 @@ fn collected(mut terms: Vec<Term>) -> Vec<Term> {
     sum
 }
 
-/// What is taken out of a sum: the first term's sign, and the least coefficient if it divides the others.
+/// Returns the content of a sum: the sign of the first term, and the least coefficient if it
+/// divides the others.
 fn content(terms: &[Term]) -> Coefficient {
     let least = terms.iter().map(|(c, _)| c.magnitude()).min().unwrap_or(Coefficient::ONE);
     let divides = terms.iter().all(|(c, _)| c.over(least).is_some_and(Coefficient::is_integer));
@@ -185,8 +188,8 @@ fn divided(terms: &[Term], by: Coefficient) -> Option<Vec<Term>> {
     terms.iter().map(|&(coefficient, node)| Some((coefficient.over(by)?, node))).collect()
 }
 
-/// Powers of one base joined: positive with positive, negative with negative, and both where the result still
-/// divides, so that what is undefined at 0 stays so.
+/// Merges powers of one base: positive with positive, negative with negative, and both if the
+/// result is still a divisor, so that a product that is undefined at 0 stays undefined.
 pub(in crate::kernel) fn joined(mut factors: Vec<Factor>) -> Vec<Factor> {
     factors.sort();
     let mut product: Vec<Factor> = Vec::with_capacity(factors.len());

@@ -1,4 +1,4 @@
-//! The numbers inside sums and products: small exact coefficients and exponents.
+//! Numbers inside sums and products: small exact coefficients and exponents.
 
 use super::super::constant::Constant;
 use crate::expression::Rational;
@@ -7,7 +7,7 @@ use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use std::cmp::Ordering;
 
-/// A rational number of two machine words. What does not fit is kept as a number of its own.
+/// Rational number of two machine words. A number that does not fit is a node of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(in crate::kernel) struct Coefficient {
     numerator: i64,
@@ -87,7 +87,7 @@ impl Coefficient {
         if c == 0 { None } else { Self::reduced(a * d, b * c) }
     }
 
-    /// cⁿ; nothing for 0 to a negative power.
+    /// cⁿ; `None` for 0 to a negative power.
     pub(in crate::kernel) fn power(self, exponent: i32) -> Option<Self> {
         if self == Self::ONE {
             return Some(self);
@@ -118,7 +118,8 @@ impl Ord for Coefficient {
     }
 }
 
-/// A rational exponent, counted in 24ths so that halves, thirds, quarters, sixths and eighths are whole.
+/// Rational exponent, counted in 24ths so that halves, thirds, quarters, sixths and eighths are
+/// whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(in crate::kernel) struct Exponent(pub(in crate::kernel) i32);
 
@@ -127,7 +128,7 @@ impl Exponent {
     pub(in crate::kernel) const WHOLE: i32 = 24;
     pub(in crate::kernel) const ONE: Self = Exponent(Self::WHOLE);
     pub(in crate::kernel) const MINUS_ONE: Self = Exponent(-Self::WHOLE);
-    /// Exponents beyond this are left to the general power function.
+    /// Largest exponent; larger ones are left to the general power function.
     const LARGEST: i64 = 1 << 12;
 
     pub(in crate::kernel) fn of(ratio: Ratio<i64>) -> Option<Self> {
@@ -142,7 +143,7 @@ impl Exponent {
         Ratio::new(i64::from(self.0), i64::from(Self::WHOLE))
     }
 
-    /// The exponent as a whole number, if it is one.
+    /// Returns the exponent as an integer, if it is one.
     pub(in crate::kernel) fn integer(self) -> Option<i32> {
         (self.0 % Self::WHOLE == 0).then_some(self.0 / Self::WHOLE)
     }

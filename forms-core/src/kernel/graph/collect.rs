@@ -1,18 +1,20 @@
-//! Collecting: a program's binary operations become sums and products of any number of terms.
+//! Collecting: the binary operations of a program become sums and products of any number of terms.
 //!
-//! A sum within a sum is opened if nothing else uses it or it is short; otherwise it stays one term.
+//! A sum within a sum is flattened if it has no other user or is short; otherwise it stays one
+//! term.
 
 use super::{Coefficient, Exponent, Form, Graph, Scaled};
 use crate::kernel::constant::Constant;
 use crate::kernel::program::{Instruction, Program, Value};
 use num_rational::Ratio;
 
-/// A sum or product used several times is opened up to this length: its use is found again as a common part.
+/// Largest length of a sum or product with several users that is flattened: its use is found again
+/// as a common part.
 const SHARED_LENGTH: usize = 8;
-/// No sum or product grows longer than this.
+/// Largest length of a sum or product.
 const LONGEST: usize = 48;
 
-/// The program as sums and products.
+/// Collects a program into sums and products.
 pub(in crate::kernel) fn collect(program: &Program) -> Graph {
     let program = &program.unfused();
     let mut collector = Collector { graph: Graph::default(), values: Vec::new(), uses: program.uses() };
@@ -66,7 +68,7 @@ impl Collector {
         }
     }
 
-    /// q πᵏ: q a coefficient, π a factor.
+    /// q πᵏ: q is a coefficient, π a factor.
     fn constant(&mut self, constant: &Constant) -> Scaled {
         if constant.pi_exponent == 0 {
             return self.graph.number(constant);
@@ -101,7 +103,7 @@ impl Collector {
         terms.into_iter().map(|inner| self.graph.scale(scaled.coefficient, term(inner))).collect()
     }
 
-    /// a bᵉ with e = ±1; a long product that is used again stays one factor.
+    /// a bᵉ with e = ±1; a long product with other users stays one factor.
     fn product(&mut self, a: Value, b: Value, exponent: Exponent) -> Scaled {
         let [left, right] = [a, b].map(|value| {
             let scaled = self.values[value.place()];

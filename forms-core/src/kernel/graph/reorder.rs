@@ -1,15 +1,17 @@
-//! Changing sums and products in place, and bringing the nodes back into the order of their operands.
+//! In-place changes of sums and products, and the restoration of the order of operands before
+//! results.
 
 use super::{Form, Graph, Node, Scaled};
 
 impl Graph {
-    /// Puts another form of the same value in a node's place, which may use any node that does not use this one.
-    /// The graph has to be [`reordered`](Graph::reordered) before anything else is done with it.
+    /// Replaces the form of a node by another one of the same value, which can use any node that
+    /// does not use this one. The graph has to be [`reordered`](Graph::reordered) before it is used
+    /// in any other way.
     pub(in crate::kernel) fn replace(&mut self, node: Node, form: Form) {
         self.forms[node.place()] = form;
     }
 
-    /// The same values with operands before results again.
+    /// Returns a graph of the same values with operands before results again.
     pub(in crate::kernel) fn reordered(&self) -> Graph {
         let mut new = Graph::default();
         let mut images: Vec<Scaled> = vec![new.one(); self.forms.len()];

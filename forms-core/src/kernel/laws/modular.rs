@@ -1,8 +1,9 @@
-//! A program's value in a finite field: exact, and defined for every instruction.
+//! Value of a program in a finite field: exact, and available for every kind of instruction.
 //!
-//! In GF(p) with p ≡ 11 mod 12 every square has one root that is a square itself and every element one cube root,
-//! so rational powers mean what they mean among positive reals. Functions, comparisons and π have no meaning
-//! there: fixed scrambled values stand for them, which is exact as long as a pass does not look into them.
+//! In GF(p) with p ≡ 11 mod 12 every square has one root that is a square itself and every element
+//! has one cube root, so rational powers have the meaning that they have among positive reals.
+//! Functions, comparisons and π have no meaning there: fixed scrambled values replace them, which
+//! is exact as long as a pass does not look into them.
 
 use crate::expression::{Operation, Rational};
 use crate::kernel::constant::Constant;
@@ -13,10 +14,11 @@ use num_traits::ToPrimitive;
 
 /// The largest prime below 2⁶¹ that is 11 mod 12.
 pub(super) const PRIME: u64 = 2305843009213693907;
-/// What stands for π.
+/// Element assigned to π.
 const PI: u64 = 314159265358979;
 
-/// The values of the outputs and of the conditions' sides; nothing where one is undefined.
+/// Returns the values of the sides of the conditions and of the outputs; `None` if one is
+/// undefined.
 pub(super) fn modular_values(program: &Program, arguments: &[u64]) -> Option<Vec<u64>> {
     let mut values: Vec<Option<u64>> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
@@ -98,8 +100,8 @@ fn inverse(a: u64) -> Option<u64> {
     (a != 0).then(|| power(a, PRIME - 2))
 }
 
-/// aʳ: like negative reals, non-squares have no roots of any order; the cube root of a square is a square. Denominators
-/// are products of twos and threes.
+/// aʳ: like negative reals, non-squares have no roots of any order; the cube root of a square is a
+/// square. Denominators are products of twos and threes.
 fn rational_power(a: u64, exponent: Ratio<i64>) -> Option<u64> {
     let (mut root, mut denominator) = (a, *exponent.denom());
     if denominator > 1 && a != 0 && power(a, (PRIME - 1) / 2) != 1 {

@@ -7,17 +7,18 @@ use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use proptest::prelude::*;
 
-/// An operation and the earlier results it is applied to, counted back from the last.
+/// An operation and the indices of the earlier results that it is applied to, counted back from the
+/// last.
 type Step = (u8, usize, usize);
 
-/// The steps of a random kernel of three variables.
+/// Steps of a random kernel of three variables.
 #[derive(Clone, Debug)]
 pub(super) struct RandomFormulas {
     steps: Vec<Step>,
     outputs: usize,
 }
 
-/// Kernels of up to thirty operations and three outputs.
+/// Generates kernels of up to thirty operations and three outputs.
 pub(super) fn formulas() -> impl Strategy<Value = RandomFormulas> {
     let step = (0u8..24, 0usize..8, 0usize..12);
     (prop::collection::vec(step, 1..30), 1usize..4)
@@ -54,13 +55,13 @@ impl RandomFormulas {
         (formulas, outputs)
     }
 
-    /// The kernel as lowered.
+    /// Returns the kernel as lowered.
     pub(super) fn program(&self) -> Program {
         let (formulas, outputs) = self.build();
         formulas.program(&outputs)
     }
 
-    /// A kernel of the same variables, raised and lowered again.
+    /// Raises a kernel of the same variables and lowers it again.
     pub(super) fn raised(&self, program: &Program) -> Program {
         let (mut formulas, _) = self.build();
         let arguments = formulas.arguments.clone();
@@ -68,7 +69,7 @@ impl RandomFormulas {
         formulas.program(&outputs)
     }
 
-    /// The outputs in the language's notation.
+    /// Returns the outputs in the language's notation.
     pub(super) fn text(&self) -> String {
         let (formulas, outputs) = self.build();
         formulas.pool.texts(&outputs).join("; ")

@@ -1,8 +1,9 @@
-//! Direct: the form that rules alone give, without a sample, for kernels that nobody chose a form for.
+//! Direct rewriting: the form that rules give without samples, for kernels for which no form was
+//! chosen.
 //!
-//! Of all rules these are the ones whose result is not less accurate than what it stands for at any argument. Each
-//! step is proved by itself: what comes out has a value wherever what went in has one, and both sides are equal
-//! wherever both have one.
+//! It uses those rules whose result is at no argument less accurate than the expression it
+//! replaces. Each step is proved on its own: the result is defined wherever the replaced expression
+//! is, and both are equal wherever both are defined.
 
 use super::{Rewriting, exponential, fractions, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
@@ -11,16 +12,18 @@ use crate::generation::is_kept;
 use crate::resolve::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Both sides of a step are small, and a step that takes more to prove is not made.
+/// Proof budget of a step. Both sides of a step are small; a step that needs more is not made.
 const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
 
-/// What is written with more operations is left as it is: a step has to be found and proved while a macro expands.
+/// Maximum number of operations of an expression to be rewritten: a step is found and proved during
+/// macro expansion.
 const LONGEST: usize = 80;
 
-/// Forms are gone through at most so many times: one step may make room for another.
+/// Maximum number of passes over a form: one step can enable another.
 const ROUNDS: usize = 6;
 
-/// A rule, and which of its results are never worse than what they stand for.
+/// Rule, and a predicate that selects those results that are never less accurate than the replaced
+/// expression.
 type Direct =
     (fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>, fn(&mut Rewriting<'_>, before: Expr, after: Expr) -> bool);
 
@@ -39,12 +42,12 @@ const DIRECT: &[Direct] = &[
     (fractions::over_one_denominator, has_a_number_above),
 ];
 
-/// Rules whose result has the formula in one of its pieces: they are gone through once, when the others are done, operands
-/// before results.
+/// Rules whose result contains the formula as one of its pieces. They are applied in one pass after
+/// the others, to operands before results.
 const LAST: &[Direct] = &[(radical::beside_its_root, |_, _, _| true)];
 
-/// The form that rules alone give each output of a kernel; empty if that is the formula, or if the kernel says itself how it
-/// is computed.
+/// Returns the form that the rules give for each output of a kernel; empty if that is the formula,
+/// or if the kernel's declaration fixes how it is computed.
 pub(crate) fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     if kernel.has_form() {
         return Vec::new();
@@ -62,16 +65,16 @@ pub(crate) fn by_rules(pool: &mut Pool, kernel: &Kernel) -> Vec<Expr> {
     if form == kernel.outputs { Vec::new() } else { form }
 }
 
-/// Steps by some rules.
+/// Rewriting steps by a set of rules.
 struct Steps {
     rules: &'static [Direct],
-    /// Expressions that are a piece of what they became, and stay what they are there.
+    /// Expressions that are a piece of their own replacement, and are not rewritten there again.
     settled: FxHashSet<Expr>,
 }
 
 impl Steps {
-    /// One step at every operation that there is one for; where an operation has one, its operands wait for the next
-    /// round, as a step of theirs could hide it.
+    /// Makes one step at every operation that has one. The operands of such an operation wait for
+    /// the next round, since a step of theirs could hide the first one.
     fn round(&mut self, pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for expression in pool.reachable(form) {
@@ -84,7 +87,7 @@ impl Steps {
         form.iter().map(|output| images[output]).collect()
     }
 
-    /// One step at every operation that there is one for, whose operands have been gone through before.
+    /// Makes one step at every operation that has one, after its operands.
     fn upwards(&mut self, pool: &mut Pool, conditions: &[Condition], form: &[Expr]) -> Vec<Expr> {
         let mut images: FxHashMap<Expr, Expr> = FxHashMap::default();
         for expression in pool.reachable(form) {
@@ -95,8 +98,9 @@ impl Steps {
         form.iter().map(|output| images[output]).collect()
     }
 
-    /// The first result of a rule that is proved. A choice in it is a variable of its own there: what holds for every
-    /// value holds for that of the choice, and a prover knows more of a variable.
+    /// Returns the first proved result of a rule. Each conditional (`Select`) is replaced by a
+    /// variable for the proof: an equation that holds for every value holds for the value of the
+    /// conditional, and the prover can do more with a variable.
     fn step(&mut self, pool: &mut Pool, conditions: &[Condition], expression: Expr) -> Option<Expr> {
         if self.settled.contains(&expression) {
             return None;
@@ -111,7 +115,7 @@ impl Steps {
         Some(after)
     }
 
-    /// The first result of a rule for an expression without choices, if it is proved.
+    /// Returns the first result of a rule for an expression without conditionals, if it is proved.
     fn proved(&self, pool: &mut Pool, conditions: &[Condition], before: Expr) -> Option<Expr> {
         let mut rewriting = Rewriting::new(pool, conditions);
         let found = self.rules.iter().find_map(|(rule, is_never_worse)| {
@@ -127,8 +131,8 @@ impl Steps {
     }
 }
 
-/// The expression with a variable in the place of each choice, and the choices that the variables stand for; nothing if
-/// what stands outside of choices is long.
+/// Replaces each conditional by a variable; returns the result and the conditionals of these
+/// variables. `None` if the expression outside of conditionals is too long.
 fn without_choices(pool: &mut Pool, expression: Expr) -> Option<(Expr, Substitution)> {
     let (mut open, mut count) = (vec![expression], 0);
     let (mut parts, mut choices) = (FxHashMap::default(), Substitution::default());
@@ -151,7 +155,7 @@ fn without_choices(pool: &mut Pool, expression: Expr) -> Option<(Expr, Substitut
     Some((outside, choices))
 }
 
-/// The piece of a form that is not the formula, where the others are.
+/// Returns the piece of a form that differs from the formula, if all others are the formula.
 fn other_than(pool: &Pool, formula: Expr, form: Expr) -> Expr {
     match *pool.node(form) {
         Node::Select { then, otherwise, .. } if otherwise == formula => other_than(pool, formula, then),
@@ -160,14 +164,15 @@ fn other_than(pool: &Pool, formula: Expr, form: Expr) -> Expr {
     }
 }
 
-/// log(1 + u) = log1p u, with the u that is there
+/// Accepts log(1 + u) = log1p u, with u unchanged.
 fn is_logarithm_beside_one(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let Some(sum) = rewriting.argument_of(Operation::Log, before) else { return false };
     let beside = exponential::beside_one(rewriting, sum);
     beside.is_some() && rewriting.argument_of(Operation::Log1p, after) == beside
 }
 
-/// What cancelled is now a number: the numerator of a quotient, or of an argument of log1p, atan or atan2.
+/// Accepts a result in which the cancelling expression has become a number: the numerator of a
+/// quotient, or of an argument of log1p, atan or atan2.
 fn has_a_number_above(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let after = other_than(rewriting.pool, before, after);
     let (_, core) = rewriting.scaled(after);
@@ -178,7 +183,8 @@ fn has_a_number_above(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) 
     is_a_number_over_something(rewriting, ratio)
 }
 
-/// c or c n/q with numbers c and n that are not zero: a quotient above another could overflow.
+/// Whether the expression is c or c n/q with nonzero numbers c and n: a quotient in the numerator
+/// of another could overflow.
 fn is_a_number_over_something(rewriting: &Rewriting<'_>, ratio: Expr) -> bool {
     match *rewriting.pool.node(ratio) {
         Node::Negate(a) => is_a_number_over_something(rewriting, a),
@@ -189,15 +195,15 @@ fn is_a_number_over_something(rewriting: &Rewriting<'_>, ratio: Expr) -> bool {
     }
 }
 
-/// √p − √q with p − q a number: of a sum of roots the other factor would cancel.
+/// Accepts √p − √q with p − q a number: for a sum of roots the other factor would cancel.
 fn is_a_difference_with_a_number_above(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let Some((a, b)) = rewriting.two_terms(before) else { return false };
     let is_negative = |part: Expr| matches!(rewriting.pool.node(part), Node::Negate(_));
     is_negative(a) != is_negative(b) && has_a_number_above(rewriting, before, after)
 }
 
-/// f(b + h) − f(b) with an h that is a number or a variable, by the sine of its half and what stands in the middle
-/// between them.
+/// Accepts f(b + h) − f(b), where h is a number or a variable, rewritten with the sine of h/2 and a
+/// function of the midpoint.
 fn is_by_an_exact_half(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> bool {
     let Some((first, second)) = rewriting.two_terms(before) else { return false };
     let [(_, p), (_, q)] = [first, second].map(|term| rewriting.scaled(term));
@@ -212,8 +218,9 @@ fn is_by_an_exact_half(rewriting: &mut Rewriting<'_>, before: Expr, _: Expr) -> 
         && matches!(rewriting.pool.node(b[0]), Node::Symbol(_))
 }
 
-/// a² − b² = (a − b)(a + b), with a and b as they stand, and no sums: in a simplified difference parts cancel, or powers
-/// of factors overflow, that were together in a or in b.
+/// Accepts a² − b² = (a − b)(a + b) with a and b unchanged, and neither of them a sum: in a
+/// simplified difference, terms that were together in a or in b can cancel, or powers of factors
+/// overflow.
 fn is_of_squares(rewriting: &mut Rewriting<'_>, before: Expr, after: Expr) -> bool {
     let Some((a, b)) = rewriting.two_terms(before) else { return false };
     let Node::Negate(b) = *rewriting.pool.node(b) else { return false };
@@ -230,7 +237,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    /// What rules alone give a formula, or the formula.
+    /// Returns the form that the rules give for a formula, or the formula.
     fn form_of(formula: &str) -> String {
         let (mut theory, errors) = read_theory(&format!("kernel k(a, b, x) = {formula} where a > 0, b > 0;"));
         assert!(errors.is_empty(), "{errors:?}");

@@ -1,4 +1,4 @@
-//! Exponentials and logarithms near where they are 1 and 0.
+//! Rules for exponentials and logarithms near the points where they are 1 and 0.
 
 use super::Rewriting;
 use super::factors::factors;
@@ -6,7 +6,8 @@ use crate::expression::{Condition, Expr, Node, Operation, Rational, Seam};
 use crate::syntax::ast::Relation;
 use num_traits::Signed;
 
-/// eᵃ − 1 = expm1 a, among the terms of a sum too, with a factor before both
+/// Applies eᵃ − 1 = expm1 a, also among the terms of a longer sum, and with a common factor of both
+/// terms.
 pub(super) fn less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let mut found = Vec::new();
@@ -28,7 +29,7 @@ pub(super) fn less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     found
 }
 
-/// eᵃ − eᵇ = eᵇ expm1(a − b)
+/// Applies eᵃ − eᵇ = eᵇ expm1(a − b).
 pub(super) fn difference(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
@@ -47,7 +48,8 @@ pub(super) fn difference(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     vec![rewriting.pool.multiply(scaled, growth)]
 }
 
-/// eᵃ − e⁻ᵃ = 2 sinh a, eᵃ + e⁻ᵃ = 2 cosh a, eᵃ + e⁻ᵃ − 2 = 4 sinh²(a/2), cosh a − 1 = 2 sinh²(a/2)
+/// Applies eᵃ − e⁻ᵃ = 2 sinh a, eᵃ + e⁻ᵃ = 2 cosh a, eᵃ + e⁻ᵃ − 2 = 4 sinh²(a/2), and
+/// cosh a − 1 = 2 sinh²(a/2).
 pub(super) fn hyperbolic(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let two = rewriting.pool.integer(2);
@@ -89,7 +91,7 @@ pub(super) fn hyperbolic(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     found
 }
 
-/// eᵃ/q(eᵃ) = 1/(q(eᵃ) e⁻ᵃ), which does not overflow, and eᵃ/expm1 a = −1/expm1(−a)
+/// Applies eᵃ/q(eᵃ) = 1/(q(eᵃ) e⁻ᵃ), which does not overflow, and eᵃ/expm1 a = −1/expm1(−a).
 pub(super) fn reciprocal(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
     let Some(a) = rewriting.argument_of(Operation::Exp, p) else { return Vec::new() };
@@ -117,7 +119,8 @@ pub(super) fn reciprocal(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     found
 }
 
-/// log a = log1p(a − 1), log(p/q) = log1p((p − q)/q) = log p − log q, (1 + u)ʳ − 1 = expm1(r log1p u)
+/// Applies log a = log1p(a − 1), log(p/q) = log1p((p − q)/q) = log p − log q,
+/// (1 + u)ʳ − 1 = expm1(r log1p u).
 pub(super) fn near_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let one = rewriting.pool.integer(1);
     let mut found = Vec::new();
@@ -155,7 +158,7 @@ pub(super) fn near_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     found
 }
 
-/// u of a sum 1 + u, as it stands.
+/// Returns u for a sum written as 1 + u.
 pub(super) fn beside_one(rewriting: &mut Rewriting<'_>, sum: Expr) -> Option<Expr> {
     let one = rewriting.pool.integer(1);
     let mut terms = rewriting.terms(sum);
@@ -164,7 +167,7 @@ pub(super) fn beside_one(rewriting: &mut Rewriting<'_>, sum: Expr) -> Option<Exp
     Some(rewriting.total(&terms))
 }
 
-/// log a − log b = log1p((a − b)/b) = −log1p((b − a)/a)
+/// Applies log a − log b = log1p((a − b)/b) = −log1p((b − a)/a).
 pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
@@ -188,7 +191,7 @@ pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     found
 }
 
-/// eᵃ p/expm1 a = −p/expm1(−a), in which nothing overflows for large a
+/// Applies eᵃ p/expm1 a = −p/expm1(−a), which does not overflow for large a.
 pub(super) fn over_less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     if !matches!(rewriting.pool.node(expression), Node::Divide(..) | Node::Multiply(..)) {
         return Vec::new();
@@ -207,10 +210,12 @@ pub(super) fn over_less_one(rewriting: &mut Rewriting<'_>, expression: Expr) -> 
     vec![if negative { form } else { rewriting.pool.negate(form) }]
 }
 
-/// Divisors below this, relative to a number that they divide, are not divided by: the quotient is beyond the range.
+/// Decimal exponent of the smallest divisor b of a number n, relative to n: for smaller divisors
+/// n/b is out of range.
 const TINY: i32 = -300;
 
-/// A form with a number n divided by b > 0 in it, or where b may be so small that n/b overflows the formula for such b.
+/// Returns a form that contains n/b for a number n and b > 0. If b can be so small that n/b
+/// overflows, the formula is used for such b.
 fn unless_divisor_is_tiny(
     rewriting: &mut Rewriting<'_>,
     formula: Expr,

@@ -1,10 +1,11 @@
-//! Products taken apart and put together.
+//! Factorisation of products, and products of factors.
 
 use crate::expression::{Expr, Node, Pool};
 use num_traits::Signed;
 
-/// The factors above and below the line, and whether a sign is in front. Integer powers stay whole, with the sign of
-/// their exponent telling where they go.
+/// Returns the factors of the numerator, the factors of the denominator, and whether the product is
+/// negated. Integer powers are one factor; the sign of their exponent decides on which side they
+/// are.
 pub(super) fn factors(pool: &mut Pool, expression: Expr) -> (Vec<Expr>, Vec<Expr>, bool) {
     let (mut above, mut below, mut negative) = (Vec::new(), Vec::new(), false);
     let mut pending = vec![(expression, false)];
@@ -33,7 +34,7 @@ pub(super) fn factors(pool: &mut Pool, expression: Expr) -> (Vec<Expr>, Vec<Expr
     (above, below, negative)
 }
 
-/// The product of factors, from the first to the last.
+/// Multiplies factors from the first to the last.
 pub(super) fn product(pool: &mut Pool, factors: &[Expr]) -> Expr {
     let mut product = pool.integer(1);
     for &factor in factors {
@@ -42,7 +43,7 @@ pub(super) fn product(pool: &mut Pool, factors: &[Expr]) -> Expr {
     product
 }
 
-/// The product of some factors over that of others.
+/// Returns the product of `above` divided by the product of `below`.
 pub(super) fn quotient(pool: &mut Pool, above: &[Expr], below: &[Expr]) -> Expr {
     let (above, below) = (product(pool, above), product(pool, below));
     pool.divide(above, below)

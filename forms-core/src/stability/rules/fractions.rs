@@ -1,14 +1,15 @@
-//! Quotients: one denominator, common factors divided out, other orders of multiplying and dividing.
+//! Rules for quotients: common denominators, common factors, other orders of multiplication and
+//! division.
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
 use crate::expression::{Expr, Node};
 use num_rational::Ratio;
 
-/// Products of more factors are not reordered.
+/// Maximum number of factors of a product that is reordered.
 const MOST_FACTORS: usize = 6;
 
-/// p/q + r/s = (p s + r q)/(q s), the numerator simplified
+/// Applies p/q + r/s = (p s + r q)/(q s), with a simplified numerator.
 pub(super) fn over_one_denominator(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let parts: Vec<_> = terms.iter().map(|&term| factors(rewriting.pool, term)).collect();
@@ -43,7 +44,7 @@ pub(super) fn over_one_denominator(rewriting: &mut Rewriting<'_>, expression: Ex
     found
 }
 
-/// p/q with what divides both taken out of both, one factor at a time
+/// Divides the numerator and the denominator of p/q by a common factor, one factor at a time.
 pub(super) fn without_a_common_factor(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
     let (above, below, negative) = factors(rewriting.pool, expression);
@@ -68,7 +69,8 @@ pub(super) fn without_a_common_factor(rewriting: &mut Rewriting<'_>, expression:
     found
 }
 
-/// p q/(r s) = (p/r)(q/s) = ((p/r)/s) q, so that no product leaves the range
+/// Applies p q/(r s) = (p/r)(q/s) = ((p/r)/s) q, so that no product leaves the floating-point
+/// range.
 pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let (above, below, negative) = factors(rewriting.pool, expression);
     let is_product = matches!(rewriting.pool.node(expression), Node::Divide(..) | Node::Multiply(..));
@@ -77,7 +79,7 @@ pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
     }
     let one = rewriting.pool.integer(1);
     let mut found = Vec::new();
-    // one after the other: a quotient as soon as there is something to divide by
+    // alternately: a division as soon as there is a divisor
     let mut value = above.first().copied().unwrap_or(one);
     let mut tops = above.iter().skip(1);
     for &bottom in &below {
@@ -90,7 +92,7 @@ pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
         value = rewriting.pool.multiply(value, top);
     }
     found.push(value);
-    // all below first
+    // all divisions first
     let mut value = above.first().copied().unwrap_or(one);
     for &bottom in &below {
         value = rewriting.pool.divide(value, bottom);
@@ -105,7 +107,7 @@ pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
     found
 }
 
-/// c p²/q² = c (p/q)², where p² or q² may leave the range and p/q does not
+/// Applies c p²/q² = c (p/q)², where p² or q² can leave the floating-point range and p/q does not.
 pub(super) fn power_of_a_quotient(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let (above, below, negative) = factors(rewriting.pool, expression);
     let square = |rewriting: &Rewriting<'_>, list: &[Expr]| -> Option<(Expr, Vec<Expr>)> {
@@ -115,7 +117,7 @@ pub(super) fn power_of_a_quotient(rewriting: &mut Rewriting<'_>, expression: Exp
             let rest = list.iter().enumerate().filter(|(at, _)| *at != place).map(|(_, &factor)| factor);
             return Some((base, rest.collect()));
         }
-        // a square written out
+        // a square written as a product
         let (place, &factor) =
             list.iter().enumerate().find(|(at, factor)| list[at + 1..].contains(factor))?;
         let mut rest = list.to_vec();

@@ -1,4 +1,4 @@
-//! Roots: conjugates, and roots of products.
+//! Rules for roots: conjugates, and roots of products.
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
@@ -7,8 +7,8 @@ use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::Signed;
 
-/// a + b = (a² − b²)/(a − b) where one has a square root, and a − b = (a³ − b³)/(a² + ab + b²) for cube roots, with the
-/// numerator simplified
+/// Applies a + b = (a² − b²)/(a − b) where one of a and b has a square root, and
+/// a − b = (a³ − b³)/(a² + ab + b²) for cube roots, with a simplified numerator.
 pub(super) fn conjugate(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((a, b)) = rewriting.two_terms(expression) else { return Vec::new() };
     let mut found = Vec::new();
@@ -34,8 +34,9 @@ pub(super) fn conjugate(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
     found
 }
 
-/// c√(a² + p) + k a = (c² p + (c² − k²) a²)/(c√(a² + p) − k a) where the sum cancels, that is, where it is smaller than a
-/// quarter of the difference; p as it stands: one term, or squares and roots, of which no part cancels.
+/// Applies c√(a² + p) + k a = (c² p + (c² − k²) a²)/(c√(a² + p) − k a) where the sum cancels, that
+/// is, where it is smaller than a quarter of the difference. The radicand is used as written: p is
+/// one term, or a sum of squares and roots in which nothing cancels.
 pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let mut found = Vec::new();
@@ -56,10 +57,11 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
     found
 }
 
-/// Coefficients above this are not doubled.
+/// Decimal exponent of the largest coefficient that is doubled.
 const HUGE: i32 = 300;
 
-/// A form with the double of c √(a² + p) in it, or where c may be so large that this overflows the formula for such c.
+/// Returns a form that contains the double of c √(a² + p). If c can be so large that this
+/// overflows, the formula is used for such c.
 fn unless_coefficient_is_huge(rewriting: &mut Rewriting<'_>, formula: Expr, form: Expr, c: Expr) -> Expr {
     if !rewriting.varies(c) {
         return form;
@@ -72,7 +74,8 @@ fn unless_coefficient_is_huge(rewriting: &mut Rewriting<'_>, formula: Expr, form
     rewriting.pool.select((most, Relation::Less, size), formula, form, Seam::Agrees)
 }
 
-/// c² p + e a² = (c√(a² + p))² − (k a)² with e = c² − k², in which a² is not subtracted from itself.
+/// Norm c² p + e a² = (c√(a² + p))² − (k a)² with e = c² − k², in which a² is not subtracted from
+/// itself.
 struct Norm {
     c: Expr,
     p: Expr,
@@ -81,8 +84,9 @@ struct Norm {
 }
 
 impl Norm {
-    /// (c² p + e a²)/d, where d has the size of c√(a² + p). A c that varies can be so large, or so small, that its square
-    /// has no number: then c (c/d p) + e/d a a, in which no step is larger than the result or than a² + p.
+    /// Returns (c² p + e a²)/d, where d has the magnitude of c√(a² + p). A c that is not constant
+    /// can be so large, or so small, that its square is out of range. In this case the result is c
+    /// (c/d p) + e/d a a, in which no intermediate value is larger than the result or than a² + p.
     fn over(&self, rewriting: &mut Rewriting<'_>, d: Expr) -> Expr {
         let Norm { c, p, e, a } = *self;
         if rewriting.varies(c) {
@@ -101,7 +105,7 @@ impl Norm {
     }
 }
 
-/// The parts of the norm of c√(a² + p) + k a: nothing where the terms are no such ones.
+/// Returns the parts of the norm of c√(a² + p) + k a; `None` where the terms do not have this form.
 fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Norm> {
     let (c, radicand) = without(rewriting, root, |rewriting, factor| rewriting.radicand(factor))?;
     let terms = rewriting.terms(radicand);
@@ -117,7 +121,8 @@ fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Norm> 
     let [c2, k2] = [c, k].map(|part| rewriting.square(part));
     let zero = rewriting.pool.integer(0);
     let e = rewriting.difference(c2, k2);
-    // numbers that differ leave no cancellation, and coefficients of the same variables can have one of their own
+    // coefficients that are different numbers do not cancel, and coefficients in the same variables
+    // can have a cancellation of their own
     let own = rewriting.pool.symbols_in(&[radicand]);
     let others = rewriting.pool.symbols_in(&[e]);
     if e != zero && (others.is_empty() || others.iter().any(|symbol| own.contains(symbol))) {
@@ -126,7 +131,7 @@ fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Norm> 
     Some(Norm { c, p: rewriting.total(&rest), e, a })
 }
 
-/// A product without the first factor that something is found in, and what is found.
+/// Returns a product without its first factor for which `find` succeeds, and the result of `find`.
 fn without<T>(
     rewriting: &mut Rewriting<'_>,
     product: Expr,
@@ -140,8 +145,8 @@ fn without<T>(
     Some((if negative { rewriting.pool.negate(rest) } else { rest }, found))
 }
 
-/// Whether it is written so that it is not negative: as a square, a root, a size, a number or a product, a quotient or a
-/// sum of those.
+/// Whether an expression is non-negative by its structure: a square, a square root, an absolute
+/// value, an exponential, a number, or a product, a quotient or a sum of such expressions.
 fn is_of_squares(pool: &Pool, expression: Expr) -> bool {
     match pool.node(expression) {
         Node::Number(value) => !value.is_negative(),
@@ -163,7 +168,7 @@ fn has_root(rewriting: &mut Rewriting<'_>, term: Expr, degree: i64) -> bool {
     )
 }
 
-/// p/(a + b) = p (a − b)/(a² − b²) where a or b has a square root
+/// Applies p/(a + b) = p (a − b)/(a² − b²) where a or b has a square root.
 pub(super) fn rationalised(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
     let Some((a, b)) = rewriting.two_terms(q) else { return Vec::new() };
@@ -179,7 +184,7 @@ pub(super) fn rationalised(rewriting: &mut Rewriting<'_>, expression: Expr) -> V
     vec![rewriting.pool.multiply(quotient, conjugate)]
 }
 
-/// √(p/q) = √p/√q, √(p q) = √p √q, √(p² q) = |p| √q, and with a simplified radicand
+/// Applies √(p/q) = √p/√q, √(p q) = √p √q, √(p² q) = |p| √q, and √q with a simplified q.
 pub(super) fn of_quotients_and_products(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
     let mut found = Vec::new();
@@ -200,7 +205,7 @@ pub(super) fn of_quotients_and_products(rewriting: &mut Rewriting<'_>, expressio
     found
 }
 
-/// |a| for a², a|a|… for higher powers, √a otherwise
+/// Returns the root of a factor: |a| for a², aⁿᐟ² for aⁿ with n divisible by 4, √a otherwise.
 fn root_of_factor(rewriting: &mut Rewriting<'_>, factor: Expr) -> Expr {
     if let Some(base) = rewriting.squared(factor) {
         return rewriting.size(base);

@@ -1,11 +1,11 @@
-//! Roots of sums of squares that do not leave the range of floating-point numbers on the way.
+//! Rules for roots of sums of squares that avoid intermediate overflow and underflow.
 
 use super::Rewriting;
 use super::factors::{factors, quotient};
 use crate::expression::{Expr, Seam};
 use crate::syntax::ast::Relation;
 
-/// √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and the other way round
+/// Applies √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and vice versa.
 pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
     let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };
@@ -27,7 +27,7 @@ pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Ve
     vec![rewriting.pool.select(relation, by_a, by_b, Seam::Agrees), by_a, by_b]
 }
 
-/// √(a² + p q) = |a| √(1 + (p/a)(q/a)), where the other term is no square
+/// Applies √(a² + p q) = |a| √(1 + (p/a)(q/a)), where the other term is not a square.
 pub(super) fn beside_a_square(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
     let Some((first, second)) = rewriting.two_terms(radicand) else { return Vec::new() };

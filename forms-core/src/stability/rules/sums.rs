@@ -1,13 +1,13 @@
-//! Sums: common factors taken out, terms that cancel brought together.
+//! Rules for sums: common factors, and grouping of cancelling terms.
 
 use super::Rewriting;
 use super::factors::{factors, quotient};
 use crate::expression::{Expr, Node, Operation};
 
-/// Sums of more terms are not regrouped.
+/// Maximum number of terms of a sum that is regrouped.
 const MOST_TERMS: usize = 6;
 
-/// a² − b² = (a − b)(a + b), and a b − a c = a (b − c)
+/// Applies a² − b² = (a − b)(a + b), and a b − a c = a (b − c).
 pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let mut found = Vec::new();
@@ -43,13 +43,14 @@ pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     found
 }
 
-/// a of a², also 1 of 1
+/// Returns a for an expression a², and 1 for 1.
 pub(super) fn root_of(rewriting: &mut Rewriting<'_>, expression: Expr) -> Option<Expr> {
     let one = rewriting.pool.integer(1);
     if expression == one { Some(one) } else { rewriting.squared(expression) }
 }
 
-/// a + b + c = (a + c) + b and so on: two terms added first, simplified, and the rest after them.
+/// Applies a + b + c = (a + c) + b and so on: two terms are added first and simplified, then the
+/// others are added.
 pub(super) fn regrouped(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     if !(3..=MOST_TERMS).contains(&terms.len()) {
@@ -71,7 +72,8 @@ pub(super) fn regrouped(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
     found
 }
 
-/// c f(a) − k f(b) = k (f(a) − f(b)) + (c − k) f(a), for logarithms: their difference is one logarithm.
+/// Applies c f(a) − k f(b) = k (f(a) − f(b)) + (c − k) f(a), for logarithms: their difference is
+/// one logarithm.
 pub(super) fn shared_function(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let mut found = Vec::new();
@@ -102,7 +104,7 @@ pub(super) fn shared_function(rewriting: &mut Rewriting<'_>, expression: Expr) -
     found
 }
 
-/// c and log a of c log a
+/// Returns c and log a for an expression c log a.
 fn with_logarithm(rewriting: &mut Rewriting<'_>, term: Expr) -> Option<(Expr, Expr)> {
     let (mut above, below, negative) = factors(rewriting.pool, term);
     let is_logarithm = |&factor: &Expr| rewriting.argument_of(Operation::Log, factor).is_some();

@@ -1,10 +1,10 @@
-//! Sines, cosines and angles near where they cancel.
+//! Rules for sines, cosines and angles near the points where they cancel.
 
 use super::Rewriting;
 use super::factors::factors;
 use crate::expression::{Expr, Node, Operation};
 
-/// c − c cos a = 2 c sin²(a/2), and 1 − sin² = cos², 1 − cos² = sin²
+/// Applies c − c cos a = 2 c sin²(a/2), and 1 − sin² = cos², 1 − cos² = sin².
 pub(super) fn versine(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let mut found = Vec::new();
@@ -45,8 +45,8 @@ pub(super) fn versine(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Ex
     found
 }
 
-/// sin a − sin b = 2 sin((a−b)/2) cos((a+b)/2), cos a − cos b = −2 sin((a−b)/2) sin((a+b)/2), and
-/// tan a − tan b = sin(a−b)/(cos a cos b)
+/// Applies sin a − sin b = 2 sin((a−b)/2) cos((a+b)/2),
+/// cos a − cos b = −2 sin((a−b)/2) sin((a+b)/2), and tan a − tan b = sin(a−b)/(cos a cos b).
 pub(super) fn differences(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
@@ -84,14 +84,15 @@ pub(super) fn differences(rewriting: &mut Rewriting<'_>, expression: Expr) -> Ve
     found
 }
 
-/// (a + b)/2 as b + (a − b)/2, which rounds less where a and b are close, and in which twice a number does not overflow;
-/// also as it stands
+/// Returns (a + b)/2 as b + (a − b)/2, which has a smaller rounding error where a and b are close,
+/// and in which the sum of two equal numbers does not overflow; also (a + b)/2 as written.
 fn midpoint(rewriting: &mut Rewriting<'_>, a: Expr, b: Expr, half: Expr) -> [Expr; 2] {
     let sum = rewriting.sum(a, b);
     [rewriting.pool.add(b, half), rewriting.half(sum)]
 }
 
-/// sin(a + b) = sin a cos b + cos a sin b, cos(a + b) = cos a cos b − sin a sin b: the rounding of a + b is not felt
+/// Applies sin(a + b) = sin a cos b + cos a sin b, cos(a + b) = cos a cos b − sin a sin b: the
+/// rounding of a + b has no effect.
 pub(super) fn of_a_sum(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Apply(operation @ (Operation::Sin | Operation::Cos), arguments) =
         rewriting.pool.node(expression).clone()
@@ -110,7 +111,8 @@ pub(super) fn of_a_sum(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
     }]
 }
 
-/// (1 − cos a)/sin a = sin a/(1 + cos a) = tan(a/2), and (1 − cos a)/(1 + cos a) = tan²(a/2)
+/// Applies (1 − cos a)/sin a = sin a/(1 + cos a) = tan(a/2), and
+/// (1 − cos a)/(1 + cos a) = tan²(a/2).
 pub(super) fn half_angle(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
     let angle = |rewriting: &mut Rewriting<'_>, sum: Expr| {
@@ -133,7 +135,7 @@ pub(super) fn half_angle(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
     vec![if has_sine { tangent } else { rewriting.square(tangent) }]
 }
 
-/// atan a − atan b = atan2(a − b, 1 + a b)
+/// Applies atan a − atan b = atan2(a − b, 1 + a b).
 pub(super) fn arc_tangents(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
     let ((c, p), (k, q)) = (rewriting.scaled(first), rewriting.scaled(second));
@@ -153,8 +155,8 @@ pub(super) fn arc_tangents(rewriting: &mut Rewriting<'_>, expression: Expr) -> V
     vec![rewriting.pool.multiply(c, angle), rewriting.pool.multiply(c, tangent)]
 }
 
-/// acos q = 2 atan2(√(1 − q), √(1 + q)) = atan2(√((1 − q)(1 + q)), q) = 2 asin √((1 − q)/2),
-/// asin q = atan2(q, √((1 − q)(1 + q)))
+/// Applies acos q = 2 atan2(√(1 − q), √(1 + q)) = atan2(√((1 − q)(1 + q)), q) = 2 asin √((1 − q)/2),
+/// asin q = atan2(q, √((1 − q)(1 + q))).
 pub(super) fn from_the_other_leg(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let Node::Apply(operation @ (Operation::Acos | Operation::Asin), arguments) =
         rewriting.pool.node(expression).clone()

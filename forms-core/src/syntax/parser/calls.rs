@@ -1,4 +1,5 @@
-//! What stands directly behind a name or bracket: `f(a, b)`, `d[R3](w)`, `bracket(X, Y)[x]`.
+//! Postfix expressions: calls and indices directly after a name or bracket, `f(a, b)`, `d[R3](w)`,
+//! `bracket(X, Y)[x]`.
 //!
 //! ```text
 //! postfix  = ( name [ index ] [ arguments ] | primary ) { index }
@@ -27,7 +28,8 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// What begins with a name: a call where round brackets follow, with or without an index before them.
+    /// Parses an expression that begins with a name: a call if round brackets follow, with or
+    /// without an index before them.
     fn named(&mut self, name: Name) -> Parsed<Tree> {
         let index = if self.at(Symbol::OpenBracket) { Some(self.index()?) } else { None };
         if self.at(Symbol::OpenParen) {
@@ -47,7 +49,7 @@ impl Parser<'_> {
         self.tree(ExprKind::Index { base: base.expr, index: index.expr }, span, below)
     }
 
-    /// `[dx^dy]`
+    /// Parses `[dx^dy]`.
     fn index(&mut self) -> Parsed<Tree> {
         let open = self.expect(Symbol::OpenBracket)?;
         let index = self.sum()?;
@@ -80,7 +82,7 @@ impl Parser<'_> {
         self.close(open, Symbol::CloseParen, "an operator, `,` or `)`")
     }
 
-    /// One argument and its height.
+    /// Parses one argument; returns it with its height.
     fn argument(&mut self) -> Parsed<(Argument, usize)> {
         if self.peek_at(1) != Some(&TokenKind::Symbol(Symbol::Assign)) {
             let Tree { expr, height } = self.sum()?;

@@ -1,4 +1,5 @@
-//! Conditions and what hangs on them: `where 0 < theta < pi, n > 0` and `if u > 0 { u } else { 0 }`.
+//! Conditions, and the constructs that contain them: `where 0 < theta < pi, n > 0` and `if u > 0 {
+//! u } else { 0 }`.
 //!
 //! ```text
 //! where     = [ "where" condition { "," condition } ]
@@ -13,7 +14,7 @@ use crate::syntax::ast::{Condition, ExprKind, Relation};
 use crate::syntax::token::{Symbol, TokenKind};
 
 impl Parser<'_> {
-    /// The conditions of a `where`, none if there is none.
+    /// Parses the conditions of a `where`; empty if there is none.
     pub(super) fn conditions(&mut self) -> Parsed<Vec<Condition>> {
         let mut conditions = Vec::new();
         if self.eat_word("where") {
@@ -22,7 +23,7 @@ impl Parser<'_> {
         Ok(conditions)
     }
 
-    /// Takes the conditions behind a `where`.
+    /// Parses the conditions after a `where`.
     pub(super) fn more_conditions(&mut self, conditions: &mut Vec<Condition>) -> Parsed<()> {
         loop {
             conditions.push(self.condition()?.0);
@@ -39,7 +40,7 @@ impl Parser<'_> {
         }
     }
 
-    /// One condition and the height of its highest side.
+    /// Parses one condition; returns it with the height of its highest side.
     fn condition(&mut self) -> Parsed<(Condition, usize)> {
         let Tree { expr: first, mut height } = self.sum()?;
         let mut rest = Vec::new();
@@ -78,7 +79,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `if condition { then } else { otherwise }`
+    /// Parses `if condition { then } else { otherwise }`.
     pub(super) fn select(&mut self) -> Parsed<Tree> {
         self.enter()?;
         let start = self.span();
@@ -98,7 +99,7 @@ impl Parser<'_> {
         self.tree(kind, span, below)
     }
 
-    /// `{ value }`
+    /// Parses `{ value }`.
     fn block(&mut self, expected: &str) -> Parsed<Tree> {
         if !self.at(Symbol::OpenBrace) {
             let help = (self.at(Symbol::Comma) || self.at_word("and"))

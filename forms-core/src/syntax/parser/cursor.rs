@@ -1,4 +1,4 @@
-//! The place between two tokens: what stands behind it, and what is said when that is not what should.
+//! Cursor of the parser: access to the next tokens, and errors about unexpected ones.
 
 use super::MAXIMUM_TOKENS;
 use crate::diagnostic::{Diagnostic, Span};
@@ -6,20 +6,20 @@ use crate::syntax::ast::Name;
 use crate::syntax::token::{Symbol, Token, TokenKind};
 use crate::syntax::words::{self, Word};
 
-/// A token stream being read, and everything found wrong with it.
+/// Token stream being read, with the errors found so far.
 pub(super) struct Parser<'a> {
     pub(super) tokens: &'a [Token],
-    /// The index of the next token.
+    /// Index of the next token.
     pub(super) position: usize,
     end: Span,
-    /// How many levels of nesting surround the next token.
+    /// Number of nesting levels around the next token.
     pub(super) nesting: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Whether words that Rust reserves and the language does not can be names.
+    /// Whether words that only Rust reserves can be names.
     keywords_are_names: bool,
 }
 
-/// A mistake that has been reported; its holder only has to stop.
+/// Error that has been reported; a function that receives it only has to return.
 #[derive(Debug)]
 pub(super) struct Reported;
 
@@ -43,12 +43,12 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The same parser, for which the words that only Rust reserves are names.
+    /// Allows the words that only Rust reserves as names.
     pub(super) fn with_keywords_as_names(self) -> Self {
         Parser { keywords_are_names: true, ..self }
     }
 
-    /// Why `text` cannot be a name here; `None` if it can.
+    /// Returns the reason why `text` cannot be a name here; `None` if it can.
     pub(super) fn reserved(&self, text: &str) -> Option<Word> {
         words::reserved(text).filter(|word| !(self.keywords_are_names && *word == Word::Rust))
     }
@@ -57,17 +57,17 @@ impl<'a> Parser<'a> {
         self.peek_at(0)
     }
 
-    /// The token `ahead` places after the next one.
+    /// Returns the token `ahead` places after the next one.
     pub(super) fn peek_at(&self, ahead: usize) -> Option<&'a TokenKind> {
         self.tokens.get(self.position + ahead).map(|token| &token.kind)
     }
 
-    /// The place of the next token.
+    /// Returns the place of the next token.
     pub(super) fn span(&self) -> Span {
         self.tokens.get(self.position).map_or(self.end, |token| token.span)
     }
 
-    /// The place just behind the token before.
+    /// Returns the empty place directly after the previous token.
     pub(super) fn gap(&self) -> Span {
         match self.position.checked_sub(1) {
             Some(before) => Span::new(self.tokens[before].span.end, self.tokens[before].span.end),
@@ -75,7 +75,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// From `start` to the end of the token before.
+    /// Returns the place from `start` to the end of the previous token.
     pub(super) fn since(&self, start: Span) -> Span {
         start.to(self.gap())
     }
@@ -92,7 +92,7 @@ impl<'a> Parser<'a> {
         matches!(self.peek(), Some(TokenKind::Name(text)) if text == word)
     }
 
-    /// Takes the next token if it is `symbol`, and says where it stood.
+    /// Takes the next token if it is `symbol`, and returns its place.
     pub(super) fn eat(&mut self, symbol: Symbol) -> Option<Span> {
         let span = self.span();
         self.at(symbol).then(|| {
@@ -114,7 +114,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Takes the bracket that closes the one at `open`; `expected` says what else might have stood here.
+    /// Takes the bracket that closes the one at `open`; `expected` describes the tokens that are
+    /// allowed here.
     pub(super) fn close(&mut self, open: Span, close: Symbol, expected: &str) -> Parsed<Span> {
         if let Some(span) = self.eat(close) {
             return Ok(span);
@@ -134,7 +135,7 @@ impl<'a> Parser<'a> {
         Err(reported)
     }
 
-    /// Takes a free name; `role` is what it would name.
+    /// Takes a name that is not reserved; `role` describes the object it would name.
     pub(super) fn name(&mut self, role: &str) -> Parsed<Name> {
         let name = self.label(role)?;
         match self.reserved(&name.text) {
@@ -143,8 +144,8 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Takes the name of a coordinate, parameter or argument. A distance may be called `d`: the exterior derivative is
-    /// always followed by a bracket.
+    /// Takes the name of a coordinate, parameter or argument. The name `d` is allowed, for a
+    /// distance: the exterior derivative is always followed by a bracket.
     pub(super) fn quantity(&mut self, role: &str) -> Parsed<Name> {
         match self.peek() {
             Some(TokenKind::Name(text)) if text == "d" => self.label(role),
@@ -152,14 +153,15 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Takes the name of a statement or effect: these are apart from all others, so `curl` may be one.
+    /// Takes the name of a statement or effect. These names are separate from all others, so `curl`
+    /// is allowed.
     pub(super) fn label(&mut self, role: &str) -> Parsed<Name> {
         let Some(TokenKind::Name(text)) = self.peek() else {
             return Err(self.unexpected(role, None));
         };
         let name = Name { text: text.clone(), span: self.span() };
         match self.reserved(text) {
-            // The word begins the next item: a name is missing, not badly chosen.
+            // The word begins the next item, so a name is missing here.
             Some(Word::Item) if self.starts_item(self.position) => return Err(self.unexpected(role, None)),
             Some(word @ (Word::Item | Word::Rust)) => {
                 self.position += 1;
@@ -170,18 +172,18 @@ impl<'a> Parser<'a> {
         Ok(name)
     }
 
-    /// Records a mistake.
+    /// Records an error.
     pub(super) fn report(&mut self, diagnostic: Diagnostic) -> Reported {
         self.diagnostics.push(diagnostic);
         Reported
     }
 
-    /// Records that something else than the next token was expected.
+    /// Records that `expected` was expected instead of the next token.
     pub(super) fn unexpected(&mut self, expected: &str, help: Option<&str>) -> Reported {
         self.unexpected_at(self.span(), expected, help)
     }
 
-    /// The same, pointing elsewhere than at the next token.
+    /// Records that `expected` was expected instead of the next token, and reports it at `place`.
     pub(super) fn unexpected_at(&mut self, place: Span, expected: &str, help: Option<&str>) -> Reported {
         if self.peek() == Some(&TokenKind::Unknown) {
             return Reported;
@@ -191,7 +193,7 @@ impl<'a> Parser<'a> {
         self.report(diagnostic)
     }
 
-    /// The next token as a message names it.
+    /// Describes the next token for a message.
     fn found(&self) -> String {
         match self.peek() {
             None => "the end of the text".to_owned(),
@@ -205,7 +207,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Whether the next token could be a factor of a product, which people write without `*`.
+    /// Whether the next token can be a factor of a product, in case the user omitted the `*`.
     pub(super) fn looks_like_factor(&self) -> bool {
         match self.peek() {
             Some(TokenKind::Name(text)) => !matches!(self.reserved(text), Some(Word::Item | Word::Rust)),
@@ -216,7 +218,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// What is said of a name that is a word of Rust or of the language.
+/// Returns the error for a name that is a reserved word of Rust or of the language.
 fn taken(name: &Name, word: Word) -> Diagnostic {
     let reason = match word {
         Word::Rust => "a Rust keyword",

@@ -1,4 +1,4 @@
-//! Expressions by precedence, tightest first: `**` · unary `-` · `*` `/` `^` · `+` `-`.
+//! Expressions by precedence, from tightest to loosest: `**` · unary `-` · `*` `/` `^` · `+` `-`.
 //!
 //! ```text
 //! sum     = product { ("+" | "-") product }
@@ -6,7 +6,8 @@
 //! unary   = "-" unary | power
 //! power   = postfix [ "**" unary ]
 //! ```
-//! Every tree is built together with its height, so that none grows higher than [`MAXIMUM_DEPTH`].
+//! Every tree is built together with its height, so that no tree becomes higher than
+//! [`MAXIMUM_DEPTH`].
 
 use super::cursor::{Parsed, Parser};
 use super::{MAXIMUM_DEPTH, MAXIMUM_NESTING};
@@ -16,7 +17,7 @@ use crate::syntax::number;
 use crate::syntax::token::{Symbol, TokenKind};
 use crate::syntax::words::Word;
 
-/// An expression and the height of its tree, 1 for a leaf.
+/// Expression with the height of its tree, 1 for a leaf.
 pub(super) struct Tree {
     pub(super) expr: Expr,
     pub(super) height: usize,
@@ -27,7 +28,7 @@ const PRODUCT: &[(Symbol, Binary)] =
     &[(Symbol::Star, Binary::Multiply), (Symbol::Slash, Binary::Divide), (Symbol::Wedge, Binary::Wedge)];
 
 impl Parser<'_> {
-    /// Takes one expression.
+    /// Parses one expression.
     pub(super) fn expression(&mut self) -> Parsed<Expr> {
         Ok(self.sum()?.expr)
     }
@@ -40,7 +41,7 @@ impl Parser<'_> {
         self.chain(PRODUCT, Self::unary)
     }
 
-    /// `a ∘ b ∘ c` is `(a ∘ b) ∘ c`.
+    /// Parses a left-associative chain: `a ∘ b ∘ c` is `(a ∘ b) ∘ c`.
     fn chain(
         &mut self,
         operators: &[(Symbol, Binary)],
@@ -60,7 +61,7 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    /// `-x**2` is `-(x**2)`, and `-a*b` is `(-a)*b`.
+    /// Parses a signed expression: `-x**2` is `-(x**2)`, and `-a*b` is `(-a)*b`.
     fn unary(&mut self) -> Parsed<Tree> {
         self.enter()?;
         let tree = match self.eat(Symbol::Minus) {
@@ -75,7 +76,7 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// `a**b**c` is `a**(b**c)`, and `x**-2` is allowed.
+    /// Parses a right-associative power: `a**b**c` is `a**(b**c)`, and `x**-2` is allowed.
     fn power(&mut self) -> Parsed<Tree> {
         let base = self.postfix()?;
         match self.eat(Symbol::Power) {
@@ -87,7 +88,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Takes what has no operator outside brackets and is not a name.
+    /// Parses a primary expression other than a name: a number, a bracket, `@x` or `if`.
     pub(super) fn primary(&mut self) -> Parsed<Tree> {
         let span = self.span();
         match self.peek() {
@@ -107,7 +108,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether the token before is `*`: two of them apart are not a power.
+    /// Whether the previous token is `*`: two separate stars are not a power.
     fn follows_star(&self) -> bool {
         let before = self.position.checked_sub(1).map(|before| &self.tokens[before].kind);
         before == Some(&TokenKind::Symbol(Symbol::Star))
@@ -138,7 +139,7 @@ impl Parser<'_> {
         Ok(tree)
     }
 
-    /// Takes a name that stands for a value or a function.
+    /// Takes a name that refers to a value or a function.
     pub(super) fn reference(&mut self, text: &str) -> Parsed<Name> {
         let span = self.span();
         match self.reserved(text) {
@@ -154,7 +155,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `x^2` is almost always meant as a power.
+    /// Reports `x^2`, which is almost always meant as a power.
     fn warn_of_power(&mut self, place: Span, left: &Expr, right: &Expr) {
         let TokenKind::Number(digits) = &self.tokens[self.position - 1].kind else {
             return;
@@ -179,12 +180,12 @@ impl Parser<'_> {
         self.tree_at(place, ExprKind::Binary(operation, place, left.expr, right.expr), span, height)
     }
 
-    /// A tree over parts of which the highest is `below`.
+    /// Builds a tree whose highest part has the height `below`.
     pub(super) fn tree(&mut self, kind: ExprKind, span: Span, below: usize) -> Parsed<Tree> {
         self.tree_at(span, kind, span, below)
     }
 
-    /// The same, with the place to point at if the tree is too high.
+    /// Builds a tree, and reports it at `place` if it is too high.
     fn tree_at(&mut self, place: Span, kind: ExprKind, span: Span, below: usize) -> Parsed<Tree> {
         if below >= MAXIMUM_DEPTH {
             let message = format!("the expression has more than {MAXIMUM_DEPTH} operations one upon another");
@@ -194,7 +195,7 @@ impl Parser<'_> {
         Ok(Tree { expr: Expr { kind: Box::new(kind), span }, height: below + 1 })
     }
 
-    /// Goes one level of nesting down, if there is one left.
+    /// Enters one more level of nesting; an error at the maximum.
     pub(super) fn enter(&mut self) -> Parsed<()> {
         if self.nesting == MAXIMUM_NESTING {
             let message = format!("the expression is nested more than {MAXIMUM_NESTING} levels deep");

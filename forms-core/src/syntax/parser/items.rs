@@ -1,4 +1,4 @@
-//! Items: a word, what it declares or claims, and a `;`.
+//! Items: a keyword, a declaration or claim, and a `;`.
 
 use super::cursor::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Span};
@@ -8,7 +8,7 @@ use crate::syntax::token::{Symbol, TokenKind};
 use num_traits::ToPrimitive;
 
 impl Parser<'_> {
-    /// Takes all items up to the end.
+    /// Parses all items up to the end.
     pub(super) fn file(&mut self) -> File {
         let mut items = Vec::new();
         while !self.at_end() {
@@ -23,7 +23,7 @@ impl Parser<'_> {
         File { items }
     }
 
-    /// The lines of a doc comment, without the one space that sets them off from the slashes.
+    /// Takes the lines of a doc comment, without the one space after the slashes.
     fn docs(&mut self) -> Vec<String> {
         let mut docs = Vec::new();
         while let Some(TokenKind::Doc(line)) = self.peek() {
@@ -82,7 +82,7 @@ impl Parser<'_> {
         self.unexpected("an item", Some(help))
     }
 
-    /// `chart R3(x, y, z) where …` or `chart Ray = R3 * S2 where …`
+    /// Parses `chart R3(x, y, z) where …` or `chart Ray = R3 * S2 where …`.
     fn chart(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the chart's name")?;
         if self.at(Symbol::OpenParen) {
@@ -106,7 +106,7 @@ impl Parser<'_> {
         Ok(ItemKind::ProductChart { name, factors, conditions: self.conditions()? })
     }
 
-    /// `param n, sigma: 1/m where …`
+    /// Parses `param n, sigma: 1/m where …`.
     fn param(&mut self) -> Parsed<ItemKind> {
         let mut names = vec![self.declared("the parameter's name")?];
         while self.eat(Symbol::Comma).is_some() {
@@ -115,7 +115,7 @@ impl Parser<'_> {
         Ok(ItemKind::Param { names, conditions: self.conditions()? })
     }
 
-    /// `fn L(x, y): W/m**2 where …`
+    /// Parses `fn L(x, y): W/m**2 where …`.
     fn function(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the function's name")?;
         let declared = self.declared_list("an argument")?;
@@ -132,7 +132,7 @@ impl Parser<'_> {
         Ok(ItemKind::Function { name, arguments, unit, conditions: self.conditions()? })
     }
 
-    /// `let r: m = …`
+    /// Parses `let r: m = …`.
     fn definition(&mut self) -> Parsed<ItemKind> {
         let name = self.name("a name")?;
         let unit = if self.at_annotation() { self.unit()? } else { None };
@@ -140,7 +140,7 @@ impl Parser<'_> {
         Ok(ItemKind::Let { name, unit, value: self.expression()? })
     }
 
-    /// `form beta: 2, sr on R3 = …`
+    /// Parses `form beta: 2, sr on R3 = …`.
     fn form(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the form's name")?;
         let degree = if self.at_annotation() { Some(self.degree()?) } else { None };
@@ -151,12 +151,12 @@ impl Parser<'_> {
         Ok(ItemKind::Form { name, degree, unit, chart, value: self.expression()? })
     }
 
-    /// `: m`, or nothing.
+    /// Parses `: m`; `None` if there is no unit.
     fn unit(&mut self) -> Parsed<Option<Expr>> {
         if self.eat(Symbol::Colon).is_some() { Ok(Some(self.expression()?)) } else { Ok(None) }
     }
 
-    /// Whether `:` and more follows, rather than the `:=` of other languages.
+    /// Whether an annotation with `:` follows, rather than the `:=` of other languages.
     pub(super) fn at_annotation(&self) -> bool {
         self.at(Symbol::Colon) && self.peek_at(1) != Some(&TokenKind::Symbol(Symbol::Assign))
     }
@@ -176,7 +176,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `field X on R3 = …`
+    /// Parses `field X on R3 = …`.
     fn field(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the field's name")?;
         let chart = self.chart_reference()?;
@@ -184,7 +184,7 @@ impl Parser<'_> {
         Ok(ItemKind::Field { name, chart, value: self.expression()? })
     }
 
-    /// `map patch: UV -> R3 = (…)`
+    /// Parses `map patch: UV -> R3 = (…)`.
     fn map(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the map's name")?;
         self.expect(Symbol::Colon)?;
@@ -195,7 +195,7 @@ impl Parser<'_> {
         Ok(ItemKind::Map { name, source, target, components: self.values()? })
     }
 
-    /// `metric g on R3 = …`
+    /// Parses `metric g on R3 = …`.
     fn metric(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the metric's name")?;
         let chart = self.chart_reference()?;
@@ -203,7 +203,7 @@ impl Parser<'_> {
         Ok(ItemKind::Metric { name, chart, value: self.expression()? })
     }
 
-    /// `name: … == … where …`
+    /// Parses `name: … == … where …`.
     fn statement(&mut self, claim: Claim) -> Parsed<ItemKind> {
         let name = self.label("the statement's name")?;
         if self.eat(Symbol::Colon).is_none() {
@@ -214,7 +214,7 @@ impl Parser<'_> {
         Ok(ItemKind::Statement { claim, name, left, right, conditions })
     }
 
-    /// `left == right where …`
+    /// Parses `left == right where …`.
     pub(super) fn equation(&mut self) -> Parsed<Equation> {
         let left = self.expression()?;
         if self.at(Symbol::Assign) {
@@ -242,12 +242,12 @@ impl Parser<'_> {
         self.unexpected("an operator or `==`", help)
     }
 
-    /// `on R3`, where it is written.
+    /// Parses an optional `on R3`.
     fn chart_reference(&mut self) -> Parsed<Option<Name>> {
         if self.eat_word("on") { Ok(Some(self.name("a chart after `on`")?)) } else { Ok(None) }
     }
 
-    /// Takes the `=` of a definition, also where `==` or `:=` is written for it.
+    /// Takes the `=` of a definition, also where `==` or `:=` is written instead.
     pub(super) fn assign(&mut self) -> Parsed<()> {
         if self.eat(Symbol::Assign).is_some() {
             return Ok(());
@@ -266,7 +266,7 @@ impl Parser<'_> {
         Err(self.unexpected("`=`", None))
     }
 
-    /// `(x: m, y: m)`
+    /// Parses `(x: m, y: m)`.
     pub(super) fn declared_list(&mut self, role: &str) -> Parsed<Vec<Declared>> {
         let open = self.expect(Symbol::OpenParen)?;
         let mut list = Vec::new();
@@ -280,7 +280,7 @@ impl Parser<'_> {
         Ok(list)
     }
 
-    /// `x` or `x: m`
+    /// Parses `x` or `x: m`.
     pub(super) fn declared(&mut self, role: &str) -> Parsed<Declared> {
         let name = self.quantity(role)?;
         let unit = self.unit()?;

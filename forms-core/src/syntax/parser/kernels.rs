@@ -1,4 +1,4 @@
-//! Kernels, and the bodies that may have several values.
+//! Kernels and warps, and bodies that can have several values.
 //!
 //! ```text
 //! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { "by" values | where | "within" sum | effects }
@@ -64,7 +64,7 @@ impl Parser<'_> {
         }
     }
 
-    /// `= grad(f; u, v)`
+    /// Parses `= grad(f; u, v)`.
     fn gradient(&mut self, name: Name) -> Parsed<ItemKind> {
         self.assign()?;
         self.eat_word("grad");
@@ -79,7 +79,7 @@ impl Parser<'_> {
         Ok(ItemKind::Gradient { name, of, by })
     }
 
-    /// `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) by (…) where … within N`
+    /// Parses `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) by (…) where … within N`
     pub(super) fn warp(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the warp's name")?;
         let (parameters, uniforms) = self.warp_arguments()?;
@@ -131,7 +131,8 @@ impl Parser<'_> {
         }
     }
 
-    /// `(p, q; u, v)`: what the map depends on, then the uniform numbers; without `;` there is nothing before it.
+    /// Parses `(p, q; u, v)`: the parameters of the map, then the uniform random numbers; without
+    /// `;` there are no parameters.
     fn warp_arguments(&mut self) -> Parsed<(Vec<Declared>, Vec<Declared>)> {
         let open = self.expect(Symbol::OpenParen)?;
         let (mut before, mut list) = (None, Vec::new());
@@ -156,7 +157,7 @@ impl Parser<'_> {
         Err(self.unexpected(&format!("`{word}`"), Some(help)))
     }
 
-    /// One value, or several in round brackets.
+    /// Parses one value, or several in round brackets.
     pub(super) fn values(&mut self) -> Parsed<Vec<Expr>> {
         if !self.at_list() {
             return Ok(vec![self.expression()?]);
@@ -170,7 +171,8 @@ impl Parser<'_> {
         Ok(values)
     }
 
-    /// Whether the next token opens a bracket that holds commas of its own: `((u + v)/2, v)`, not `(u + v)/2`.
+    /// Whether the next token opens a bracket that directly contains a comma: `((u + v)/2, v)`, not
+    /// `(u + v)/2`.
     fn at_list(&self) -> bool {
         if !self.at(Symbol::OpenParen) {
             return false;
@@ -194,7 +196,7 @@ impl Parser<'_> {
         false
     }
 
-    /// `{ absorption: sigma_a = 0; … }`
+    /// Parses `{ absorption: sigma_a = 0; … }`.
     fn effects(&mut self, effects: &mut Vec<Effect>) -> Parsed<()> {
         let open = self.expect(Symbol::OpenBrace)?;
         let mut expected = "the effect's name or `}`";

@@ -1,11 +1,12 @@
-//! Where an item ends, and where the next one begins after a mistake.
+//! Error recovery: the end of an item, and the start of the next one after an error.
 
 use super::cursor::{Parsed, Parser};
 use crate::syntax::token::{Symbol, Token, TokenKind};
 use crate::syntax::words::ITEMS;
 
 impl Parser<'_> {
-    /// Takes the `;` of an item. Where it is missing and the next item follows, that is all that is wrong.
+    /// Takes the `;` of an item. If it is missing and the next item follows, the item is reported
+    /// but kept.
     pub(super) fn end_item(&mut self) -> Parsed<()> {
         if self.eat(Symbol::Semicolon).is_some() {
             return Ok(());
@@ -15,13 +16,13 @@ impl Parser<'_> {
         if complete { Ok(()) } else { Err(reported) }
     }
 
-    /// Makes sure that all tokens are used, but for one last `;`.
+    /// Checks that all tokens are used, except for one last `;`.
     pub(super) fn expect_end(&mut self) -> Parsed<()> {
         self.eat(Symbol::Semicolon);
         if self.at_end() { Ok(()) } else { Err(self.unexpected("the end of the text", self.help_at_end())) }
     }
 
-    /// What the token that stands where nothing should may have been meant as.
+    /// Guesses the intention of an unexpected token after the end.
     fn help_at_end(&self) -> Option<&'static str> {
         match self.peek()? {
             _ if self.starts_item(self.position) => None,
@@ -42,8 +43,8 @@ impl Parser<'_> {
         matches!(self.peek(), Some(TokenKind::Doc(_)))
     }
 
-    /// Whether an item begins at token `at`: its word with a name behind it. The words of items are no names, so
-    /// this cannot be the middle of an expression.
+    /// Whether an item begins at token `at`: its keyword followed by a name. The keywords of items
+    /// cannot be names, so this cannot be the middle of an expression.
     pub(super) fn starts_item(&self, at: usize) -> bool {
         let word = |at: usize| match self.tokens.get(at).map(|token| &token.kind) {
             Some(TokenKind::Name(text)) => Some(text.as_str()),
@@ -56,8 +57,9 @@ impl Parser<'_> {
         }
     }
 
-    /// After a mistake in the item that began at token `start`, goes behind its `;` or to where the next item
-    /// begins. A `;` between the braces of `effects` is not the end; one in an unclosed round bracket is.
+    /// Recovers from an error in the item that began at token `start`: skips past its `;`, or to
+    /// the start of the next item. A `;` between the braces of `effects` is not the end; one in an
+    /// unclosed round bracket is.
     pub(super) fn recover(&mut self, start: usize) {
         let mut braces = 0_usize;
         for at in start..self.tokens.len() {
@@ -81,7 +83,8 @@ impl Parser<'_> {
         self.position = self.tokens.len();
     }
 
-    /// Whether a semicolon stands in front of names alone and a closing bracket, as that in the head of a warp.
+    /// Whether a semicolon is followed only by names and a closing bracket, as in the head of a
+    /// warp.
     fn is_before_names(&self, semicolon: usize) -> bool {
         let is_of_list =
             |token: &&Token| matches!(token.kind, TokenKind::Name(_) | TokenKind::Symbol(Symbol::Comma));
