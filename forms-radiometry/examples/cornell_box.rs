@@ -1,5 +1,5 @@
-//! The Cornell box by direct light: the irradiance at its named points is printed, and its picture is written
-//! to the file that is named, or to `cornell_box.png`.
+//! The Cornell box with direct light: prints the irradiance at its named points, and writes its
+//! picture to the file given on the command line, or to `cornell_box.png`.
 
 use forms_radiometry::scene::{self, ReceiverKind, SceneError};
 use forms_radiometry::{CORNELL_BOX, picture, simulate_direct};

@@ -1,11 +1,13 @@
-//! What the plan saves: every scene of the gallery as planned, and with everything forced on that the plan left out and that can be.
+//! Time saved by the plan: simulates every scene of the gallery as planned, and with every omitted
+//! effect forced on that can be.
 //!
 //! ```text
-//! scenes/*.toml ─┬─ as they are ────────────────── plan ─▶ answers, time ─┐
-//!                └─ what the plan left out, on ─── plan ─▶ answers, time ─┴─▶ a row of docs/benchmarks.md
+//! scenes/*.toml ─┬─ as they are ────────── plan ─▶ answers, time ┐
+//!                └─ omitted effects on ─── plan ─▶ answers, time ┴─▶ row of docs/benchmarks.md
 //! ```
-//! `cargo run --release -p forms-radiometry --example effects` prints the table; with `--write` the page is written anew. What the file
-//! of a scene says of an effect stays as it is: without it the scene is another question.
+//! `cargo run --release -p forms-radiometry --example effects` prints the table; with `--write` the
+//! page is rewritten. Effects that the file of a scene forces stay as they are: without them the
+//! scene would be a different problem.
 
 #[path = "gallery/mod.rs"]
 mod gallery;
@@ -38,7 +40,7 @@ fn main() -> Result<(), Problem> {
     Ok(())
 }
 
-/// The row of one scene.
+/// Returns the row of one scene.
 fn row(file: &Path) -> Result<String, Problem> {
     let scene = scene(&std::fs::read_to_string(file)?, &gallery::name(file))?;
     let planned = Run::of(&scene)?;
@@ -77,8 +79,9 @@ fn words(effects: impl Iterator<Item = Effect>) -> String {
     effects.map(Effect::name).collect::<Vec<_>>().join(", ")
 }
 
-/// The effects that the plan left out and that are in the code where they are forced on: those of diffuse surfaces in a vacuum where the scene
-/// is solved as a whole, those of the paths where light is followed along them, and bands, where there are some.
+/// Returns the omitted effects that have code to run when they are forced on: the effects of
+/// diffuse surfaces in a vacuum if the scene is solved as a whole, the effects of paths if it is
+/// path traced, and bands, if there are any.
 fn left_out(scene: &Scene, planned: &Run) -> Vec<Effect> {
     let acts = |effect: Effect| match effect {
         Effect::Direct | Effect::Occlusion | Effect::Interreflection => !is_by_paths(scene, &planned.plan),
@@ -91,7 +94,8 @@ fn left_out(scene: &Scene, planned: &Run) -> Vec<Effect> {
     off.filter(|&effect| acts(effect) && !is_named(effect)).collect()
 }
 
-/// The largest difference of an answer to that of another run, relative to the answer.
+/// Returns the largest difference between an answer and the same answer of another run, relative to
+/// the answer.
 fn difference(run: &Run, other: &Run) -> f64 {
     let relative = |(own, other): (Rated, &Answer)| {
         (own.answer.value - other.value).abs() / own.scale.max(f64::MIN_POSITIVE)

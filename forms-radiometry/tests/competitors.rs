@@ -1,6 +1,7 @@
-//! What the bench `kernels` times is right: all functions of a kernel agree, the hand-written ones with the instruction
-//! sets of this processor, and what two other generators make of the textbook's formula. The elementary functions of
-//! the hand-written ones are tested beside them.
+//! The functions that the bench `kernels` times are right: all functions of a kernel agree. These
+//! are the hand-written ones with the instruction sets of this processor, and the ones that two
+//! other generators derive from the textbook's formula. The elementary functions of the
+//! hand-written ones are tested too.
 
 // The harness alone uses the rest of these modules.
 #![allow(dead_code)]
@@ -20,7 +21,7 @@ use catalogue::Entry;
 use expert::batch::InstructionSet;
 use expert::vector::Vector;
 
-/// No multiple of the lanes of any register, so that the rest is taken too.
+/// Number of values: no multiple of the lanes of any register, so that the remainder loop runs too.
 const VALUES: usize = 4099;
 
 fn columns_of(entry: &Entry) -> Vec<Vec<f64>> {
@@ -31,7 +32,7 @@ fn slices(columns: &[Vec<f64>]) -> Vec<&[f64]> {
     columns.iter().map(Vec::as_slice).collect()
 }
 
-/// The values of all functions of an entry.
+/// Returns the values of all functions of an entry.
 fn values(entry: &Entry) -> Vec<Vec<f64>> {
     let columns = columns_of(entry);
     let values = entry.functions.iter().map(|(_, function)| {
@@ -42,7 +43,8 @@ fn values(entry: &Entry) -> Vec<Vec<f64>> {
     values.collect()
 }
 
-/// How far apart values are, over the size that values of this kernel have: roundings of cancelled sums are of that size.
+/// Returns the largest distance between values, relative to the typical size of this kernel's
+/// values: rounding errors of cancelled sums have that size.
 fn distance(values: &[f64], others: &[f64]) -> f64 {
     let size = others.iter().map(|value| value.abs()).sum::<f64>() / others.len() as f64;
     let far = values.iter().zip(others).map(|(value, other)| (value - other).abs() / (other.abs() + size));
@@ -79,7 +81,8 @@ expert::batch::batch!(exp_m1, 1, super::exp_m1_of);
 expert::batch::batch!(atan2, 2, super::atan2_of);
 expert::batch::batch!(angle_over_sine, 2, super::angle_over_sine_of);
 
-/// The greatest relative error, in roundings, of values against those of the system.
+/// Returns the largest relative error of values compared with those of the system, in units of
+/// `f64::EPSILON`.
 fn roundings(values: &[f64], expected: impl Iterator<Item = f64>) -> f64 {
     let errors =
         values.iter().zip(expected).map(|(value, expected)| (value / expected - 1.0).abs() / f64::EPSILON);

@@ -1,5 +1,6 @@
-//! The exact direct irradiance against an integration that shares nothing with it: the integrand L cos θ cos
-//! θ′/r² V over the lamp's area, with visibility V by rays against triangles (Möller and Trumbore 1997).
+//! The exact direct irradiance, compared with an integration that shares no code with it: the
+//! integrand L cos θ cos θ′/r² V over the lamp's area, with visibility V by rays against triangles
+//! (Möller and Trumbore 1997).
 
 use forms_radiometry::geometry::{Polygon, Vector};
 use forms_radiometry::scene::{self, Place, Receiver, ReceiverKind, Scene, Shape, Surface};
@@ -22,9 +23,9 @@ struct Integration<'s> {
     triangles: &'s [[Vector; 3]],
     position: Vector,
     normal: Vector,
-    /// Squares are quartered this often before their probes are believed.
+    /// Number of subdivisions before the probes of a square are trusted.
     least_depth: u32,
-    /// Squares that are quartered this often are not quartered further.
+    /// Largest number of subdivisions of a square.
     depth: u32,
 }
 
@@ -35,7 +36,8 @@ struct Estimate {
 }
 
 impl Integration<'_> {
-    /// cos θ cos θ′/r² dA/(du dv) at the point (u, v) of the lamp, zero below either horizon.
+    /// Returns cos θ cos θ′/r² dA/(du dv) at the point (u, v) of the lamp, zero below either
+    /// horizon.
     fn integrand(&self, u: f64, v: f64) -> f64 {
         let to_lamp = self.lamp_point(u, v) - self.position;
         let r2 = to_lamp.dot(to_lamp);
@@ -53,7 +55,7 @@ impl Integration<'_> {
             && !self.triangles.iter().any(|triangle| blocks(triangle, self.position, ray))
     }
 
-    /// The integral without visibility over a square of the lamp.
+    /// Returns the integral without visibility over a square of the lamp.
     fn gauss(&self, u: f64, v: f64, side: f64) -> f64 {
         let points = GAUSS.iter().flat_map(|p| GAUSS.iter().map(move |q| (p, q)));
         let sum = points.map(|(p, q)| p.1 * q.1 * self.integrand(u + side * p.0, v + side * q.0));
@@ -65,8 +67,8 @@ impl Integration<'_> {
         cells.map(|(u, v)| self.gauss(u, v, 0.125)).sum()
     }
 
-    /// The integral with visibility: squares are quartered until their corners and middle agree; what is
-    /// undecided at the end counts one half, and one half is the error.
+    /// Returns the integral with visibility. Squares are quartered until their corners and centre
+    /// agree. A square that is undecided at the end counts one half, and one half is its error.
     fn occluded(&self, u: f64, v: f64, side: f64, depth: u32) -> Estimate {
         let probes = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0), (0.5, 0.5)];
         let seen = probes.iter().filter(|(s, t)| self.visible(u + side * s, v + side * t)).count();
@@ -115,8 +117,8 @@ fn triangles(scene: &Scene) -> Vec<[Vector; 3]> {
     scene.surfaces.iter().flat_map(|surface| fan(polygon_of(surface).vertices())).collect()
 }
 
-/// The Cornell box with more point receivers: a grid on the floor, some on the green wall, and the middle of
-/// every face of the blocks.
+/// Returns the Cornell box with more point receivers: a grid on the floor, some on the green wall,
+/// and the centre of every face of the blocks.
 fn box_with_more_points() -> Scene {
     let mut scene = scene::read(CORNELL_BOX, "cornell_box.toml").unwrap();
     let mut points = Vec::new();
@@ -145,8 +147,8 @@ fn box_with_more_points() -> Scene {
     scene
 }
 
-/// Calls `check` with every point receiver's name, its irradiance and unoccluded irradiance in the sixth
-/// band, both divided by the lamp's radiance there, and the integration for it.
+/// Calls `check` with every point receiver's name, its irradiance and unoccluded irradiance in the
+/// sixth band, both divided by the lamp's radiance there, and the integration for it.
 fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
     let scene = box_with_more_points();
     let lamp = &scene.surfaces[0];
@@ -178,7 +180,8 @@ fn for_every_point(mut check: impl FnMut(&str, f64, f64, &Integration)) {
 fn without_occlusion_the_irradiance_is_the_integral_over_the_lamp() {
     for_every_point(|name, _, unoccluded, integration| {
         let expected = integration.unoccluded();
-        // Below the horizon the integrand has a kink, which a Gauss rule sees only to second order.
+        // Below the horizon the integrand has a kink, which a Gauss rule resolves only to second
+        // order.
         let corners = [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)];
         let above =
             corners.map(|(u, v)| integration.normal.dot(integration.lamp_point(u, v) - integration.position));
@@ -201,7 +204,7 @@ fn with_occlusion_the_irradiance_is_the_integral_over_what_is_visible() {
     assert!(in_penumbra >= 5, "only {in_penumbra} of the points are in half-shadow");
 }
 
-/// The scene with every point p moved to scale·p + shift.
+/// Returns the scene with every point p moved to scale·p + shift.
 fn moved(scene: &Scene, scale: f64, shift: Vector) -> Scene {
     let mut scene = scene.clone();
     for surface in &mut scene.surfaces {
@@ -267,9 +270,9 @@ fn lamps_add_up_and_the_back_of_a_one_sided_lamp_is_dark() {
     assert!(other > 0.01 && (both - one - other).abs() < 1e-15, "two lamps");
 }
 
-/// A text with a lamp [−1, 1]² at height 1 that faces down, a receiver at the origin with a random normal,
-/// and random triangles around both: before the lamp and through its plane, below the horizon, and in each
-/// other's way.
+/// Returns the text of a scene with a lamp [−1, 1]² at height 1 that faces down, a receiver at the
+/// origin with a random normal, and random triangles around both: in front of the lamp and through
+/// its plane, below the horizon, and in front of each other.
 fn random_scene(random: &mut impl FnMut() -> f64) -> String {
     let mut text = "[[material]]\nname = \"m\"\nkind = \"diffuse\"\nreflectance = 0\n".to_owned();
     let mut surface = |name: &str, radiance: f64, vertices: &[Vector]| {

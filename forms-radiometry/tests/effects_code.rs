@@ -1,4 +1,5 @@
-//! What is off is not in the code: members of a kernel by their operations, scenes by the instructions that they execute.
+//! Effects that are off are not in the code: checked for members of a kernel by their operations,
+//! and for scenes by the instructions that they execute.
 
 #[path = "../examples/effects_code/callgrind.rs"]
 mod callgrind;
@@ -10,14 +11,15 @@ use forms_radiometry::scene::{Effect, ReceiverKind, Scene, read};
 use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, UsedKernel, is_by_paths, plan, simulate};
 use std::collections::BTreeSet;
 
-/// The variable that tells this program under callgrind which scene it simulates.
+/// Environment variable that names the scene which this program simulates under callgrind.
 const COUNTED: &str = "FORMS_COUNTED_SCENE";
 
-/// A kernel of fewer operations can leave no line of its own where it is inlined: they have the lines of the arithmetic. The members
-/// of `gathered_light` are found by the function that calls them.
+/// Least number of operations at which a kernel is sure to be found. A kernel of fewer operations
+/// can leave no line of its own where it is inlined: its operations have the lines of the
+/// arithmetic. The members of `gathered_light` are found by the function that calls them.
 const SEEN: usize = 10;
 
-/// All sets of effects of the kernel.
+/// Returns all sets of effects of the kernel.
 fn sets() -> impl Iterator<Item = Effects> {
     (0..16).map(|bits| {
         let is_on = |bit: u32| bits >> bit & 1 == 1;
@@ -31,7 +33,8 @@ fn a_member_takes_the_operations_of_its_effects_and_no_others() {
         let Effects { luminaires, surroundings, beams, interreflection } = effects;
         let kinds =
             [luminaires, surroundings, beams, interreflection].into_iter().filter(|&is_on| is_on).count();
-        // a sum of so many kinds; the projected hemisphere times those that are radiances; open times outside
+        // the sum over the kinds; the projected hemisphere times the kinds that are radiances; open
+        // times outside
         let expected =
             kinds.saturating_sub(1) + usize::from(luminaires || surroundings) + usize::from(surroundings);
         assert_eq!(effects.operations(), expected, "{effects:?}");
@@ -56,7 +59,7 @@ fn a_member_gathers_what_the_whole_kernel_does_where_its_other_effects_vanish() 
     }
 }
 
-/// A lamp over a floor of this reflectance, and what else is in the scene.
+/// Returns a lamp above a floor of this reflectance, and the rest of the scene.
 fn lamp(reflectance: f64, rest: &str) -> String {
     format!(
         "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = {reflectance}\n\
@@ -93,7 +96,7 @@ const ROUND_LAMPS: &str = "[[surface]]\nname = \"disk\"\nmaterial = \"grey\"\nra
                            sphere = { center = [0.8, 0.8, 0.8], radius = 0.1 }\n";
 const PULSE: &str = "time = { start = 0, width = 1e-9, bins = 20 }\n";
 
-/// Scenes whose light is followed along paths.
+/// Returns scenes that are simulated by path tracing.
 fn scenes_of_paths() -> Vec<(&'static str, String)> {
     vec![
         ("mirror", lamp(0.5, &format!("{MIRROR}{POINT}"))),
@@ -104,12 +107,13 @@ fn scenes_of_paths() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// So many points that what each gets of a lamp is summed in `f64`, and not to the last digit.
+/// Returns enough points that the light of a lamp at each is summed in `f64`, not in double-double.
 fn many_points() -> String {
     (0..300).map(|index| POINT.replace("here", &format!("here {index}"))).collect()
 }
 
-/// Scenes by name, each with the kernels that it runs and the effects that their members are without.
+/// Returns scenes by name, each with the kernels that it runs and the effects that their members do
+/// not have.
 fn scenes() -> Vec<(&'static str, String, String)> {
     let straight = "gathered_light - surroundings beams interreflection, edge_form_factor";
     let exchange = "exchange_density, edge_potential, irradiance";
@@ -129,7 +133,7 @@ fn scenes() -> Vec<(&'static str, String, String)> {
         ),
         (
             "all kinds of light",
-            // to a tolerance at which exact pieces are expected to take less than rays
+            // at a tolerance at which exact visibility is expected to take less than rays
             lamp(0.5, &format!("{POINT_LIGHT}{SKY}{POINT}{BALL}")).replace("= 0.2", "= 0.05"),
             "gathered_light, gathered_light - interreflection, edge_form_factor, solid_angle_triangle, \
              exchange_density"
@@ -168,7 +172,8 @@ fn the_plan_lists_the_kernels_of_a_scene_with_the_members_that_it_calls_for() {
     }
 }
 
-/// What the program does that is counted: a scene with some effects, `SCENE:direct,occlusion`, and no plan of its own.
+/// Program whose instructions are counted: simulates a scene with some effects,
+/// `SCENE:direct,occlusion`, without planning.
 #[test]
 fn the_counted_scene_has_answers() {
     let Ok(words) = std::env::var(COUNTED) else { return };
@@ -208,12 +213,12 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         let is_by_paths = is_by_paths(&scene, &plan);
         assert_eq!(is_by_paths, by_paths.contains(&name), "{name}");
         let on = plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
-        // a receiver that looks along a ray asks for the surface that this meets
+        // a receiver along a ray asks for the surface that the ray meets
         let looks = scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }));
         let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
         let counts = callgrind::counted(&program, &arguments, &[(COUNTED, &scene)]).expect("valgrind runs");
         assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
-        // functions tell them where nothing is inlined
+        // where nothing is inlined, functions identify the effects
         let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
         let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
         for planned in plan.effects.iter().filter(is_told) {
@@ -237,7 +242,7 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
             without_lines.push(name);
             continue;
         }
-        // of two ways from surface to surface the error decides
+        // the error decides between two methods of integration from surface to surface
         let by_error = ["exchange_density", "edge_potential"];
         let has_run = |kernel: &str| {
             run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))

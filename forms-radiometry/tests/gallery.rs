@@ -1,5 +1,5 @@
-//! The gallery: every scene in the folder `scenes` is simulated, its known answers lie within the errors that are said, and
-//! these within the tolerance that was asked for.
+//! The gallery: every scene in the folder `scenes` is simulated. Its known answers lie within the
+//! reported errors, and these within the requested tolerance.
 
 mod known;
 
@@ -15,12 +15,12 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
 }
 
-/// The scene of a file of the gallery, as it is.
+/// Returns the unchanged scene of a file of the gallery.
 fn scene(file: &str) -> Scene {
     open(&folder().join(file)).unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-/// A scene as simulated, the tolerance that was asked for, and what the plan dropped.
+/// Results of a scene, the requested tolerance, and the error budget spent on omitted effects.
 struct Simulated {
     found: Simulation,
     tolerance: f64,
@@ -41,7 +41,8 @@ impl Exhibit {
         Simulated { found, tolerance: scene.solve.tolerance, dropped: plan.dropped }
     }
 
-    /// Asserts that what is known lies within what is said, and that within what was asked for.
+    /// Asserts that known answers lie within the reported errors, and these within the requested
+    /// tolerance.
     fn assert_true(&self) {
         let Simulated { found, tolerance, dropped } = self.simulated();
         for known in self.known {
@@ -51,7 +52,7 @@ impl Exhibit {
             let parts = answer.parts;
             assert_eq!(parts.error(answer.kind), answer.error, "{}: {answer:?}", self.file);
             assert!(parts.all().iter().all(|&part| part >= 0.0), "{}: {answer:?}", self.file);
-            // what is dropped is told by the plan
+            // the plan reports the error budget of omitted effects
             assert_eq!(parts.effects > 0.0, dropped > 0.0, "{}: {answer:?}", self.file);
             let scale = scale(answer, &found.answers);
             let (name, error) = (&answer.receiver, answer.error);
@@ -79,7 +80,8 @@ impl Known {
     }
 }
 
-/// What the tolerance of an answer is relative to: of a component of a flow, the fluence rate; of a bin of time, the largest.
+/// Returns the scale of an answer's tolerance: for a component of a flow, the fluence rate; for a
+/// time bin, the largest bin.
 fn scale(answer: &Answer, answers: &[Answer]) -> f64 {
     if answer.bin.is_some() {
         let of_receiver = answers.iter().filter(|other| other.receiver == answer.receiver);
@@ -87,7 +89,7 @@ fn scale(answer: &Answer, answers: &[Answer]) -> f64 {
     }
     match answer.quantity {
         VectorIrradiance(_) => find(answers, &answer.receiver, FluenceRate).value,
-        // of a band in which nothing was found, an error is of what could have been
+        // if nothing was found in a band, its error is the light that could have been missed
         _ if answer.value == 0.0 => {
             let is_beside =
                 |other: &&Answer| other.receiver == answer.receiver && other.quantity == answer.quantity;
@@ -125,7 +127,7 @@ fn what_is_known_lies_within_the_errors_that_are_said() {
     GALLERY.iter().filter(is_meant).for_each(Exhibit::assert_true);
 }
 
-/// What is known of the scenes of the book, in the order of their names.
+/// Returns the known answers of the scenes of the book, in the order of their names.
 fn scenes_of_the_book() -> [(&'static str, Known); 2] {
     let of_cloud = PI * (1.0 - 0.883_254_886_486_837_4);
     [

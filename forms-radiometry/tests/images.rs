@@ -1,4 +1,5 @@
-//! Images of diffuse surfaces: the borders of what is seen are exact, and pixels are what paths find.
+//! Images of diffuse surfaces: the boundaries of visible surfaces are exact, and pixels agree with
+//! path tracing.
 
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
@@ -8,7 +9,7 @@ use std::f64::consts::PI;
 mod scene_text;
 use scene_text::{CUBE, Point, material, polygon, surface, tolerance};
 
-/// A camera at the origin that looks along z, with a film of 2 by 2 at the distance 1.
+/// Returns a camera at the origin that looks along z, with a film of 2 by 2 at the distance 1.
 fn camera(resolution: [usize; 2]) -> String {
     camera_at([0.0; 3], [0.0, 0.0, 1.0], 90.0, resolution)
 }
@@ -20,7 +21,7 @@ fn camera_at(origin: Point, target: Point, fov: f64, resolution: [usize; 2]) -> 
     )
 }
 
-/// A rectangle across the line of sight that faces the camera, between two of its corners.
+/// Returns a rectangle across the line of sight that faces the camera, between two of its corners.
 fn rectangle(name: &str, [low, high]: [[f64; 2]; 2], z: f64, radiance: f64) -> String {
     let corners = [[low[0], low[1], z], [low[0], high[1], z], [high[0], high[1], z], [high[0], low[1], z]];
     surface(name, "black", &format!("{}\nradiance = {radiance}", polygon(&corners)))
@@ -39,7 +40,8 @@ fn image(simulation: &Simulation) -> &Map {
     map
 }
 
-/// How much of a pixel of a film of n × n pixels from (−1, 1) to (1, −1) a rectangle covers.
+/// Returns the part of a pixel that a rectangle covers, on a film of n × n pixels from (−1, 1) to
+/// (1, −1).
 fn covered([low, high]: [[f64; 2]; 2], [column, row]: [usize; 2], n: usize) -> f64 {
     let side = 2.0 / n as f64;
     let overlap = |low: f64, high: f64, from: f64| (high.min(from + side) - low.max(from)).max(0.0) / side;
@@ -89,7 +91,7 @@ fn what_stands_before_hides_even_where_no_light_is_hidden() {
     }
 }
 
-/// A closed cube whose walls have these reflectances and radiances, and what else is in it.
+/// Returns a closed cube whose walls have these reflectances and radiances, and the objects inside.
 fn room(reflectance: f64, radiances: [f64; 6], inside: &str) -> String {
     let walls = CUBE.iter().zip(radiances).map(|((name, corners), radiance)| {
         surface(name, "wall", &format!("{}\nradiance = {radiance}", polygon(corners)))
@@ -112,7 +114,7 @@ fn in_a_furnace_every_pixel_is_the_radiance_of_the_walls() {
     }
 }
 
-/// A box in the cube that stands on its floor.
+/// Returns a box that stands on the floor of the cube.
 fn block() -> String {
     let (low, high, top) = ([0.55, 0.5], [0.8, 0.85], 0.45);
     let at = |x: f64, y: f64, z: f64| [x, y, z];
@@ -135,7 +137,7 @@ fn pixels_are_what_paths_find() {
     for light in ["", lamp] {
         let text = room(0.6, LIT, &block()) + light + &eye;
         let simulation = simulated(&(text.clone() + &tolerance(asked)));
-        // a wall of a scene with time is followed along paths: so is the whole scene with a receiver that asks for it
+        // a receiver that is resolved in time makes the whole scene one for path tracing
         let timed = "[[receiver]]\nname = \"clock\"\nkind = \"point\"\nposition = [0.5, 0.5, 0.01]\nnormal = [0, 0, 1]\n\
                      time = { start = 0, width = 1, bins = 1 }\n";
         let scene =
@@ -155,7 +157,7 @@ fn pixels_are_what_paths_find() {
 fn errors_of_pixels_hold_what_finer_elements_change() {
     let eye = camera_at([0.1, 0.08, 0.6], [0.7, 0.75, 0.3], 75.0, [16, 12]);
     let at = |asked: f64| simulated(&(room(0.7, LIT, &block()) + &eye + &tolerance(asked)));
-    // where numeric code is not optimised, a looser tolerance has to do
+    // where numeric code is not optimised, a looser tolerance has to suffice
     let (asked, finest) =
         if cfg!(debug_assertions) { (&[2e-1][..], 3e-2) } else { (&[1e-1, 1e-2][..], 1e-3) };
     let fine = at(finest);

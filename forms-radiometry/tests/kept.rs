@@ -1,4 +1,5 @@
-//! States of simulations by paths: work that is stopped and goes on, or is done in shares, comes to the bits of work in one piece.
+//! Checkpoints of path tracing: work that is stopped and continued, or divided into shards, gives
+//! the same bits as work in one piece.
 
 use forms_radiometry::scene::{Overrides, Scene, Sources};
 use forms_radiometry::simulation::{
@@ -14,7 +15,8 @@ use scene_text::{material, point_receiver, polygon, surface, tolerance};
 
 const TOLERANCE: f64 = 0.1;
 
-/// A lamp before a mirror, over a floor with a map, and a ray that is answered without samples.
+/// Returns a lamp in front of a mirror, above a floor with a map, and a ray that is answered
+/// without samples.
 fn hall(bands: &str) -> Scene {
     let mirror = "[[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n";
     let floor = polygon(&[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
@@ -39,7 +41,8 @@ fn hall(bands: &str) -> Scene {
         .unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-/// A lamp in smoke over a black floor, of which a point and a map are answered without samples, and the mean is not.
+/// Returns a lamp in smoke above a black floor. A point and the cells of a map are answered without
+/// samples, and the mean of the map is not.
 fn smoke() -> Scene {
     let floor = polygon(&[[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
     let lamp = polygon(&[[0.5, 0.0, 1.0], [0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
@@ -56,7 +59,7 @@ fn smoke() -> Scene {
         .unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-/// Stops the work after it was asked so often.
+/// Observer that stops the work after this many queries.
 struct Patience(AtomicU32);
 
 impl Watch for Patience {
@@ -68,7 +71,7 @@ impl Watch for Patience {
     }
 }
 
-/// Keeps the last state, and asks for it all the time.
+/// Keeper that keeps the last state, and requests one all the time.
 #[derive(Default)]
 struct Memory(Mutex<Vec<u8>>);
 
@@ -90,7 +93,7 @@ impl Memory {
     }
 }
 
-/// The bits of all numbers.
+/// Returns the bits of all numbers.
 fn bits(found: &Simulation) -> Vec<u64> {
     let of_map =
         |map: &Map| -> Vec<f64> { map.values.iter().chain(&map.errors).flatten().copied().collect() };
@@ -102,7 +105,8 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads").install(work)
 }
 
-/// The work of a share with a budget or none, stopped again and again, each time after more patience.
+/// Runs a shard, with or without a budget. The work is stopped again and again, each time after
+/// more queries.
 fn resumed(scene: &Scene, plan: &Plan, budget: Option<Budget>, share: Share) -> (Simulation, State, usize) {
     let mut state: Option<State> = None;
     for stops in 0.. {
@@ -226,7 +230,7 @@ fn work_is_told_from_other_work() {
     };
     let one = identity(&sources);
     assert_eq!(one.difference(&identity(&open("two", &text(0.5)).1)), None);
-    // what the scene says anyway changes nothing
+    // options that repeat the settings of the scene change nothing
     let same = Overrides { tolerance: Some(1e-3), seed: Some(1), effects: None };
     assert_eq!(one.difference(&with(same)), None);
     let others = [

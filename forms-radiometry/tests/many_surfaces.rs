@@ -1,4 +1,4 @@
-//! Scenes of thousands of surfaces: known answers and laws, within the errors that are printed.
+//! Scenes of thousands of surfaces: known answers and laws hold within the printed errors.
 
 use forms_radiometry::scene::{Scene, read_with_files};
 use forms_radiometry::simulation::{Answer, ErrorKind, Quantity, Unwatched, plan, simulate};
@@ -13,7 +13,7 @@ use scene_text::{
     CUBE, Point, material, point_receiver, polygon, surface_receiver as receiver, tolerance as asked,
 };
 
-/// Whether numeric code is optimised; where it is not, hundreds of surfaces have to do.
+/// Whether numeric code is optimised; otherwise hundreds of surfaces have to suffice.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
 
 /// Meshes by the names of their files, as OBJ.
@@ -21,7 +21,7 @@ const IS_OPTIMISED: bool = !cfg!(debug_assertions);
 struct Meshes(HashMap<String, String>);
 
 impl Meshes {
-    /// A mesh of polygons with vertices of their own.
+    /// Adds a mesh of polygons that share no vertices.
     fn add(&mut self, name: &str, polygons: &[Vec<Point>]) {
         let mut text = String::new();
         let mut count = 0;
@@ -46,7 +46,7 @@ impl Meshes {
     }
 }
 
-/// A parallelogram with these corners, as n² pairs of triangles.
+/// Divides a parallelogram with these corners into n² pairs of triangles.
 fn triangles([corner, beside, _, above]: [Point; 4], n: usize) -> Vec<Vec<Point>> {
     let at = |i: usize, j: usize| {
         let [u, v] = [i, j].map(|i| i as f64 / n as f64);
@@ -60,13 +60,13 @@ fn triangles([corner, beside, _, above]: [Point; 4], n: usize) -> Vec<Vec<Point>
     (0..n * n).flat_map(|index| cell((index % n, index / n))).collect()
 }
 
-/// A surface with a material and a mesh of its own.
+/// Returns a surface with its own material and mesh.
 fn surface(name: &str, reflectance: f64, exitance: f64) -> String {
     let shape = format!("mesh = \"{name}.obj\"\nexitance = {exitance:?}");
     material(name, reflectance) + &scene_text::surface(name, name, &shape)
 }
 
-/// The answer of a receiver to a quantity, and its error.
+/// Returns the answer of a receiver for a quantity, and its error.
 fn answer(answers: &[Answer], receiver: &str, quantity: Quantity) -> [f64; 2] {
     let is_meant = |answer: &&Answer| answer.receiver == receiver && answer.quantity == quantity;
     let found = answers.iter().find(is_meant).unwrap_or_else(|| panic!("{receiver} {quantity:?}"));
@@ -111,7 +111,8 @@ fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() 
     }
 }
 
-/// A turn about an axis and then another, by which known answers do not change, but all rays do.
+/// Rotates a point about one axis and then another. Known answers do not change by it, but all rays
+/// do.
 fn turned([x, y, z]: Point, turn: f64) -> Point {
     let (sin, cos) = turn.sin_cos();
     let [x, y] = [cos * x - sin * y, sin * x + cos * y];
@@ -159,7 +160,8 @@ fn each_seed_has_answers_of_its_own_within_the_errors_of_the_others() {
     }
 }
 
-/// A black floor in the sun below regular slats, and what is right for its mean: a few parts in a hundred are in the shadow, or nearly all.
+/// Returns a black floor in the sun below regular slats, and its exact mean. A few per cent of the
+/// floor are in shadow, or nearly all of it.
 fn slats(random: &mut SplitMix) -> (String, f64) {
     let count = random.of(&[15, 20, 24, 30, 32]);
     let [length, width] = [random.of(&[4.0, 8.41, PI]), 1.0 + 11.0 * random.unit()];

@@ -1,4 +1,4 @@
-//! Maps: their cells have what receivers at their middles have, and are within their errors.
+//! Maps: their cells agree with receivers at the centres of the cells, and are within their errors.
 
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
@@ -7,7 +7,7 @@ use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 mod scene_text;
 use scene_text::{cube, point_receiver, surface_of_its_own as surface, surface_receiver};
 
-/// Whether numeric code is optimised; where it is not, fewer cases have to do.
+/// Whether numeric code is optimised; otherwise fewer cases are run.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
 
 fn scene(text: &str) -> Scene {
@@ -27,7 +27,8 @@ struct Cell {
     values: [f64; 2],
 }
 
-/// A lamp over a triangle and what else there is, in two bands; and the cells of a map of 19 by 13 of the triangle's front.
+/// Returns a lamp above a triangle with more objects, in two bands; and the cells of a map of 19 by
+/// 13 of the triangle's front.
 fn triangle(more: &str) -> (String, Vec<Cell>) {
     const SIZE: [usize; 2] = [19, 13];
     let text = "bands = [[400, 500], [500, 600]]\n".to_string()
@@ -50,7 +51,7 @@ fn a_cell_of_a_map_has_what_a_receiver_at_its_middle_has() {
     let plate = surface("plate", "polygon = [[0,0,1], [1.5,0,1], [1.5,1.5,1], [0,1.5,1]]", "0", "0");
     for (name, more) in [("free", ""), ("behind a plate", plate.as_str())] {
         let (text, cells) = triangle(more);
-        // below the sides that meet in (0, 2)
+        // below the sides that meet at (0, 2)
         let is_inside = |[x, y]: [f64; 2]| 4.0 * x + 3.0 * y < 6.0 && y < 2.0 * x + 2.0;
         let (inside, outside): (Vec<Cell>, Vec<Cell>) =
             cells.into_iter().partition(|cell| is_inside(cell.middle));

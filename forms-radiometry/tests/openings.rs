@@ -1,8 +1,10 @@
-//! Openings: uniform light from outside falls through a narrow shaft onto the floor of a black room, between nodes that are far apart.
+//! Openings: uniform light from outside falls through a narrow shaft onto the floor of a black
+//! room, between nodes that are far apart.
 //!
-//! The floor lies in all that the shaft shows of it, so that what enters above and leaves below falls on it: π L times the exchange area of the
-//! two ends, which are opposed squares. If a lamp closes the upper end and the floor reflects, the room gets what the floor sends on.
-//! `FORMS_OPENINGS` is the number of rooms.
+//! Through the shaft, only the floor is visible. Light that enters at the upper end and leaves at
+//! the lower end therefore falls on the floor: π L times the exchange area of the two ends, which
+//! are opposed squares. If a lamp closes the upper end and the floor reflects, the room gets the
+//! light that the floor reflects. `FORMS_OPENINGS` is the number of rooms.
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
@@ -15,7 +17,8 @@ use scene_text::{Point, material, polygon, surface, surface_receiver, tolerance}
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// The walls of the room among its faces; those of the shaft follow, and then the ceiling.
+/// Indices of the walls of the room among its faces; those of the shaft follow, and then the
+/// ceiling.
 const WALLS: Range<usize> = 0..4;
 const CEILING: Range<usize> = 8..12;
 /// The sides of the room, and its height.
@@ -30,7 +33,7 @@ fn between(random: &mut SplitMix, low: f64, high: f64) -> f64 {
     low + (high - low) * random.unit()
 }
 
-/// A square shaft: its lower corner, its side and its length.
+/// Square shaft: its lower corner, its side and its length.
 struct Shaft {
     corner: [f64; 2],
     side: f64,
@@ -38,7 +41,8 @@ struct Shaft {
 }
 
 impl Shaft {
-    /// Shows a part of the floor, and nothing of walls.
+    /// Returns a random shaft through which a part of the floor is visible, and no part of the
+    /// walls.
     fn random(random: &mut SplitMix) -> Self {
         let side = 0.3_f64.powf(between(random, 1.0, 2.5));
         let length = side * between(random, 2.5, 8.0);
@@ -47,7 +51,7 @@ impl Shaft {
         Self { corner, side, length }
     }
 
-    /// The walls of the room and of the shaft.
+    /// Returns the walls of the room and of the shaft.
     fn faces(&self) -> Vec<[Point; 4]> {
         let [x, y, z] = ROOM;
         let top = z + self.length;
@@ -74,7 +78,7 @@ impl Shaft {
         walls.concat().into_iter().chain(ceilings).collect()
     }
 
-    /// A room whose floor reflects this part of light, without a source.
+    /// Returns a room without a source, whose floor reflects this part of light.
     fn room(&self, reflectance: f64) -> String {
         let [x, y, _] = ROOM;
         let floor = [[0.0, 0.0, 0.0], [x, 0.0, 0.0], [x, y, 0.0], [0.0, y, 0.0]];
@@ -87,12 +91,13 @@ impl Shaft {
             + &surface_receiver("floor")
     }
 
-    /// The room in uniform light from outside.
+    /// Returns the room in uniform light from outside.
     fn open(&self, accuracy: f64) -> String {
         self.room(0.0) + &format!("[ambient]\nradiance = {RADIANCE:?}\n") + &tolerance(accuracy)
     }
 
-    /// The room with a lamp that closes the shaft, and with a floor that reflects half of its light onto walls and ceiling.
+    /// Returns the room with a lamp that closes the shaft, and with a floor that reflects half of
+    /// its light onto walls and ceiling.
     fn lit(&self, accuracy: f64) -> String {
         let ([a, b], [c, d]) = (self.corner, self.corner.map(|corner| corner + self.side));
         let top = ROOM[2] + self.length;
@@ -104,7 +109,7 @@ impl Shaft {
             + &tolerance(accuracy)
     }
 
-    /// The mean irradiance of the floor.
+    /// Returns the exact mean irradiance of the floor.
     fn right(&self) -> f64 {
         let part = self.side * self.side / (ROOM[0] * ROOM[1]);
         PI * RADIANCE * part * view_factor_parallel_rectangles(self.side, self.side, self.length)
@@ -135,7 +140,7 @@ fn light_through_a_shaft_is_found_between_nodes() {
             ));
         }
     }
-    // an estimate may be off in one case of fifty
+    // an estimate is allowed to be off in one case of fifty
     assert!(outside.len() * 50 <= count().max(49), "{outside:#?}");
     assert!(3 * settled >= count(), "{settled} of {} rooms within their tolerance", count());
 }
@@ -153,7 +158,8 @@ fn a_room_gets_what_its_floor_reflects_of_a_lamp_in_a_shaft() {
         let received: f64 = room.iter().map(|answer| answer.value).sum();
         let error = 0.5 * floor.error + room.iter().map(|answer| answer.error).sum::<f64>();
         let sent = 0.5 * floor.value;
-        // the rest goes back into the shaft, of which no point of the floor sees more than this part of its hemisphere
+        // the rest returns into the shaft, which fills no more than this part of the hemisphere of
+        // any point of the floor
         let lost = (shaft.side / ROOM[2]).powi(2) / PI;
         assert!(
             received <= sent + error && received >= sent * (1.0 - lost) - error && error <= 0.2 * sent,

@@ -1,4 +1,4 @@
-//! Files of a simulation: what is read back from them is what was found.
+//! Files of a simulation: the numbers read back from them equal the results.
 
 use exr::prelude::{ReadChannels, ReadLayers};
 use forms_radiometry::output::{csv, exr, png};
@@ -9,7 +9,7 @@ use std::io::Cursor;
 
 const NAME: &str = "floor, \"left\"";
 
-/// A map of 3 columns and 2 rows, its last cell outside of the polygon.
+/// Returns a map of 3 columns and 2 rows, with the last cell outside the polygon.
 fn map(bands: usize) -> Map {
     let values = |band: usize| {
         let cell = |cell: u32| 0.1 + f64::from(cell) / 3.0 + band as f64;
@@ -55,7 +55,7 @@ fn scene(bands: &str) -> Scene {
 
 const COLOURS: &str = "bands = [[600, 700], [500, 600], [400, 500]]";
 
-/// The channels of a file, each with its pixels row by row from above, and the size.
+/// Returns the channels of a file, each with its pixels row by row from above, and the size.
 fn channels(file: &[u8]) -> (HashMap<String, Vec<f32>>, [usize; 2]) {
     let read = exr::prelude::read().no_deep_data().largest_resolution_level().all_channels();
     let image = read.first_valid_layer().all_attributes().from_buffered(Cursor::new(file)).expect("OpenEXR");
@@ -71,7 +71,7 @@ fn same(a: f32, b: f32) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
 }
 
-/// The lines below the header.
+/// Returns the lines below the header.
 fn lines(simulation: &Simulation) -> Vec<Vec<String>> {
     let mut file = Vec::new();
     csv(simulation, &mut file).expect("memory takes all");
@@ -156,7 +156,7 @@ fn bands_that_nobody_sees_are_shown_by_their_sum() {
     assert!(same(channels["Y"][0], (map.values[0][3] + map.values[1][3]) as f32));
 }
 
-/// The colours of a picture, the number of pixels on each side, and its description.
+/// Returns the colours of a picture, the number of pixels along each side, and its description.
 fn picture(file: &[u8]) -> (Vec<[u8; 4]>, [usize; 2], String) {
     let mut reader = ::png::Decoder::new(Cursor::new(file)).read_info().expect("PNG");
     let mut pixels = vec![0; reader.output_buffer_size().expect("a size")];

@@ -1,4 +1,5 @@
-//! The picture of the Cornell box: what is where, in which colour, and that threads do not matter.
+//! The picture of the Cornell box: objects have the right places and colours, and the number of
+//! threads does not matter.
 
 use forms_radiometry::camera::Camera;
 use forms_radiometry::scene::{self, ReceiverKind, Scene};
@@ -21,7 +22,7 @@ fn small_box() -> (Scene, Camera) {
     (scene.clone(), camera.clone())
 }
 
-/// The pixel at a fraction of the width and of the height.
+/// Returns the pixel at a fraction of the width and of the height.
 fn at(picture: &Picture, x: f64, y: f64) -> [u8; 3] {
     let pixel = (y * SIDE as f64) as usize * SIDE + (x * SIDE as f64) as usize;
     [0, 1, 2].map(|component| picture.pixels()[3 * pixel + component])

@@ -1,6 +1,7 @@
-//! Pixels and cells keep their errors, and these the tolerance: scenes with the lamp in view and without it, by elements and by paths, each
-//! compared with a run that is much more exact. And pixels of direct light alone that shadows and horizons cut, each with the pixels of an image
-//! that is finer.
+//! Pixels and cells are within their errors, and the errors within the tolerance: scenes with the
+//! lamp in view and without it, by elements and by path tracing, each compared with a much more
+//! accurate run. Also, pixels of direct light alone that shadows and horizons cut are compared with
+//! the pixels of a finer image.
 
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
@@ -10,18 +11,19 @@ use forms_testing::SplitMix;
 mod scene_text;
 use scene_text::{CUBE, Point, material, polygon, surface, tolerance};
 
-/// Whether numeric code is optimised; where it is not, tolerances are looser.
+/// Whether numeric code is optimised; otherwise tolerances are looser.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
-/// A way to look at a scene.
+/// View of a scene.
 struct Look {
     name: &'static str,
     text: String,
     is_by_paths: bool,
-    /// What pixels in which no emitter is seen directly stay below, and all others are above, but for a thin border.
+    /// Radiance that separates the pixels in which no emitter is seen directly, below it, from all
+    /// others, except for a thin boundary.
     dim: f64,
 }
 
-/// Where an emitter is seen and where none is, and where all else is black.
+/// `dim` where an emitter is seen, where none is seen, and where everything else is black.
 const SEEN: f64 = 1.0;
 const UNSEEN: f64 = f64::INFINITY;
 const BLACK: f64 = 0.0;
@@ -33,7 +35,7 @@ fn camera(origin: Point, target: Point, fov: f64) -> String {
     )
 }
 
-/// A cube with a lamp below its ceiling, a shelf, and a floor of this material.
+/// Returns a cube with a lamp below its ceiling, a shelf, and a floor of this material.
 fn room(floor: &str) -> String {
     let walls = CUBE.iter().map(|(name, corners)| {
         surface(name, if *name == "floor" { floor } else { "wall" }, &polygon(corners))
@@ -81,7 +83,8 @@ fn simulated(look: &Look, asked: f64) -> Simulation {
     simulate(&scene, &plan, &Unwatched)
 }
 
-/// The mean of the pixels that are no brighter than this, or of all where these are dark.
+/// Returns the mean of the pixels that are no brighter than this, or of all pixels where those are
+/// dark.
 fn scale(map: &Map, dim: f64) -> f64 {
     let mean = |values: &mut dyn Iterator<Item = f64>| {
         let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
@@ -103,7 +106,8 @@ fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_e
         let [coarse, fine] = [asked, asked / finer].map(|asked| simulated(&look, asked));
         let (map, exact) = (&coarse.maps[0], &fine.maps[0]);
         let (mean, told) = (scale(map, look.dim), map.scales[0]);
-        // by paths a scale is from below, and the border of an emitter is found by some rays
+        // the scale of the path tracer is a lower estimate, and the boundary of an emitter is found
+        // by some rays
         let is_near = (0.8 * mean..=1.05 * mean).contains(&told);
         assert!(is_near, "{}: the scale is {told}, and the mean {mean}", look.name);
         let (mut outside, mut farthest) = (0, 0.0_f64);
@@ -116,7 +120,7 @@ fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_e
             farthest = farthest.max(off / (error + rest));
         }
         let part = outside as f64 / map.values[0].len() as f64;
-        // of standard errors a third is exceeded
+        // a third of all standard errors are exceeded
         let [most, farthest_of_all] = if map.kind == ErrorKind::Sigma { [0.4, 5.0] } else { [0.02, 3.0] };
         assert!(part <= most && farthest <= farthest_of_all, "{}: {part}, {farthest}", look.name);
         let accuracy = coarse.accuracy();
@@ -129,10 +133,11 @@ fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_e
     }
 }
 
-/// How many pixels of the finer image one has along each side.
+/// Number of pixels of the finer image along each side of a pixel.
 const FINER: usize = 6;
 
-/// A ground below a plate, in the light of a sun, a point or a lamp that shines along the ground, and a camera of this resolution.
+/// Returns a ground below a plate, in the light of a sun, a point light or a lamp that shines along
+/// the ground, and a camera of this resolution.
 fn cut_by_shadows(seed: u64, resolution: [usize; 2]) -> String {
     let mut random = SplitMix(seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
@@ -147,7 +152,7 @@ fn cut_by_shadows(seed: u64, resolution: [usize; 2]) -> String {
         0 => format!("[[light]]\nkind = \"distant\"\ndirection = [{a}, {b}, -1]\nirradiance = 5\n"),
         1 => format!("[[light]]\nkind = \"point\"\nposition = [{a}, {b}, 2.5]\nintensity = 9\n"),
         _ => {
-            // its plane cuts the ground
+            // the lamp's plane cuts the ground
             let lamp = [[a, b, 1.2], [a + 0.3, b, 1.2], [a + 0.3, b + 0.2, 1.2 + c], [a, b + 0.2, 1.2 + c]];
             surface("lamp", "black", &format!("{}\nradiance = 20", polygon(&lamp)))
         }

@@ -1,4 +1,5 @@
-//! Progress of whole runs: the part that is done never decreases, times add up, and the time that is left is told where it is known.
+//! Progress of whole runs: the fraction that is done never decreases, times add up, and the
+//! remaining time is reported where it is known.
 
 use forms_radiometry::scene::{self, Scene};
 use forms_radiometry::simulation::{Simulation, Watch, plan, simulate};
@@ -6,10 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Instant;
 
-/// What a caller was told.
+/// Reports that a caller received.
 struct Told {
     start: Instant,
-    /// Seconds, parts that are done, and times that are left.
+    /// Seconds, fractions that are done, and remaining times.
     all: Mutex<Vec<(f64, f64, Option<f64>)>>,
     left: Mutex<Option<f64>>,
 }
@@ -29,7 +30,7 @@ impl Watch for Told {
     }
 }
 
-/// Does the work on a scene; gives what was found and told, and the seconds that passed.
+/// Simulates a scene. Returns the results, the reports, and the elapsed seconds.
 fn watched(scene: &Scene) -> (Simulation, Told, f64) {
     let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let told = Told { start: Instant::now(), all: Mutex::default(), left: Mutex::default() };
@@ -48,7 +49,8 @@ fn open(name: &str, tolerance: f64) -> Scene {
     scene
 }
 
-/// Refinement, final gathering over curved surfaces, path tracing of points and of an image, and maps.
+/// Refinement, final gathering over curved surfaces, path tracing of points and of an image, and
+/// maps.
 const SCENES: [(&str, f64); 6] = [
     ("cube.toml", 1e-2),
     ("opposed_squares.toml", 1e-3),
@@ -77,12 +79,13 @@ fn the_times_of_answers_and_of_what_they_share_are_that_of_the_work() {
         assert!(found.answers.iter().all(|answer| answer.seconds > 0.0), "{name}");
         assert!(of_answers <= found.seconds * (1.0 + 1e-9), "{name}: {of_answers} of {}", found.seconds);
         let sum = of_answers + found.shared_seconds();
-        // the rest is what it takes to leave the working units, and pauses of a busy machine
+        // the rest is the conversion from working units, and pauses of a busy machine
         assert!(sum <= seconds && seconds - sum < 0.1 + 0.1 * seconds, "{name}: {sum} of {seconds}");
     }
 }
 
-/// How good the times are that are told, over all scenes of the gallery that take longer than this.
+/// Accuracy of the reported remaining times, over all scenes of the gallery that take longer than
+/// `LONG`.
 #[test]
 #[ignore = "measures times, in a minute"]
 fn the_time_that_is_left_is_within_a_factor_of_two() {
@@ -102,7 +105,7 @@ fn the_time_that_is_left_is_within_a_factor_of_two() {
         let shown: Vec<[f64; 3]> =
             late.iter().filter_map(|(now, _, left)| left.map(|left| [*now, left, seconds - now])).collect();
         let is_wrong = |[_, left, truth]: &&[f64; 3]| {
-            // the bar shows whole seconds
+            // the progress bar shows whole seconds
             (left - truth).abs() > 1.0 && !(0.5 * truth..=2.0 * truth).contains(left)
         };
         let is_strictly_wrong = |[_, left, truth]: &&[f64; 3]| !(0.5 * truth..=2.0 * truth).contains(left);

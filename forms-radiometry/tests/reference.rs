@@ -1,17 +1,18 @@
-//! Rows of the reference that say something of a scene: each answer is within the error that is said beside it.
+//! Rows of the reference that describe a scene: each answer is within its reported error.
 
 mod rows;
 
 use rows::{Compared, Row};
 
-/// Whether numeric code is optimised; where it is not, rows without spheres have to do.
+/// Whether numeric code is optimised; otherwise rows without spheres have to suffice.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
-/// What the reference allows of a solver.
+/// Tolerance that the reference allows a solver.
 const TOLERANCE: f64 = 5e-3;
-/// Of unit radiance: answers below it may be less exact beside themselves.
+/// Relative to unit radiance: answers below it may have larger relative errors.
 const DARK: f64 = 1e-9;
 
-/// Asserts that answers are within their errors, and that all but so many errors are what was asked for, of answers that are not all but dark.
+/// Asserts that answers are within their errors. Also asserts that the errors of all answers that
+/// are not nearly dark meet the tolerance, with at most `most_rough` exceptions.
 fn assert_within(rows: &[Row], most_rough: usize) {
     let mut compared = Vec::new();
     for row in rows.iter().filter(|row| IS_OPTIMISED || !row.has_spheres()) {
@@ -29,7 +30,7 @@ fn assert_within(rows: &[Row], most_rough: usize) {
 
 #[test]
 fn rows_of_the_reference_are_within_what_is_said() {
-    // beside the border of a round shape it is not known on which side of its pieces a point is
+    // next to the boundary of a curved shape it is not known on which side of its faces a point is
     assert_within(&rows::visible(), 4);
 }
 

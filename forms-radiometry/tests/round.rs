@@ -1,5 +1,5 @@
-//! Spheres and disks that a point sees as a whole are their closed forms, whatever else is in the scene; those that are hidden in part are within what
-//! is said of their pieces.
+//! Spheres and disks that a point sees as a whole equal their closed forms, whatever else is in the
+//! scene. Those that are partly hidden are within the error of their tessellation.
 
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
@@ -23,7 +23,8 @@ fn here(normal: Point) -> String {
     point_receiver("here", HERE, normal)
 }
 
-/// A sphere of radius 1 two above a point, and a disk of radius 1 one above it, that looks down; both of radiance 1.
+/// Returns a sphere of radius 1, two above a point. `lamp` is a disk of radius 1 with this
+/// normal, one above the point. Both have radiance 1.
 fn ball() -> String {
     surface("ball", "black", &shining(&sphere([0.0, 0.0, 2.0], 1.0, false), 1))
 }
@@ -32,15 +33,15 @@ fn lamp(normal: Point) -> String {
     surface("lamp", "black", &shining(&disk(UP, normal, 1.0), 1))
 }
 
-/// A black square, at this height, with sides of twice this length.
+/// Returns a black square at this height, with sides of twice this length.
 fn wall(height: f64, half: f64) -> String {
     surface("wall", "black", &square(height, half, true))
 }
 
-/// What the solver is told: the plan decides, or hidden light is looked for in any case.
+/// Settings of the solver: the plan decides, or occlusion is simulated in any case.
 const SOLVES: [&str; 2] = ["", "effects = { occlusion = \"on\" }\n"];
 
-/// What the first receiver of these elements gets, with a tolerance of 1 %.
+/// Returns the answers of the first receiver of these elements, at a tolerance of 1 %.
 fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
     let text = material("black", 0) + &elements.concat() + &tolerance(1e-2) + solve;
     let scene = read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
@@ -48,7 +49,7 @@ fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
     let found = simulate(&scene, &plan, &Unwatched);
     let first = found.answers[0].receiver.clone();
     let answers: Vec<_> = found.answers.into_iter().filter(|answer| answer.receiver == first).collect();
-    // what is told of all is no less than what is told of these
+    // the error reported for all answers is no less than the error of these
     let largest = |of: fn(&Answer) -> f64| answers.iter().map(of).fold(0.0, f64::max);
     let [error, scale] = [largest(|answer| answer.error), largest(|answer| answer.value.abs())];
     let told = found.history.last().map_or(0.0, |moment| moment.error);
@@ -59,7 +60,8 @@ fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
     answers
 }
 
-/// A name, elements, what the first answer is, and the error that it is said to have at most.
+/// Asserts claims: a name, elements, the expected first answer, and the largest error that is
+/// reported for it.
 fn assert_all(claims: &[(&str, Vec<String>, f64, f64)]) {
     for (name, elements, expected, most) in claims {
         for solve in SOLVES {
@@ -105,7 +107,8 @@ fn a_round_light_that_nothing_hides_is_its_closed_form() {
 #[test]
 fn a_round_light_that_is_cut_is_within_the_error_of_its_pieces() {
     let half = wall(0.5, 1.0).replace("[-1.0, ", "[0.0, ");
-    // the half x > 0 at the height 1, with x/ρ⁴ per area, ρ² = 1 + r²: ∫ cos φ dφ = 2, and ∫ r²/(1 + r²)² dr = (atan 1 − ½)/2
+    // the half x > 0 at the height 1, with x/ρ⁴ per area, ρ² = 1 + r²: ∫ cos φ dφ = 2, and ∫ r²/(1
+    // + r²)² dr = (atan 1 − ½)/2
     let half_disk = PI / 4.0 - 0.5;
     assert_all(&[
         ("a disk cut by the horizon", vec![here(ALONG), lamp(DOWN)], half_disk, 1e-2),
@@ -113,18 +116,20 @@ fn a_round_light_that_is_cut_is_within_the_error_of_its_pieces() {
     ]);
 }
 
-/// A place turned about the axis z.
+/// Rotates a point about the axis z.
 fn turned(degrees: f64, [x, y, z]: Point) -> Point {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     [cosine * x - sine * y, sine * x + cosine * y, z]
 }
 
-/// The middle of a sphere of radius 1 that reaches so far over the plane through the point and the edge x = 1 of a lamp at the height 2.
+/// Returns the centre of a sphere of radius 1. The sphere reaches this far across the plane through
+/// the point and the edge x = 1 of a lamp at the height 2.
 fn beside_the_way(into: f64) -> Point {
     [0.5 + 0.5 * 5.0_f64.sqrt() * (1.0 - into), 0.0, 1.0]
 }
 
-/// A sphere that reaches into the way by a little is missed by its coarsest pieces, where these are inside of it.
+/// A sphere that reaches a little into the line of sight is missed by its coarsest tessellation,
+/// where that lies inside the sphere.
 #[test]
 fn what_a_sphere_hides_beyond_its_pieces_is_in_the_error() {
     for degrees in [0.0_f64, 9.0, 18.0, 27.0] {
@@ -166,7 +171,8 @@ fn a_sphere_hides_a_point_of_light_where_it_is_and_not_where_its_pieces_are() {
     }
 }
 
-/// What the unit sphere about a point hides of the lamp, at the middles of small squares: z²/ρ⁴ per area, z = 2.
+/// Returns the light of the lamp that a unit sphere about a point hides, by the centres of small
+/// squares: z²/ρ⁴ per area, z = 2.
 fn hidden_of_lamp([x, _, z]: Point) -> f64 {
     const STEP: f64 = 1e-3;
     let mut sum = 0.0;

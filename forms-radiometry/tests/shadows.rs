@@ -1,7 +1,9 @@
-//! Shadows of lights without extent: random suns and lamps above plates and a ground, against what slabs of the ground tell.
+//! Shadows of point and distant lights: random suns and lamps above plates and a ground, compared
+//! with an integration over slabs of the ground.
 //!
-//! The ground is black or reflects; plates are black. Then the light at a point below all plates is that of the lit part of the ground, a
-//! closed form. `FORMS_SHADOWS` is the number of scenes of each kind.
+//! The ground is black or reflects; plates are black. So the light at a point below all plates is
+//! that of the lit part of the ground, a closed form. `FORMS_SHADOWS` is the number of scenes of
+//! each kind.
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
@@ -16,22 +18,22 @@ use scene_text::{material, point_receiver, polygon, surface, surface_receiver, t
 use slabs::{Trapezoid, area, uncovered};
 use std::f64::consts::PI;
 
-/// The half of the ground's side.
+/// Half of the ground's side.
 const HALF: f64 = 5.0;
-/// The height of the points; plates are above it.
+/// Height of the points; plates are above it.
 const HEIGHT: f64 = 0.4;
 
-/// The part of estimates that may be off by more than they say.
+/// Part of the estimates that may be off by more than their errors.
 const ESTIMATES: f64 = 0.02;
 
-/// Where light comes from.
+/// Light source.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     Sun(Vector),
     Lamp(Vector),
 }
 
-/// A scene with what is right for it.
+/// Scene whose exact answers are known.
 struct Case {
     source: Source,
     plates: Vec<Vec<Vector>>,
@@ -48,7 +50,7 @@ fn array(Vector { x, y, z }: Vector) -> [f64; 3] {
     [x, y, z]
 }
 
-/// A rectangle or triangle that is turned anyhow, above the points.
+/// Returns a rectangle or triangle of random orientation, above the points.
 fn plate(random: &mut SplitMix) -> Vec<Vector> {
     let mut vector = |size: f64| {
         let mut coordinate = || between(random, -size, size);
@@ -108,7 +110,7 @@ impl Case {
         text + &surface_receiver("ground") + &tolerance(self.tolerance)
     }
 
-    /// The lit part of the ground.
+    /// Returns the lit part of the ground.
     fn lit(&self) -> Vec<Trapezoid> {
         let shadow = |plate: &Vec<Vector>| {
             let of_corner = |&v: &Vector| {
@@ -124,7 +126,8 @@ impl Case {
         uncovered([[-HALF; 2], [HALF; 2]], &shadows)
     }
 
-    /// The mean of what comes straight to the ground, and what each point gets of what that reflects.
+    /// Returns the mean direct irradiance of the ground, and the light that the ground reflects to
+    /// each point.
     fn right(&self) -> (f64, Vec<f64>) {
         let lit = self.lit();
         let whole = 4.0 * HALF * HALF;
@@ -169,7 +172,8 @@ fn solid_angle(lamp: Vector, part: &Trapezoid) -> f64 {
     (1..v.len().saturating_sub(1)).map(|i| of_triangle(v[0], v[i], v[i + 1])).sum()
 }
 
-/// ∫ cos θ/r² of a lamp times the form factor of each place of a part, by Gauss rules on parts of it that are small beside their distance.
+/// Integrates cos θ/r² of a lamp times the form factor over the places of a part, by Gauss rules on
+/// pieces that are small compared with their distance.
 fn reflected(lamp: Vector, position: Vector, normal: Vector, part: &Trapezoid) -> f64 {
     const SMALL: f64 = 0.4;
     const RULE: [[f64; 2]; 5] = [
@@ -225,7 +229,8 @@ fn count() -> usize {
     std::env::var("FORMS_SHADOWS").map_or(30, |count| count.parse().expect("a number"))
 }
 
-/// The answers that are off by more than their error, or less exact than was asked for, of so many scenes.
+/// Returns the answers whose error is exceeded, or whose error misses the tolerance, and the number
+/// of all answers, over [`count`] scenes.
 fn outside(seed: u64, is_lamp: bool, reflectance: f64) -> (Vec<String>, usize) {
     let mut random = SplitMix(seed);
     let (mut outside, mut all) = (Vec::new(), 0);
@@ -271,7 +276,8 @@ fn the_mean_of_a_black_ground_is_that_of_its_lit_part() {
 fn points_below_plates_get_what_the_lit_part_of_the_ground_reflects() {
     for (name, seed, is_lamp) in [("sun", 3, false), ("lamp", 4, true)] {
         let (outside, all) = outside(seed, is_lamp, 0.5);
-        // light of the sun is uniform where it arrives; that of a lamp is a polynomial on elements, whose errors are estimates
+        // sunlight is uniform where it arrives; the light of a lamp is a polynomial on elements,
+        // whose errors are estimates
         let most = if is_lamp { ESTIMATES * all as f64 } else { 0.0 };
         assert!(outside.len() as f64 <= most, "{name}: {} of {all}: {outside:#?}", outside.len());
     }
@@ -296,7 +302,8 @@ fn answers_to_all_tolerances_agree_within_their_errors() {
     }
 }
 
-/// A black room of 4 × 3 × 3, with a window in the wall y = 0, lit by the sun; what is right for the mean of its floor.
+/// Returns a black room of 4 × 3 × 3 with a window in the wall y = 0, lit by the sun; and the exact
+/// mean of its floor.
 fn room(random: &mut SplitMix) -> (String, f64) {
     let [width, depth, height] = [4.0, 3.0, 3.0];
     let [left, low] = [between(random, 0.2, 3.0), between(random, 0.2, 2.0)];

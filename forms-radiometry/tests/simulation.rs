@@ -1,4 +1,4 @@
-//! Simulations of whole scenes: known answers, laws, and what dropping an effect may change.
+//! Simulations of whole scenes: known answers, laws, and bounds on the change by omitted effects.
 
 use forms_radiometry::scene::{Effect, Scene, read, read_with_files};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, Watch, plan, simulate};
@@ -22,7 +22,7 @@ fn answers(text: &str) -> Vec<Answer> {
     simulate(&scene, &plan, &Unwatched).answers
 }
 
-/// The answer of a receiver to a quantity, in the first band.
+/// Returns the answer of a receiver for a quantity, in the first band.
 fn answer(answers: &[Answer], receiver: &str, quantity: Quantity) -> (f64, f64) {
     let is_meant = |answer: &&Answer| answer.receiver == receiver && answer.quantity == quantity;
     let found = answers.iter().find(is_meant).unwrap_or_else(|| panic!("{receiver} {quantity:?}"));
@@ -100,13 +100,14 @@ fn what_is_emitted_in_a_closed_room_is_absorbed() {
 
 #[test]
 fn in_a_groove_the_apex_has_its_closed_form() {
-    // B = E/(1 − ρ (1 + cos a)/2) at the apex of an infinite groove: its sides see each other with (1 + cos a)/2
+    // B = E/(1 − ρ (1 + cos a)/2) at the apex of an infinite groove: its sides see each other with
+    // (1 + cos a)/2
     let text = surface("a", "polygon = [[0,-300,0], [1,-300,0], [1,300,0], [0,300,0]]", "0.5", "1")
         + &surface("b", "polygon = [[0,-300,0], [0,300,0], [0,300,1], [0,-300,1]]", "0.5", "1")
         + "[[receiver]]\nname = \"apex\"\nkind = \"point\"\nposition = [1e-6, 0, 0]\nnormal = [0, 0, 1]\n"
         + "[solve]\ntolerance = 1e-2\n";
     let (irradiance, error) = answer(&answers(&text), "apex", Quantity::Irradiance);
-    // the receiver stands beside the apex, and the groove ends
+    // the receiver is next to the apex, and the groove is finite
     assert_within("apex", (1.0 + 0.5 * irradiance, error + 1e-3), 4.0 / 3.0, 2e-2);
 }
 
@@ -140,7 +141,7 @@ fn what_the_plan_drops_changes_less_than_its_bound() {
 
 #[test]
 fn what_faces_send_on_to_others_behind_them_is_within_the_bound_of_leaving_it_out() {
-    // from outside plates get what they hide of each other too
+    // from outside, plates also get the light that they hide from each other
     let plate = |index: u32| {
         let z = 0.5 * f64::from(index);
         let shape = format!("polygon = [[-1,-1,{z}], [1,-1,{z}], [1,1,{z}], [-1,1,{z}]]\ntwo_sided = true");
@@ -170,7 +171,8 @@ fn lights_without_extent_shine_where_nothing_stands_before_them() {
         )
     };
     let found = answers(&(screen + lights + &at("below", "[0, 0, 0]") + &at("aside", "[6, 0, 0]")));
-    // E cos 45° from afar passes beside the screen at [0, 0, 0]: it comes from y = −1 at the screen's height, its very edge
+    // E cos 45° of the distant light passes next to the screen at [0, 0, 0]: it comes from y = −1
+    // at the screen's height, its very edge
     let distant = 5.0 / 2.0_f64.sqrt();
     let aside = distant + 3.0 * 2.0 / (40.0 * 40.0_f64.sqrt());
     assert_within("aside", answer(&found, "aside", Quantity::Irradiance), aside, 1e-12);
@@ -204,7 +206,7 @@ fn in_a_convex_room_nothing_hides_a_light_that_is_in_it() {
 
 #[test]
 fn a_uniform_sky_gives_what_is_not_hidden() {
-    // Nusselt: a parallel square above hides its form factor
+    // Nusselt: a parallel square above hides light by its form factor
     let screen = surface("screen", "polygon = [[-1,-1,1], [1,-1,1], [1,1,1], [-1,1,1]]", "0", "0");
     let at = "[[receiver]]\nname = \"here\"\nkind = \"point\"\nposition = [0, 0, 0]\nnormal = [0, 0, 1]\n\
               [[receiver]]\nname = \"round\"\nkind = \"sphere\"\nposition = [0, 0, 0]\n\
@@ -215,7 +217,8 @@ fn a_uniform_sky_gives_what_is_not_hidden() {
     assert_within("here", answer(&found, "here", Quantity::Irradiance), 2.0 * PI * (1.0 - hidden), 1e-12);
     let fluence = 2.0 * (4.0 * PI - solid_angle);
     assert_within("round", answer(&found, "round", Quantity::FluenceRate), fluence, 1e-12);
-    // what comes from all sides flows nowhere; what is missing from above leaves a flow upwards
+    // equal light from all sides has no net flow; the light missing from above leaves a flow
+    // upwards
     let (flow, error) = answer(&found, "round", Quantity::VectorIrradiance(2));
     assert!((flow - 2.0 * PI * hidden).abs() <= error + 1e-12, "{flow}");
 }
@@ -237,7 +240,7 @@ fn bands_share_geometry_and_are_answered_each() {
     assert!((found[1].value - 3.0 * found[0].value).abs() <= 1e-14 * found[1].value);
 }
 
-/// Stops the work as soon as it was told so often how far it is.
+/// Observer that stops the work after this many reports of progress.
 struct StopsAfter {
     most: usize,
     told: AtomicUsize,
@@ -277,7 +280,7 @@ fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
         assert!(!whole.stopped && all > 4, "{name}: {all}");
         for most in [0, 1, all / 4, all / 2, all - 1] {
             let (found, told) = run(most);
-            // each thread may be about to tell what it has done
+            // each thread may be about to report its progress
             let threads = std::thread::available_parallelism().map_or(1, usize::from);
             assert!(found.stopped && told <= most + threads, "{name}: {told} of {all} after {most}");
             for answer in &found.answers {
@@ -295,7 +298,8 @@ fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
 
 #[test]
 fn a_body_that_stands_open_on_another_one_is_seen_as_its_faces() {
-    // three of its sides stand over sides of the body below, so that three and four faces share an edge
+    // three of its sides are above sides of the body below, so that three and four faces share an
+    // edge
     let solid = |low: [f64; 3], high: [f64; 3], first: usize| {
         let corner = |i: usize, axis: usize| {
             if [0b0110, 0b1100, 0][axis] >> (i % 4) & 1 == 1 { high[axis] } else { low[axis] }
@@ -317,7 +321,7 @@ fn a_body_that_stands_open_on_another_one_is_seen_as_its_faces() {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let found = simulate(&scene, &plan, &Unwatched).answers;
     let (fluence, _) = answer(&found, "below", Quantity::FluenceRate);
-    // only the lower body is seen from below, and it hides the upper one
+    // only the lower body is visible from below, and it hides the upper one
     let seen = |x: f64, y: f64| (x * y / (1.42 * (x * x + y * y + 1.42 * 1.42).sqrt())).atan();
     let hidden = seen(0.2, 0.2) + seen(0.24, 0.2) + seen(0.2, 0.22) + seen(0.24, 0.22);
     assert!((fluence - (4.0 * PI - hidden)).abs() < 1e-12, "{fluence} and {}", 4.0 * PI - hidden);

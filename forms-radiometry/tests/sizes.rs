@@ -1,4 +1,5 @@
-//! Scenes of any size: view factors, irradiance and radiance do not depend on it, and a flux grows with the area.
+//! Scenes of any size: view factors, irradiance and radiance do not depend on the size, and a flux
+//! grows with the area.
 
 use forms_radiometry::geometry::{Disk, Polygon, Sphere, Vector};
 use forms_radiometry::scene::{
@@ -16,17 +17,18 @@ use scene_text::{material, point_receiver, polygon, surface, surface_receiver};
 /// Sizes from one end of the range to the other.
 const SIZES: [f64; 4] = [1e-150, 1e-70, 1e70, 1e150];
 
-/// The same for scenes that have lengths of very different size themselves.
+/// Sizes for scenes that contain lengths of very different sizes themselves.
 const HARD_SIZES: [f64; 4] = [1e-140, 1e-70, 1e70, 1e140];
-/// Powers of two, which coordinates are multiplied by without rounding.
+/// Powers of two, by which coordinates are multiplied without rounding.
 const POWERS: [i32; 4] = [-498, -232, 232, 498];
 
-/// What rounding of coordinates may change in an answer; and, as a part of its error, what it changes by way of comparisons.
+/// Change of an answer by rounding of coordinates; and its change by way of comparisons, as a part
+/// of its error.
 const ROUNDING: [f64; 2] = [1e-11, 1e-2];
-/// By what factor the error of an answer may differ: it is made of differences.
+/// Factor by which the error of an answer may differ: an error is computed from differences.
 const OF_ERROR: f64 = 1.5;
 
-/// Scenes of the gallery, asked for a few per cent and no maps.
+/// Returns a scene of the gallery, at a tolerance of a few per cent and without maps.
 fn gallery(name: &str) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
     let text = std::fs::read_to_string(folder.join(name)).unwrap();
@@ -45,7 +47,8 @@ fn of_text(text: &str) -> Scene {
     read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-/// The scene with every length so many times as large; a point light keeps the irradiance that it makes.
+/// Returns the scene with every length multiplied by `size`; a point light keeps the irradiance
+/// that it causes.
 fn resized(scene: &Scene, size: f64) -> Scene {
     let mut scene = scene.clone();
     let place = |v: Vector| size * v;
@@ -86,7 +89,7 @@ fn answers(scene: &Scene) -> Vec<Answer> {
     simulate(scene, &plan, &Unwatched).answers
 }
 
-/// The answers are those of the scene before its lengths became so many times as large.
+/// Asserts that the answers equal those of the scene before its lengths were multiplied by `size`.
 fn assert_same(name: &str, size: f64, found: &[Answer], expected: &[Answer]) {
     assert_eq!(found.len(), expected.len());
     let largest =
@@ -102,7 +105,7 @@ fn assert_same(name: &str, size: f64, found: &[Answer], expected: &[Answer]) {
     }
 }
 
-/// A room with every kind of light and of receiver.
+/// Returns a room with every kind of light and of receiver.
 fn room() -> Scene {
     let floor = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
     let table = [[1.0, 0.5, 0.75], [2.0, 0.5, 0.75], [2.0, 1.5, 0.75], [1.0, 1.5, 0.75]];
@@ -171,7 +174,7 @@ fn round_shapes_may_have_any_size() {
     }
 }
 
-/// A square, and what is seen of it from far away, from nearby, and from a sliver.
+/// Returns pairs of a square and its view from far away, from nearby, and from a sliver.
 fn hard_pairs() -> Vec<(&'static str, Scene)> {
     let square = |height: f64, at: f64, wide: f64| {
         let (low, high) = (at, at + 1.0);
@@ -209,7 +212,8 @@ fn view_factors_do_not_depend_on_the_size_of_a_scene() {
         let expected = view_factors(&scene);
         for size in HARD_SIZES {
             let found = view_factors(&resized(&scene, size));
-            // where coordinates are far from the origin beside lengths, their rounding is that of the lengths
+            // where coordinates are large compared with lengths, rounding of coordinates is an
+            // error of the lengths
             let rounding = if name == "far from the origin" { 1e-6 } else { 1e-9 };
             for (found, expected) in found.rows.iter().flatten().zip(expected.rows.iter().flatten()) {
                 let off = (found.value - expected.value).abs();
@@ -227,7 +231,7 @@ fn view_factors_do_not_depend_on_the_size_of_a_scene() {
 #[test]
 fn hard_pairs_exchange_the_same_light_in_any_size() {
     for (name, scene) in hard_pairs() {
-        // in the square itself the rounding of coordinates is that of lengths
+        // in this square, rounding of coordinates is an error of the lengths
         if name == "far from the origin" {
             continue;
         }
@@ -260,7 +264,7 @@ fn a_flux_beyond_the_range_of_numbers_has_an_error_that_says_so() {
     assert!(small.value < 1e-309 && small.error >= f64::MIN_POSITIVE, "{small:?}");
 }
 
-/// All lights so many times as strong.
+/// Returns the scene with all lights multiplied by `strength`.
 fn brightened(scene: &Scene, strength: f64) -> Scene {
     let mut scene = scene.clone();
     scene.ambient.radiance.iter_mut().for_each(|radiance| *radiance *= strength);

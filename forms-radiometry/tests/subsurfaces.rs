@@ -1,4 +1,5 @@
-//! Surfaces on others: a scene with windows on walls equals the scene in which the walls are drawn as pieces around the windows.
+//! Surfaces on others: a scene with windows on walls equals the scene in which the walls are
+//! modelled as pieces around the windows.
 
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Quantity, Simulation, Unwatched, plan, simulate};
@@ -22,14 +23,14 @@ fn results(text: &str) -> Simulation {
     simulate(&scene, &plan, &Unwatched)
 }
 
-/// A frame of a room: its origin, and where its sides of length 1 point.
+/// Frame of a room: its origin, and the directions of its sides of length 1.
 struct Frame {
     origin: Point,
     axes: [Point; 3],
 }
 
 impl Frame {
-    /// A turned one, from three random angles.
+    /// Returns a rotated frame from three random angles.
     fn random(numbers: &mut SplitMix) -> Self {
         let [(s, c), (t, d), (u, e)] = [0; 3].map(|_| (6.0 * numbers.unit()).sin_cos());
         let axes = [
@@ -45,15 +46,15 @@ impl Frame {
     }
 }
 
-/// A rectangle by its ends along both sides of a wall.
+/// Rectangle, given by its ends along both sides of a wall.
 type Rectangle = [[f64; 2]; 2];
 
-/// The vertices of a rectangle on the face y = 0 of the unit cube, which looks inwards.
+/// Returns the vertices of a rectangle on the face y = 0 of the unit cube, facing inwards.
 fn on_front([[left, right], [low, high]]: Rectangle) -> [Point; 4] {
     [[left, 0.0, low], [left, 0.0, high], [right, 0.0, high], [right, 0.0, low]]
 }
 
-/// Two windows side by side, apart from each other and from the edges, or along them.
+/// Returns two windows side by side, apart from each other and from the edges, or along them.
 fn windows(numbers: &mut SplitMix) -> [Rectangle; 2] {
     let middle = 0.35 + 0.3 * numbers.unit();
     let mut range = |low: f64, high: f64| {
@@ -70,7 +71,7 @@ fn windows(numbers: &mut SplitMix) -> [Rectangle; 2] {
     pair
 }
 
-/// The remainder of the wall around windows side by side, as rectangles.
+/// Returns the remainder of the wall around windows side by side, as rectangles.
 fn around([a, b]: [Rectangle; 2]) -> Vec<Rectangle> {
     let above_and_below = |[across, [low, high]]: Rectangle| [[across, [0.0, low]], [across, [high, 1.0]]];
     let strips =
@@ -79,7 +80,7 @@ fn around([a, b]: [Rectangle; 2]) -> Vec<Rectangle> {
     all.into_iter().filter(|side| side.iter().all(|[from, to]| to > from)).collect()
 }
 
-/// The unit cube in a frame with a wall of these surfaces in the place of its face y = 0.
+/// Returns the unit cube in a frame, whose face y = 0 is replaced by a wall of these surfaces.
 fn room(frame: &Frame, wall: &[(String, Rectangle, bool)]) -> String {
     let placed =
         |corners: &[Point]| polygon(&corners.iter().map(|&corner| frame.place(corner)).collect::<Vec<_>>());
@@ -92,7 +93,7 @@ fn room(frame: &Frame, wall: &[(String, Rectangle, bool)]) -> String {
     material("grey", 0.5) + &others + &wall.iter().map(of_wall).collect::<String>()
 }
 
-/// Asserts that every row of view factors sums to 1, within its error and to this part.
+/// Asserts that every row of view factors sums to 1, within its error and within `allowed`.
 fn assert_closed(found: &ViewFactors, allowed: f64, name: &str) {
     for row in 0..found.names.len() {
         let (off, error) = ((found.sum(row) - 1.0).abs(), found.sum_error(row));
@@ -163,8 +164,9 @@ fn a_room_with_a_round_lamp_on_its_ceiling_is_closed() {
     assert_eq!((found.rows[1][6].value, found.rows[6][1].value), (0.0, 0.0), "they lie in one plane");
 }
 
-/// The unit cube with a window and a round lamp on its faces; all emit and reflect so that the radiance is 3 everywhere. Paths are taken
-/// where the material of the face `back` reflects as a mirror.
+/// Returns the unit cube with a window and a round lamp on its faces; all emit and reflect so that
+/// the radiance is 3 everywhere. The scene is path traced where the material of the face `back` is
+/// a mirror.
 fn furnace(is_mirror: bool, receivers: &str) -> String {
     let reflecting = |name: &str, kind: &str, reflectance: f64| {
         format!("[[material]]\nname = \"{name}\"\nkind = \"{kind}\"\nreflectance = {reflectance:?}\n")
@@ -223,7 +225,7 @@ fn a_furnace_with_a_window_and_a_lamp_on_its_faces_has_one_radiance_everywhere()
                 _ => 3.0 * PI,
             };
             let off = (value - expected).abs();
-            // standard errors are exceeded, and at times doubled
+            // standard errors are exceeded, at times by a factor of two
             let allowed = if is_mirror { 4.0 * error + 1e-5 * expected } else { error + 1e-12 };
             assert!(off <= allowed, "{name}, {receiver}: {value} and {expected}, said {error:e}");
             assert!(*error < 0.02 * expected, "{name}, {receiver}: {error:e}");

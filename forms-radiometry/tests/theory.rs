@@ -1,4 +1,5 @@
-//! Every statement of the theory as a test of its own, and the page that lists the files held to what they contain.
+//! Runs every statement of the theory as its own test, and checks the page that lists the files
+//! against their content.
 
 use forms::core::check::read_theory;
 use forms::core::syntax::ast::Claim;
@@ -37,7 +38,7 @@ theory_files! {
     vector_irradiance "theory/vector_irradiance.forms";
 }
 
-/// The numbers of statements to prove and to refute.
+/// Returns the numbers of statements to prove and to refute.
 fn statements(text: &str) -> (usize, usize) {
     let (theory, diagnostics) = read_theory(text);
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
@@ -74,7 +75,7 @@ fn every_statement_has_its_meaning_beside_it() {
     }
 }
 
-/// `| [name](path) | … | proved | refuted |`, and the totals at the end.
+/// The page has rows `| [name](path) | … | proved | refuted |`, and the totals at the end.
 #[test]
 fn the_page_counts_the_statements_of_each_file() {
     let page = include_str!("../../docs/theory.md");

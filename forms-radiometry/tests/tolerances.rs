@@ -1,8 +1,9 @@
-//! Tolerances: answers of one scene at different tolerances agree within the errors that are said of them.
+//! Tolerances: answers of one scene at different tolerances agree within their reported errors.
 //!
-//! Two rectangles that reflect, one of which emits, face each other at random distances and angles. Points at a corner, on an edge and
-//! somewhere on the dark one, and its mean, settle at different speeds: what elements are split for one tells little of another.
-//! `FORMS_TOLERANCES` is the number of scenes.
+//! Two rectangles that reflect, one of which emits, face each other at random distances and angles.
+//! Points at a corner, on an edge and inside the dark one, and its mean, converge at different
+//! rates: the elements that are split for one reveal little about another. `FORMS_TOLERANCES` is
+//! the number of scenes.
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
@@ -12,12 +13,14 @@ use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 use scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
 
-/// The first scene. In scene 487 the first change is small by chance, and a corner settles more slowly than all else.
+/// First scene. In scene 487 the first change is small by chance, and a corner converges more
+/// slowly than everything else.
 const FIRST: u64 = 480;
 const TOLERANCES: [f64; 5] = [1e-2, 3e-3, 1e-3, 5e-4, 1e-4];
-/// The least distance of the two.
+/// Least distance between the two rectangles.
 const LEAST_DISTANCE: f64 = 0.15;
-/// The part of all pairs of answers that may be apart by more than their errors, and by how many errors any may be.
+/// Part of all pairs of answers that may differ by more than their errors, and the largest
+/// difference of any pair in units of its errors.
 const OUTSIDE: f64 = 0.02;
 const FARTHEST: f64 = 3.0;
 

@@ -1,4 +1,5 @@
-//! Light through a medium that only absorbs: what points get of it is computed, and no error that is told is less than the true one.
+//! Light through a medium that only absorbs: its amount at points is computed, and no reported
+//! error is less than the true one.
 
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
@@ -10,10 +11,10 @@ use forms_radiometry::simulation::{Answer, ErrorKind, Simulation, Unwatched, pla
 use scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 use std::f64::consts::PI;
 
-/// What rounding of the second way may make of a number, relative to the fluence rate.
+/// Rounding error of the second method, relative to the fluence rate.
 const ROUNDING: f64 = 1e-11;
 
-/// A number of the sequence of a linear congruential generator, from 0 to 1.
+/// Sequence of a linear congruential generator, with numbers from 0 to 1.
 struct Numbers(u64);
 
 impl Numbers {
@@ -26,13 +27,13 @@ impl Numbers {
         low + (high - low) * self.next()
     }
 
-    /// A number whose logarithm is even.
+    /// Returns a number whose logarithm is uniformly distributed.
     fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.next())
     }
 }
 
-/// A rectangle in a plane of constant z: from and to in x, from and to in y.
+/// Rectangle in a plane of constant z: its ends in x, and its ends in y.
 type Rectangle = [[f64; 2]; 2];
 
 fn corners([[left, right], [front, back]]: Rectangle, height: f64) -> [Point; 4] {
@@ -45,14 +46,17 @@ fn common(a: Rectangle, b: Rectangle) -> Option<Rectangle> {
     found.iter().all(|[low, high]| low < high).then_some(found)
 }
 
-/// ∫ e^(−σ r) dω and ∫ ω e^(−σ r) dω over the directions from the origin to a rectangle, as integrals along its border: with the distance ρ from the
-/// foot of the height h, r² = h² + ρ² and the angle φ around the foot
+/// Returns ∫ e^(−σ r) dω and ∫ ω e^(−σ r) dω over the directions from the origin to a rectangle, as
+/// integrals along its boundary: with the distance ρ from the foot of the height h, r² = h² + ρ²
+/// and the angle φ around the foot
 ///
 /// ```text
 /// ∫ e^(−σ r) dω    = ∮ (E₂(σ h) − h/r E₂(σ r)) dφ
-/// ∫ ω e^(−σ r) dω  = ∮ (E₃(σ h) − h²/r² E₃(σ r)) dφ across the plane, and −∮ h/r² E₃(σ r) n ds in it, n outwards
+/// ∫ ω e^(−σ r) dω  = ∮ (E₃(σ h) − h²/r² E₃(σ r)) dφ across the plane,
+///                    and −∮ h/r² E₃(σ r) n ds in it, n outwards
 /// ```
-/// which follow from d(E₂(σ r)/r)/dr = −e^(−σ r)/r² and d(E₃(σ r)/r²)/dr = −e^(−σ r)/r³ by Gauss's theorem.
+/// These follow from d(E₂(σ r)/r)/dr = −e^(−σ r)/r² and d(E₃(σ r)/r²)/dr = −e^(−σ r)/r³ by Gauss's
+/// theorem.
 fn by_border(rectangle: Rectangle, height: f64, extinction: f64) -> [f64; 4] {
     const PIECES: usize = 500;
     let third = |x: f64| 0.5 * slab_transmittance(x);
@@ -82,7 +86,7 @@ fn by_border(rectangle: Rectangle, height: f64, extinction: f64) -> [f64; 4] {
     sums
 }
 
-/// A lamp, a screen in a parallel plane between it and the origin, and axes along which all is turned.
+/// A lamp, a screen in a parallel plane between it and the origin, and axes that rotate the scene.
 struct Random {
     lamp: Rectangle,
     height: f64,
@@ -139,7 +143,8 @@ impl Random {
         .concat()
     }
 
-    /// The answers in their order: upwards, aside, the fluence rate and vector irradiance.
+    /// Returns the exact answers in their order: upwards, aside, the fluence rate and vector
+    /// irradiance.
     fn truth(&self) -> [f64; 6] {
         let moved = self.screen.map(|side| side.map(|end| end * self.height / self.screen_height));
         let of_part = |part: Rectangle| {
@@ -165,7 +170,7 @@ fn simulated(text: &str) -> Simulation {
     simulate(&scene, &plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])), &Unwatched)
 }
 
-/// A mirror that sees nothing: with it light is followed along paths.
+/// A mirror that is not visible from anywhere: with it, the scene is path traced.
 const MIRROR: &str = "[[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.5\n\
                       [[surface]]\nname = \"mirror\"\nmaterial = \"silver\"\n\
                       polygon = [[90, 0, 0], [90, 1, 0], [91, 1, 0], [91, 0, 0]]\n";
@@ -210,7 +215,8 @@ fn paths_find_the_same() {
     }
 }
 
-/// A point below a wide plate of radiance 1 at the height 1, in a medium of this optical thickness.
+/// Returns a point below a wide plate of radiance 1 at the height 1, in a medium of this optical
+/// thickness.
 fn below_a_plate(thickness: f64, half: f64, more: &str) -> String {
     let mut plate = corners([[-half, half]; 2], 1.0);
     plate.reverse();
@@ -302,7 +308,8 @@ fn no_seed_and_no_kernel_of_samples_takes_part() {
     assert_eq!(names, ["measure_area_to_solid_angle", "transmittance"]);
 }
 
-/// A ray along x from the origin to a black wall, in fog that scatters light of two points once, one of them behind a screen of this length.
+/// Returns a ray along x from the origin to a black wall, in fog that scatters the light of two
+/// points once. The second light is behind a screen of this length.
 fn in_fog(
     [scattering, absorption, asymmetry]: [f64; 3],
     [first, second]: [Point; 2],
@@ -310,7 +317,7 @@ fn in_fog(
     screen: f64,
 ) -> String {
     let wall = [[end, -99.0, -99.0], [end, -99.0, 99.0], [end, 99.0, 99.0], [end, 99.0, -99.0]];
-    // as high as half of the second light, from its abscissa on
+    // half as high as the second light, from its abscissa on
     let [x, _, height] = second;
     let low = 0.5 * height;
     let screen = [[x, -99.0, low], [x + screen, -99.0, low], [x + screen, 99.0, low], [x, 99.0, low]];
@@ -329,7 +336,8 @@ fn in_fog(
     .concat()
 }
 
-/// What a stretch of the ray scatters of a light, by a plain rule in the angle at the light.
+/// Returns the light of a point light that a segment of the ray scatters, by a plain rule in the
+/// angle at the light.
 fn scattered_by_angle(
     [scattering, absorption, asymmetry]: [f64; 3],
     [s, y, z]: Point,
@@ -365,7 +373,7 @@ fn airlight_is_computed_and_no_error_is_less_than_the_true_one() {
         let first = [first[0], -first[2], 0.0];
         let screen = end * numbers.of_any_size(0.01, 2.0);
         let shadow = [second[0], second[0] + 2.0 * screen].map(|along| along.clamp(0.0, end));
-        // the first light is below the screen, which hides nothing of the ray from it
+        // the first light is below the screen, which hides no part of the ray from it
         let truth: f64 = [(first, [0.0, end]), (second, [0.0, shadow[0]]), (second, [shadow[1], end])]
             .into_iter()
             .map(|(light, ends)| scattered_by_angle(fog, light, ends))

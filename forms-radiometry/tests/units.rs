@@ -1,4 +1,4 @@
-//! Mistakes about units that the table of quantities turns into errors.
+//! Mistakes with units, which the table of quantities turns into errors.
 
 use forms::core::check::read_theory;
 
@@ -7,7 +7,7 @@ fn table() -> &'static str {
     forms_radiometry::theory().iter().find(is_table).unwrap().text
 }
 
-/// A claim over the table with the units of its two sides.
+/// Claims about the table, with the units of their two sides.
 const MISTAKES: &[(&str, &str, &str)] = &[
     // "Radiant energy expresses the rate of transfer."
     ("Q == Phi", "J", "W"),
@@ -17,9 +17,9 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     ("I == E", "W/sr", "W/m**2"),
     ("L == E", "W/m**2/sr", "W/m**2"),
     ("L == I", "W/m**2/sr", "W/sr"),
-    // "Irradiance per unit solid angle" is no irradiance.
+    // "Irradiance per unit solid angle" is not an irradiance.
     ("diff(E, w) == E", "W/m**2/sr", "W/m**2"),
-    // The product of first derivatives in the place of the second one.
+    // The product of first derivatives instead of the second derivative.
     ("diff(Phi, a)*diff(Phi, w) == L", "W**2/m**2/sr", "W/m**2/sr"),
     // A spectral density read as the quantity.
     ("L_l == L", "W/m**2/sr/nm", "W/m**2/sr"),
@@ -52,7 +52,8 @@ fn a_quantity_in_the_place_of_another_is_an_error() {
     }
 }
 
-/// A declaration of the table, altered, with the unit that it is found to have.
+/// Altered declarations of the table: the original, the altered text, the declared unit, and the
+/// unit that is found.
 const ALTERED: &[(&str, &str, &str, &str)] = &[
     ("let E: W/m**2 = diff(Phi, a);", "let E: W/m**2 = Phi;", "W/m**2", "W"),
     ("let I: W/sr = diff(Phi, w);", "let I: W/m**2 = diff(Phi, w);", "W/m**2", "W/sr"),

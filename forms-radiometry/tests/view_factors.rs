@@ -1,4 +1,4 @@
-//! View factors of the reference, and the error that is said beside each.
+//! View factors of the reference, and their reported errors.
 
 use forms_radiometry::geometry::{Polygon, Vector, view_factor, visible_exchange};
 use serde_json::Value;
@@ -17,7 +17,7 @@ fn value(row: &Value) -> f64 {
     row["value"].as_str().and_then(|text| text.parse().ok()).expect("a decimal")
 }
 
-/// The polygon with these vertices that looks to a point: both sides of a polygon count.
+/// Returns the polygon with these vertices that faces a point: both sides of a polygon count.
 fn facing(vertices: &Value, point: Vector) -> Polygon {
     let vertices = vertices.as_array().expect("vertices").iter();
     let mut vertices: Vec<Vector> = vertices.map(vector).collect();

@@ -1,19 +1,21 @@
-//! Warps against their densities: Pearson's chi-square test of samples in bins, and round trips through the inverses.
+//! Warps compared with their densities: Pearson's chi-square test of samples in bins, and round
+//! trips through the inverses.
 //!
-//! A warp takes the unit square to a domain; the domain is cut into bins, and the integral of the density over each, by
-//! the midpoint rule, tells how many of the samples are to be expected there.
+//! A warp maps the unit square to a domain. The domain is divided into bins; the integral of the
+//! density over a bin, by the midpoint rule, gives the expected number of samples in it.
 
 use forms_radiometry::kernels as k;
 use std::f64::consts::{PI, TAU};
 
-/// Samples of each warp, from a sequence with a fixed seed.
+/// Number of samples of each warp, from a sequence with a fixed seed.
 const SAMPLES: usize = 20_000;
-/// Bins along each coordinate, and midpoints of the density in each bin along each coordinate.
+/// Number of bins along each coordinate, and of midpoints of the density in each bin along each
+/// coordinate.
 const BINS: usize = 16;
 const MIDPOINTS: usize = 12;
-/// Bins in which fewer are expected are counted together.
+/// Bins with fewer expected samples are counted together.
 const FEWEST: f64 = 10.0;
-/// A right density is refused once in so many tests.
+/// Significance level: the probability that a test refuses a right density.
 const SIGNIFICANCE: f64 = 1e-5;
 
 /// SplitMix64 (Steele, Lea, Flood 2014), as numbers from 0 to 1.
@@ -29,14 +31,15 @@ impl Uniform {
     }
 }
 
-/// A domain as the image of the unit square with a constant measure: where a point is in the square, and back.
+/// Domain as the image of the unit square with a constant measure: the map from a point to the
+/// square, and back.
 struct Domain<const N: usize> {
     measure: f64,
     place: fn([f64; N]) -> [f64; 2],
     point: fn([f64; 2]) -> [f64; N],
 }
 
-/// Directions by the cosine and the azimuth: all of the sphere.
+/// Directions of the whole sphere, by the cosine and the azimuth.
 const SPHERE: Domain<3> = Domain {
     measure: 4.0 * PI,
     place: |[x, y, z]| [(z + 1.0) / 2.0, (y.atan2(x) / TAU).rem_euclid(1.0)],
@@ -47,11 +50,12 @@ const SPHERE: Domain<3> = Domain {
     },
 };
 
-/// The square from (−1.15, −1.15) to (1.15, 1.15), so that no diagonal of bins is an edge of the triangle.
+/// The square from (−1.15, −1.15) to (1.15, 1.15), so that no diagonal of bins is an edge of the
+/// triangle.
 const PLANE: Domain<2> =
     Domain { measure: 2.3 * 2.3, place: |p| p.map(|x| x / 2.3 + 0.5), point: |p| p.map(|x| 2.3 * (x - 0.5)) };
 
-/// The distances from −2 to 6, and a number from 0 to 1 beside.
+/// Distances from −2 to 6, and in addition a number from 0 to 1.
 const LINE: Domain<2> = Domain {
     measure: 8.0,
     place: |[t, v]| [((t + 2.0) / 8.0).min(1.0), v],
@@ -59,7 +63,8 @@ const LINE: Domain<2> = Domain {
 };
 
 impl<const N: usize> Domain<N> {
-    /// How likely such a deviation from the density, or a larger one, is for samples that have it.
+    /// Returns the p-value of samples: the probability of such a deviation from the density, or a
+    /// larger one, for samples that have this density.
     fn p_value(&self, sample: impl Fn(f64, f64) -> [f64; N], pdf: impl Fn([f64; N]) -> f64) -> f64 {
         let mut counts = vec![0.0; BINS * BINS];
         let mut uniform = Uniform(7);
@@ -89,7 +94,7 @@ impl<const N: usize> Domain<N> {
     }
 }
 
-/// The p-value of counts beside what is expected, small bins taken together.
+/// Returns the p-value of counts compared with the expected ones; small bins are taken together.
 fn chi_square(bins: &[[f64; 2]]) -> f64 {
     let (small, large): (Vec<[f64; 2]>, Vec<[f64; 2]>) = bins.iter().partition(|bin| bin[1] < FEWEST);
     let together = small.iter().fold([0.0; 2], |sum, bin| [sum[0] + bin[0], sum[1] + bin[1]]);
@@ -97,13 +102,15 @@ fn chi_square(bins: &[[f64; 2]]) -> f64 {
     let square = |[count, expected]: &[f64; 2]| (count - expected) * (count - expected) / expected;
     let statistic: f64 = bins.iter().map(square).sum();
     let freedom = (bins.len() - 1) as f64;
-    // Wilson and Hilferty: the cube root of chi-square over the degrees of freedom is nearly normal.
+    // Wilson and Hilferty: the cube root of chi-square over the degrees of freedom is nearly
+    // normal.
     let spread = 2.0 / (9.0 * freedom);
     let deviation = ((statistic / freedom).cbrt() - (1.0 - spread)) / spread.sqrt();
     upper_tail(deviation)
 }
 
-/// The normal distribution's share above x, by Simpson's rule to where nothing is left.
+/// Returns the normal distribution's probability above x, by Simpson's rule up to where the density
+/// vanishes.
 fn upper_tail(x: f64) -> f64 {
     let (steps, end) = (4000, x.max(0.0) + 12.0);
     let width = (end - x) / steps as f64;
@@ -112,7 +119,8 @@ fn upper_tail(x: f64) -> f64 {
     (0..=steps).map(|i| weight(i) * density(i)).sum::<f64>() * width / 3.0 / TAU.sqrt()
 }
 
-/// That the inverse takes samples back to where they come from, within the rounding of the sample.
+/// Asserts that the inverse maps samples back to their points in the square, within the rounding of
+/// the sample.
 fn comes_back<const N: usize>(
     name: &str,
     sample: impl Fn(f64, f64) -> [f64; N],

@@ -1,4 +1,4 @@
-//! The kernels of this bench, and whose functions are compared for each.
+//! The kernels of this bench, each with the functions that are compared.
 
 use crate::elsewhere::{by_sympy, by_wrenfold};
 use crate::expert;
@@ -7,7 +7,7 @@ use crate::generated;
 use crate::inputs::Domain;
 use std::hint::black_box;
 
-/// Who wrote a function, and for what.
+/// Author of a function, and the form of its arguments.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Author {
     /// This project's generator, over columns.
@@ -16,7 +16,7 @@ pub(crate) enum Author {
     GeneratedScalar,
     /// By hand, over columns.
     Expert,
-    /// The same with the instructions that every processor has.
+    /// By hand, over columns, with the instructions that every processor has.
     ExpertBaseline,
     /// wrenfold's optimiser and generator, one value at a time.
     Wrenfold,
@@ -25,7 +25,7 @@ pub(crate) enum Author {
 }
 
 impl Author {
-    /// In the order of the table.
+    /// All authors, in the order of the table.
     pub(crate) const ALL: [Self; 6] = [
         Self::Generated,
         Self::Expert,
@@ -35,7 +35,7 @@ impl Author {
         Self::SymPy,
     ];
 
-    /// The head of its column.
+    /// Returns the header of its column.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Generated => "generated, batch",
@@ -48,27 +48,28 @@ impl Author {
     }
 }
 
-/// Fills the last slice with the values at these columns.
+/// Function that fills the last slice with the values at these columns.
 pub(crate) type Fill = Box<dyn Fn(&[&[f64]], &mut [f64])>;
 
-/// A kernel.
+/// Kernel with its functions.
 pub(crate) struct Entry {
     pub(crate) name: &'static str,
     pub(crate) domain: Domain,
     pub(crate) functions: Vec<(Author, Fill)>,
 }
 
-/// Columns as an array.
+/// Returns the columns as an array.
 fn array<'a, const N: usize>(columns: &[&'a [f64]]) -> [&'a [f64]; N] {
     std::array::from_fn(|i| columns[i])
 }
 
-/// A function over columns.
+/// Wraps a function over columns.
 fn batch<const N: usize>(function: impl Fn(&[&[f64]; N], &mut [f64]) + 'static) -> Fill {
     Box::new(move |columns, out| function(&array(columns), out))
 }
 
-/// A function of one value with these arguments, in a loop that the compiler cannot turn into one over vectors.
+/// Wraps a function of one value with these arguments, in a loop that the compiler cannot
+/// vectorise.
 macro_rules! scalar {
     ($function:path, $($argument:ident)*) => {
         Box::new(|columns: &[&[f64]], out: &mut [f64]| {
@@ -80,7 +81,7 @@ macro_rules! scalar {
     };
 }
 
-/// The functions of that name with these arguments that generators emit.
+/// Lists the functions of that name with these arguments that generators emit.
 macro_rules! emitted {
     ($name:ident, $($argument:ident)*) => {
         [
@@ -95,7 +96,7 @@ macro_rules! emitted {
     };
 }
 
-/// The functions of an expert's module, with that instruction set.
+/// Lists the functions of an expert's module, with that instruction set.
 macro_rules! by_hand {
     ($set:ident, $($module:ident)::*) => {
         [
@@ -109,7 +110,7 @@ fn entry(name: &'static str, domain: Domain, functions: impl IntoIterator<Item =
     Entry { name, domain, functions: functions.into_iter().collect() }
 }
 
-/// Every kernel, the hand-written functions over columns with that instruction set.
+/// Returns every kernel; the hand-written functions over columns use that instruction set.
 pub(crate) fn all(set: InstructionSet) -> Vec<Entry> {
     let entries =
         [patch, triangle, rectangle, rectangle_above, phase, phase_sample, microfacets, medium, two_points];

@@ -1,5 +1,6 @@
-//! The figure: a line for each kernel, a mark for each function, nanoseconds a value along a logarithmic axis. It is
-//! read on light and on dark paper, and without colour: each author has a mark of its own.
+//! The figure: a line for each kernel, a mark for each function, nanoseconds per value along a
+//! logarithmic axis. It can be read on light and on dark backgrounds, and without colour: each
+//! author has a mark of its own.
 
 use crate::catalogue::Author;
 use crate::page::processor;
@@ -9,12 +10,12 @@ use std::fmt::Write;
 const WIDTH: f64 = 900.0;
 /// Left and right ends of the axis.
 const ACROSS: [f64; 2] = [330.0, 860.0];
-/// The first line, and how far apart lines are.
+/// Position of the first line, and distance between lines.
 const TOP: f64 = 96.0;
 const STEP: f64 = 30.0;
 /// Half the width of a mark.
 const MARK: f64 = 5.0;
-/// Those shown: a mark's shape and class by their order.
+/// Authors shown. Their order selects the shape and the class of the mark.
 const SHOWN: [Author; 5] =
     [Author::Generated, Author::Expert, Author::GeneratedScalar, Author::Wrenfold, Author::SymPy];
 
@@ -25,7 +26,7 @@ const STYLE: &str = "\
     @media(prefers-color-scheme:dark){.paper,.hollow{fill:#16181c}.ink{fill:#e8e8e8}.quiet{fill:#a4a8ae}\
     .grid{stroke:#30343a}.row{stroke:#50555c}.s0,.s2{color:#ee8d70}.s1{color:#e8e8e8}.s3{color:#76b7e6}.s4{color:#96cb7f}}";
 
-/// The whole file.
+/// Returns the whole file.
 pub(crate) fn svg(rows: &[Row]) -> String {
     let times = || rows.iter().flat_map(|row| SHOWN.iter().filter_map(|author| row.of(*author)));
     let least = times().fold(f64::MAX, f64::min).log10().floor();
@@ -55,7 +56,7 @@ pub(crate) fn svg(rows: &[Row]) -> String {
     svg + "</svg>\n"
 }
 
-/// The paper, the title and the names of the marks.
+/// Returns the background, the title and the legend.
 fn opening(height: f64) -> String {
     let title = "Time of a value";
     let mut svg = format!(

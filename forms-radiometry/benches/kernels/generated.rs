@@ -1,4 +1,5 @@
-//! The kernels as this project generates them, from formulas with the arguments that the expert's functions have.
+//! The kernels that this project generates, from formulas with the same arguments as the expert's
+//! functions.
 
 forms::include_forms!("benches/kernels/forms/geometry.forms");
 forms::include_forms!("benches/kernels/forms/form_factor.forms");

@@ -1,4 +1,5 @@
-//! Arguments at which the kernels are compared: from a fixed seed, over what scenes hold.
+//! Arguments at which the kernels are compared: random, from a fixed seed, over ranges that occur
+//! in scenes.
 
 /// splitmix64 (G. Steele, D. Lea, C. Flood, 2014).
 struct Random(u64);
@@ -11,17 +12,17 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    /// Uniform between both.
+    /// Returns a number uniform between both limits.
     fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// A point of the cube from −size to size.
+    /// Returns a uniform point of the cube from −size to size.
     fn point(&mut self, size: f64) -> [f64; 3] {
         [(); 3].map(|()| self.between(-size, size))
     }
 
-    /// A uniform direction, by Archimedes: the height is uniform.
+    /// Returns a uniform direction by Archimedes' theorem: its height is uniform.
     fn direction(&mut self) -> [f64; 3] {
         let (height, azimuth) = (self.between(-1.0, 1.0), self.between(0.0, std::f64::consts::TAU));
         let radius = (1.0 - height * height).sqrt();
@@ -29,14 +30,15 @@ impl Random {
     }
 }
 
-/// What the arguments of a kernel are.
+/// Domain of a kernel's arguments.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Domain {
     /// u, v in the unit square and four corners around (0, 0, 3).
     Patch,
     /// Four points.
     Triangle,
-    /// A point, a unit normal, a corner and two edges at right angles; the horizon may cut.
+    /// A point, a unit normal, a corner and two edges at right angles. The horizon can cut the
+    /// rectangle.
     Rectangle,
     /// As above, seen from below with the normal up: the horizon does not cut.
     RectangleAbove,
@@ -91,7 +93,7 @@ fn random_point_and_normal(random: &mut Random) -> ([f64; 3], [f64; 3]) {
     (random.point(2.0), random.direction())
 }
 
-/// A rectangle about the origin, after the point and the normal from which it is seen.
+/// Returns an observer's point and normal, then a rectangle about the origin.
 fn rectangle(random: &mut Random, observer: impl Fn(&mut Random) -> ([f64; 3], [f64; 3])) -> Vec<f64> {
     let (point, normal) = observer(random);
     let (a, b) = (random.direction(), random.direction());
@@ -100,7 +102,7 @@ fn rectangle(random: &mut Random, observer: impl Fn(&mut Random) -> ([f64; 3], [
     [point, normal, random.point(1.0), a.map(|x| sides[0] * x), across.map(|x| sides[1] * x)].concat()
 }
 
-/// That many arguments, a column each.
+/// Returns `count` random arguments, one column per argument.
 pub(crate) fn columns(domain: Domain, count: usize) -> Vec<Vec<f64>> {
     let mut random = Random(0x5eed);
     let rows: Vec<Vec<f64>> = (0..count).map(|_| domain.arguments(&mut random)).collect();

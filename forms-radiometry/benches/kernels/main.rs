@@ -1,13 +1,15 @@
-//! Generated kernels beside what an expert writes by hand and what other generators emit.
+//! Generated kernels compared with hand-written expert code and with the output of other
+//! generators.
 //!
 //! ```text
-//! inputs ──▶ columns ──┐
-//! expert, elsewhere ── catalogue ── measure ──▶ times a value ─┬─ table  ─▶ the terminal, docs/benchmarks.md
-//!                                                              └─ figure ─▶ docs/figures/kernels.svg
+//! inputs ─▶ columns ──┐
+//! expert, elsewhere ─ catalogue ─ measure ─▶ ns per value ─┬─ table ─▶ stdout, docs/benchmarks.md
+//!                                                          └─ figure ─▶ docs/figures/kernels.svg
 //! ```
-//! `cargo bench --bench kernels -- [--write] [NAME…]` measures the kernels whose names contain one of the words, or all.
-//! With `--write` and all of them the page and the figure are written anew. With `--instructions` instructions are counted
-//! instead, and compared with the record; `--write` writes the record.
+//! `cargo bench --bench kernels -- [--write] [NAME…]` measures the kernels whose names contain one
+//! of the words, or all. With `--write` and all kernels, the page and the figure are rewritten.
+//! With `--instructions`, instructions are counted instead and compared with the record; `--write`
+//! writes the record.
 
 mod catalogue;
 mod elsewhere;

@@ -1,18 +1,19 @@
-//! Times of several functions in one run. The functions take turns, so that what disturbs the machine disturbs all.
+//! Times of several functions in one run. The functions alternate, so that a disturbance of the
+//! machine affects all of them.
 
 use crate::catalogue::{Author, Entry};
 use crate::inputs;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Values of a call.
+/// Number of values of a call.
 pub(crate) const VALUES: usize = 1024;
-/// Turns, of which the median is taken.
+/// Number of rounds; the median is reported.
 const TURNS: usize = 101;
-/// The least time of a turn.
+/// Least duration of a round.
 const TURN: Duration = Duration::from_micros(100);
 
-/// Seconds a value of each function, the median of its turns.
+/// Returns the seconds per value of each function: the median over its rounds.
 pub(crate) fn seconds_per_value(entry: &Entry) -> Vec<(Author, f64)> {
     let columns = inputs::columns(entry.domain, VALUES);
     let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
@@ -39,7 +40,7 @@ pub(crate) fn seconds_per_value(entry: &Entry) -> Vec<(Author, f64)> {
     entry.functions.iter().map(|(author, _)| *author).zip(medians).collect()
 }
 
-/// So many calls that they take a turn.
+/// Returns the number of calls that fill a round.
 fn enough(mut time: impl FnMut(u32) -> Duration) -> u32 {
     let mut calls = 1;
     while time(calls) < TURN && calls < 1 << 20 {

@@ -1,17 +1,18 @@
-//! The table: a row for each kernel, nanoseconds a value and the ratios that the goals are about.
+//! The table: a row for each kernel with nanoseconds per value, and the ratios for which goals are
+//! set.
 
 use crate::catalogue::Author;
 use crate::page::processor;
 use std::fmt::Write;
 
-/// A kernel and the seconds a value of each function.
+/// Kernel and the seconds per value of each of its functions.
 pub(crate) struct Row {
     pub(crate) name: &'static str,
     pub(crate) seconds: Vec<(Author, f64)>,
 }
 
 impl Row {
-    /// The time of that function, if the kernel has one.
+    /// Returns the time of that author's function, if the kernel has one.
     pub(crate) fn of(&self, author: Author) -> Option<f64> {
         self.seconds.iter().find(|(name, _)| *name == author).map(|(_, seconds)| *seconds)
     }
@@ -21,7 +22,7 @@ impl Row {
     }
 }
 
-/// The times over one another that are shown, with the heads of their columns.
+/// Ratios of times that are shown, with the headers of their columns.
 const RATIOS: [(&str, Author, Author); 3] = [
     ("generated / expert", Author::Generated, Author::Expert),
     ("wrenfold / generated", Author::Wrenfold, Author::Generated),
@@ -32,7 +33,7 @@ fn shown(value: Option<f64>) -> String {
     value.map_or_else(|| "–".to_string(), |value| format!("{value:.2}"))
 }
 
-/// The rows in Markdown, after the name of the processor.
+/// Returns the rows in Markdown, after the name of the processor.
 pub(crate) fn markdown(rows: &[Row], instructions: &str) -> String {
     let heads = Author::ALL.iter().map(|author| author.name()).chain(RATIOS.iter().map(|ratio| ratio.0));
     let heads: Vec<&str> = heads.collect();

@@ -1,4 +1,5 @@
-//! The error over seeds against the number of samples: it falls with each doubling, as far as one cares to go.
+//! The error over seeds against the number of samples: it falls with each doubling, up to the
+//! largest number that is run.
 
 use crate::run::{open, values};
 use crate::work::{REFLECTED_BY_1, REFLECTED_BY_10, asked_for, only, slab, white};
@@ -7,26 +8,28 @@ use forms_radiometry::scene::{Effect, Force, ForcedEffect, LightKind, ReceiverKi
 use forms_radiometry::simulation::{Budget, Job, Unwatched, plan, simulate_job};
 use std::f64::consts::PI;
 
-/// The samples of the first row, as a power of two.
+/// Number of samples of the first row, as a power of two.
 const FIRST: u32 = 8;
 
-/// A scene with one answer that is known.
+/// Scene with one answer that is known.
 pub(crate) struct Series {
     pub(crate) title: &'static str,
     scene: Scene,
     known: f64,
-    /// With so many seeds up to 2 to the power of so many samples.
+    /// Pairs of a number of seeds and the largest number of samples, as a power of two, run with
+    /// that many seeds.
     reaches: &'static [(u64, u32)],
 }
 
-/// The errors of a series.
+/// Errors of a series.
 pub(crate) struct Measured {
     pub(crate) title: &'static str,
-    /// For each number of samples, as a power of two, how many seeds there were and their root mean square error, relative.
+    /// For each number of samples, as a power of two: the number of seeds and their relative
+    /// root-mean-square error.
     pub(crate) errors: Vec<(u32, u64, f64)>,
 }
 
-/// Every series.
+/// Returns every series.
 pub(crate) fn all() -> Vec<Series> {
     let transmitted = |title, tau, reflected: f64, reaches| {
         let (scene, known) = (only(slab(0.0, tau), "transmitted"), PI * (1.0 - reflected));
@@ -51,8 +54,9 @@ pub(crate) fn all() -> Vec<Series> {
     ]
 }
 
-/// The gallery's cloud with the sun behind the eye, scattering evenly and once, and what is seen through its middle. Light goes in as far as it
-/// comes out: L = E σ/(4π) ∫ e^(−2σt) dt = E/(8π) (1 − e^(−4σR)), with t from 0 to 2R.
+/// Returns the gallery's cloud with the sun behind the eye and single isotropic scattering, and the
+/// radiance seen through its centre. Light travels the same distance into the cloud as out of it: L
+/// = E σ/(4π) ∫ e^(−2σt) dt = E/(8π) (1 − e^(−4σR)), with t from 0 to 2R.
 fn cloud() -> (Scene, f64) {
     const SIGMA: f64 = 3.0;
     const IRRADIANCE: f64 = 10.0;
@@ -67,7 +71,7 @@ fn cloud() -> (Scene, f64) {
     (asked_for(scene, ReceiverKind::Ray { origin, direction }), known)
 }
 
-/// A furnace filled with what the slab is made of, and a ray through it.
+/// Returns a furnace filled with the medium of the slab, and a ray through it.
 fn misty(mut scene: Scene) -> Scene {
     let slab = slab(0.0, 1.0);
     (scene.media, scene.ambient.medium) = (slab.media, slab.ambient.medium);
@@ -75,7 +79,7 @@ fn misty(mut scene: Scene) -> Scene {
 }
 
 impl Series {
-    /// The errors for each fourfold of samples.
+    /// Returns the errors for each fourfold increase of the number of samples.
     pub(crate) fn measured(self) -> Measured {
         let last = self.reaches.iter().map(|&(_, last)| last).max().unwrap_or(FIRST);
         let mut errors = Vec::new();

@@ -1,14 +1,17 @@
-//! Light along paths beside Mitsuba 3: slabs that scatter, an image of the Cornell box, a furnace of which every pixel is known, and absorption
-//! along a ray; and how the error falls as samples become more.
+//! Path tracing compared with Mitsuba 3: slabs that scatter, an image of the Cornell box, a furnace
+//! whose pixels are all known, and absorption along a ray; and the decrease of the error as the
+//! number of samples grows.
 //!
 //! ```text
 //! scenes/*.toml ─▶ work ─┬─ criterion
-//!                        ├─ measure ─▶ seconds to an error, outliers ────────────────────┐
-//!                        ├─ told: scene, reference as JSON ─▶ elsewhere/by_mitsuba.py ────┼─▶ table ─▶ the terminal, docs/benchmarks.md
-//!                        └─ convergence ─▶ error over seeds against the number of samples ┘
+//!                        ├─ measure ─▶ seconds to an error, outliers ─────────────────┐
+//!                        ├─ told: scene, reference as JSON ─▶ elsewhere/by_mitsuba.py ┼─▶ table
+//!                        └─ convergence ─▶ error over seeds against number of samples ┘
+//! table ─▶ the terminal, docs/benchmarks.md
 //! ```
-//! `cargo bench --bench paths` has criterion measure this program's part. With `--table` Mitsuba is run as well (by `python3`) and the
-//! tables printed; `--write` writes them into the page too. `--table WORD…` is only about the works whose titles contain one of the words.
+//! `cargo bench --bench paths` measures this program's part with criterion. With `--table` Mitsuba
+//! is run as well (by `python3`) and the tables are printed; `--write` writes them into the page
+//! too. `--table WORD…` restricts both to the works whose titles contain one of the words.
 
 #[path = "../scenes/cells.rs"]
 mod cells;
@@ -61,7 +64,7 @@ fn main() -> io::Result<()> {
     options.put("paths", &table::markdown(&measured, &others, &series))
 }
 
-/// The folder in which the script finds the works, without those of the last run.
+/// Returns the directory in which the script finds the works, without the works of the last run.
 fn emptied() -> io::Result<PathBuf> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("paths");
     if folder.exists() {

@@ -1,9 +1,11 @@
-//! How long it takes until the error is what is asked for: runs with one tolerance after the other, each half of the one before. The script
-//! does the same with numbers of samples.
+//! Measures the time until the error reaches the target: runs with successive tolerances, each half
+//! of the one before. The script does the same with numbers of samples.
 //!
 //! ```text
-//! tolerance ─▶ seeds: values, seconds ─▶ root mean square error, median time ─┬─▶ … ─▶ between the last two, on a line in logarithms
-//!                                                                            └─ too long ─▶ extrapolated by error ~ 1/√time
+//! tolerance ─▶ seeds: values, seconds ─▶ root-mean-square error, median time
+//!    ▲                                     ├─ reached ──▶ log-log interpolation, last two
+//!    │                                     ├─ too long ─▶ extrapolated by error ~ 1/√time
+//!    └────────── half the tolerance ───────┘
 //! ```
 
 use crate::clock;
@@ -13,27 +15,27 @@ use crate::work::Work;
 use forms_radiometry::simulation::Simulation;
 use std::time::Instant;
 
-/// A run that is shorter than this, in seconds, is timed as a part of many.
+/// Runs shorter than this, in seconds, are timed as an average over many runs.
 const SHORT: f64 = 5e-3;
-/// After a run that is longer than this the rest is extrapolated.
+/// After a run longer than this, in seconds, the time is extrapolated.
 const LONGEST: f64 = 0.7;
 
-/// What was measured of a work.
+/// Measurements of a work.
 pub(crate) struct Measured<'w> {
     pub(crate) work: &'w Work,
     pub(crate) seconds: f64,
-    /// The error that is reached in this time.
+    /// Error that is reached in this time.
     pub(crate) error: f64,
-    /// With which tolerance it is reached, and what the answers have in common.
+    /// Tolerance with which it is reached, and remarks common to all answers.
     pub(crate) how: String,
 }
 
-/// The runs with one tolerance.
+/// Runs with one tolerance.
 struct Runs {
     tolerance: f64,
     seconds: f64,
     error: f64,
-    /// The mean of all values, relative to that of the reference.
+    /// Mean of all values, relative to the mean of the reference.
     mean: f64,
     simulations: Vec<Simulation>,
 }
@@ -60,7 +62,7 @@ impl Runs {
         Self { tolerance, seconds, error: (squares / work.seeds as f64).sqrt(), mean, simulations }
     }
 
-    /// What there is to say of the values.
+    /// Returns the remarks on the values.
     fn told(&self, work: &Work) -> String {
         let means = format!("; means differ by {:+.1e}", self.mean - 1.0);
         match work.known() {
@@ -73,7 +75,7 @@ impl Runs {
 }
 
 impl<'w> Measured<'w> {
-    /// Its time to the error that is asked for, beside a reference.
+    /// Measures the time to the target error, compared with a reference.
     pub(crate) fn of(work: &'w Work, reference: &[f64]) -> Self {
         let mut before: Option<Runs> = None;
         loop {
@@ -95,7 +97,7 @@ impl<'w> Measured<'w> {
         }
     }
 
-    /// What is reached between two tolerances, on a line through both in logarithms.
+    /// Interpolates between two tolerances, on a line through both in logarithms.
     fn between(work: &'w Work, before: Option<&Runs>, runs: &Runs) -> Self {
         let (seconds, error) = before.map_or((runs.seconds, runs.error), |before| {
             let share = (before.error / work.target).ln() / (before.error / runs.error).ln();
@@ -104,7 +106,8 @@ impl<'w> Measured<'w> {
         Self { work, seconds, error, how: format!("tolerance {:.1e}{}", runs.tolerance, runs.told(work)) }
     }
 
-    /// What would be reached with more samples, of which the error is the reciprocal of the root.
+    /// Extrapolates to more samples: the error is proportional to the reciprocal of the square root
+    /// of their number.
     fn beyond(work: &'w Work, runs: &Runs) -> Self {
         let seconds = runs.seconds * (runs.error / work.target).powi(2);
         let how = format!(

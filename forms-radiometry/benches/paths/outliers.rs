@@ -1,19 +1,20 @@
-//! Pixels that are farther from the truth than their errors allow, where every pixel is known.
+//! Pixels whose deviation from the truth exceeds their errors, where every pixel is known.
 
 use forms_radiometry::simulation::Simulation;
 
-/// So many errors off, a pixel is an outlier.
+/// Deviation, in units of its error, above which a pixel is an outlier.
 const FAR: f64 = 5.0;
-/// What rounding may make of a value, relative to it.
+/// Deviation attributed to rounding, relative to the value.
 const ROUNDING: f64 = 1e-12;
 
-/// How far a value is off, in its errors.
+/// Returns the deviation of a value from the truth, in units of its error.
 fn deviations(value: f64, error: f64, known: f64) -> f64 {
     let off = (value - known).abs();
     if off <= ROUNDING * known { 0.0 } else { off / error }
 }
 
-/// What there is to say of images all of whose pixels have one known value, as the script says it of other programs.
+/// Returns remarks on images whose pixels all have one known value. The script reports the same for
+/// other programs.
 pub(crate) fn told(simulations: &[Simulation], known: f64) -> String {
     let pixels = || {
         let maps = simulations.iter().flat_map(|simulation| &simulation.maps);

@@ -1,4 +1,5 @@
-//! The tables: works by rows and programs by columns, how each program got there, and errors against numbers of samples.
+//! The tables: works by rows and programs by columns, the settings with which each program reached
+//! its error, and errors against numbers of samples.
 
 use crate::cells::{heads, ratio, row, shown, time};
 use crate::convergence;
@@ -6,7 +7,7 @@ use crate::elsewhere::Line;
 use crate::measure::Measured;
 use crate::page::processor;
 
-/// All tables in Markdown, after the name of the processor.
+/// Returns all tables in Markdown, after the name of the processor.
 pub(crate) fn markdown(
     measured: &[Measured<'_>],
     others: &[Line],
@@ -43,7 +44,7 @@ fn of_goals(measured: &[Measured<'_>], others: &[Line]) -> String {
             work.title.to_string(),
             format!("{:e}", work.target),
             shown(*seconds),
-            // what needs no samples may have no error at all
+            // a work that needs no samples can have an error of exactly zero
             if *error == 0.0 { "rounding".to_string() } else { format!("{error:.0e}") },
             time(default),
             ratio(default, *seconds),
@@ -56,7 +57,7 @@ fn of_goals(measured: &[Measured<'_>], others: &[Line]) -> String {
     text + "\n"
 }
 
-/// How all programs got there.
+/// Returns the settings with which all programs reached their errors.
 fn of_remarks(measured: &[Measured<'_>], others: &[Line]) -> String {
     let mut text = String::new();
     heads(&mut text, &["work", "program", "time", "error", ""]);
@@ -73,7 +74,7 @@ fn of_remarks(measured: &[Measured<'_>], others: &[Line]) -> String {
     text + "\n"
 }
 
-/// The errors of all series, a number of samples in each row.
+/// Returns the errors of all series, with one number of samples per row.
 fn of_series(series: &[convergence::Measured]) -> String {
     if series.is_empty() {
         return String::new();

@@ -1,4 +1,5 @@
-//! What the script is told of a work: the numbers of the scene and of its receiver, and the reference values, as JSON.
+//! Input of the script for a work: the numbers of the scene and of its receiver, and the reference
+//! values, as JSON.
 
 use crate::work::Work;
 use forms_radiometry::geometry::Vector;
@@ -7,7 +8,7 @@ use serde_json::{Value, json};
 use std::io;
 use std::path::Path;
 
-/// Writes a work into a folder.
+/// Writes a work into a directory.
 pub(crate) fn write(work: &Work, reference: &[f64], folder: &Path) -> io::Result<()> {
     let surface = |surface: &Surface| of_surface(&work.scene, surface);
     let medium = work.scene.ambient.medium.map(|medium| &work.scene.media[medium]);

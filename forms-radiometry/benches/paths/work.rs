@@ -1,4 +1,5 @@
-//! The works: a scene with one receiver, the error that is asked for, and what is known of the answer.
+//! The works: each is a scene with one receiver, the target error, and the reference for its
+//! answer.
 
 use crate::run::{cornell_box, open, simulated, values};
 use forms_radiometry::camera::Camera;
@@ -6,42 +7,43 @@ use forms_radiometry::geometry::Vector;
 use forms_radiometry::scene::{Material, MaterialKind, Receiver, ReceiverKind, Scene};
 use std::f64::consts::PI;
 
-/// The reflectance of the furnace.
+/// Reflectance of the furnace.
 pub(crate) const RHO: f64 = 0.99;
 /// Columns and rows of the image of the Cornell box.
 const CORNELL: [usize; 2] = [64, 64];
-/// Columns and rows of that of the furnace.
+/// Columns and rows of the image of the furnace.
 const FURNACE: [usize; 2] = [100, 100];
-/// So many seeds tell the error of one number.
+/// Number of seeds from which the error of a single value is estimated.
 const MANY: u64 = 32;
 
-/// A scene and what is asked of it.
+/// Scene with the estimand and its target error.
 pub(crate) struct Work {
-    /// What the script calls it.
+    /// Name in the script.
     pub(crate) name: &'static str,
-    /// What the table calls it.
+    /// Name in the table.
     pub(crate) title: &'static str,
-    /// The relative error that is asked for: the root of the mean square over seeds and pixels, over the mean.
+    /// Target of the relative error: the root mean square over seeds and pixels, divided by the
+    /// mean.
     pub(crate) target: f64,
-    /// How many times slower than this program Mitsuba should at least be, if that is a goal.
+    /// Least factor by which Mitsuba should be slower than this program, if that is a goal.
     pub(crate) goal: Option<f64>,
-    /// The loosest tolerance that is tried.
+    /// Loosest tolerance that is tried.
     pub(crate) tolerance: f64,
-    /// With how many seeds it is run.
+    /// Number of seeds it is run with.
     pub(crate) seeds: u64,
     pub(crate) scene: Scene,
     known: Known,
 }
 
-/// What is known of the answers.
+/// Reference for the answers.
 enum Known {
-    /// All of them.
+    /// The known value of all answers.
     Value(f64),
-    /// What this program finds with so many seeds and a tolerance.
+    /// The mean of this program's results with that many seeds and that tolerance.
     Found { seeds: u64, tolerance: f64 },
 }
 
-/// Every work.
+/// Returns every work.
 pub(crate) fn all() -> Vec<Work> {
     let scattered = |name, title, tau, receiver, part: f64| Work {
         name,
@@ -95,39 +97,41 @@ pub(crate) fn all() -> Vec<Work> {
     ]
 }
 
-/// What slabs of these optical thicknesses reflect of isotropic light, where nothing is absorbed; the rest passes.
-/// Source: the integral equation of radiative transfer in a slab, solved to 12 digits (van de Hulst 1980 has tables of it).
+/// Reflectance of slabs of these optical thicknesses for isotropic light, without absorption; the
+/// remaining light is transmitted. Source: the integral equation of radiative transfer in a slab,
+/// solved to 12 digits (van de Hulst 1980 has tables of it).
 pub(crate) const REFLECTED_BY_1: f64 = 0.446_594_006_673;
 pub(crate) const REFLECTED_BY_10: f64 = 0.883_254_886_487;
 
-/// The slab of the gallery with these coefficients; its thickness is 1.
+/// Returns the slab of the gallery with these coefficients; its thickness is 1.
 pub(crate) fn slab(absorption: f64, scattering: f64) -> Scene {
     let mut scene = open(include_str!("../../../scenes/slab.toml"), "slab.toml");
     (scene.media[0].absorption, scene.media[0].scattering) = (vec![absorption], vec![scattering]);
     scene
 }
 
-/// A scene with one of its receivers.
+/// Returns a scene with one of its receivers.
 pub(crate) fn only(mut scene: Scene, receiver: &str) -> Scene {
     scene.receivers.retain(|other| other.name == receiver);
     assert_eq!(scene.receivers.len(), 1, "the scene has one receiver `{receiver}`");
     scene
 }
 
-/// A scene with this receiver.
+/// Returns a scene with this receiver alone.
 pub(crate) fn asked_for(mut scene: Scene, kind: ReceiverKind) -> Scene {
     let Receiver { place, .. } = scene.receivers.swap_remove(0);
     scene.receivers = vec![Receiver { name: "here".to_string(), kind, time: None, place }];
     scene
 }
 
-/// What arrives from straight above at the middle of the lower plate of a slab.
+/// Returns the slab with a receiver for the radiance that arrives vertically from above at the
+/// centre of its lower plate.
 fn upwards(slab: Scene) -> Scene {
     let (origin, direction) = (Vector::default(), Vector::new(0.0, 0.0, 1.0));
     asked_for(slab, ReceiverKind::Ray { origin, direction })
 }
 
-/// The scene that its camera sees, in an image of few pixels.
+/// Returns the scene with its camera alone, and an image of few pixels.
 fn seen_by_camera(mut scene: Scene) -> Scene {
     scene.receivers.retain_mut(|receiver| match &mut receiver.kind {
         ReceiverKind::Camera(camera) => {
@@ -139,14 +143,15 @@ fn seen_by_camera(mut scene: Scene) -> Scene {
     scene
 }
 
-/// The gallery's furnace with walls of another reflectance.
+/// Returns the gallery's furnace with walls of another reflectance.
 pub(crate) fn white(reflectance: f64) -> Scene {
     let mut scene = open(include_str!("../../../scenes/furnace.toml"), "furnace.toml");
     scene.materials[0].kind = MaterialKind::Diffuse { reflectance: vec![reflectance] };
     scene
 }
 
-/// A furnace whose floor is a mirror that absorbs nothing: then light is followed along paths.
+/// Returns a furnace whose floor is a mirror that absorbs nothing, which makes the solver use path
+/// tracing.
 fn with_mirror(mut furnace: Scene) -> Scene {
     let kind = MaterialKind::Mirror { reflectance: vec![1.0] };
     let place = furnace.materials[0].place.clone();
@@ -155,7 +160,7 @@ fn with_mirror(mut furnace: Scene) -> Scene {
     furnace
 }
 
-/// A furnace with a camera in it.
+/// Returns a furnace with a camera in it.
 fn with_camera(furnace: Scene) -> Scene {
     let [origin, target] = [Vector::new(0.1, 0.2, 0.3), Vector::new(0.9, 0.7, 0.5)];
     let camera = Camera::new(origin, target, Vector::new(0.0, 0.0, 1.0), 60.0, FURNACE);
@@ -163,19 +168,19 @@ fn with_camera(furnace: Scene) -> Scene {
 }
 
 impl Work {
-    /// The scene with the loosest tolerance.
+    /// Returns the scene with the loosest tolerance.
     pub(crate) fn first(&self) -> Scene {
         self.with(1, self.tolerance)
     }
 
-    /// The scene with a seed and a tolerance.
+    /// Returns the scene with a seed and a tolerance.
     pub(crate) fn with(&self, seed: u64, tolerance: f64) -> Scene {
         let mut scene = self.scene.clone();
         (scene.solve.seed, scene.solve.tolerance) = (seed, tolerance);
         scene
     }
 
-    /// How many values there are.
+    /// Returns the number of values.
     pub(crate) fn count(&self) -> usize {
         match &self.scene.receivers[0].kind {
             ReceiverKind::Camera(camera) => camera.resolution.iter().product(),
@@ -183,7 +188,7 @@ impl Work {
         }
     }
 
-    /// The value of all answers, where it is known.
+    /// Returns the value of all answers, if it is known.
     pub(crate) fn known(&self) -> Option<f64> {
         match self.known {
             Known::Value(value) => Some(value),
@@ -191,14 +196,14 @@ impl Work {
         }
     }
 
-    /// The values that count as right.
+    /// Returns the reference values.
     pub(crate) fn reference(&self) -> Vec<f64> {
         let Known::Found { seeds, tolerance } = self.known else {
             return vec![self.known().unwrap_or(f64::NAN); self.count()];
         };
         let mut sums = vec![0.0; self.count()];
         for seed in 0..seeds {
-            // other seeds than those that are measured
+            // seeds different from the measured ones
             let found = values(&simulated(&self.with((1 << 32) + seed, tolerance)));
             sums.iter_mut().zip(found).for_each(|(sum, value)| *sum += value / seeds as f64);
         }

@@ -1,13 +1,13 @@
-//! How long something takes on the wall, with all threads that it starts.
+//! Wall-clock time of a run, with all threads that it starts.
 
 use std::time::{Duration, Instant};
 
-/// Turns, of which the median is taken.
+/// Number of rounds; the median is reported.
 const TURNS: usize = 11;
-/// The least time of a turn: far above the resolution of the clock.
+/// Least duration of a round: far above the resolution of the clock.
 const TURN: Duration = Duration::from_millis(5);
 
-/// The seconds of one run, the median over turns.
+/// Returns the seconds of one run: the median over rounds.
 pub(crate) fn seconds<T>(mut run: impl FnMut() -> T) -> f64 {
     let mut time = |runs: u32| {
         let start = Instant::now();

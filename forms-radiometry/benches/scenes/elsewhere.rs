@@ -1,26 +1,27 @@
-//! The same works by other programs: the scripts of a bench's folder `elsewhere`, run one after the other, and what they print.
+//! The same works by other programs: the scripts of a bench's directory `elsewhere` are run one
+//! after the other, and their output is read.
 
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// A script, and the modules that have to be installed for it.
+/// Script, and the modules that must be installed for it.
 pub(crate) type Script = (&'static str, &'static [&'static str]);
 
-/// A line that a script printed.
+/// Line that a script printed.
 pub(crate) struct Line {
-    /// Which program, in which version or with which options.
+    /// Program, with its version or its options.
     pub(crate) program: String,
-    /// What it did.
+    /// Work that it did.
     pub(crate) work: String,
-    /// How long it took to the error; not a number where that was not measured.
+    /// Time to the error; NaN if it was not measured.
     pub(crate) seconds: f64,
     pub(crate) error: f64,
     pub(crate) remark: String,
 }
 
-/// What all scripts of a bench print whose modules are installed. Of each other one it is told what is missing. `folder` holds what
-/// they read.
+/// Runs all scripts of a bench whose modules are installed, and returns the lines they print. For
+/// every other script the missing modules are reported. `folder` holds the input of the scripts.
 pub(crate) fn run_all(bench: &str, scripts: &[Script], folder: &Path) -> io::Result<Vec<Line>> {
     let of_scripts = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches").join(bench).join("elsewhere");
     let mut lines = Vec::new();
@@ -45,7 +46,7 @@ fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
     let mut python = Command::new("python3");
     let mut running = python.arg("-B").arg(script).arg(folder).stdout(Stdio::piped()).spawn()?;
     let mut lines = Vec::new();
-    // what is there by now is told at once: a script may take long
+    // each line is printed immediately: a script can take long
     for line in running.stdout.take().into_iter().flat_map(|output| BufReader::new(output).lines()) {
         let line = line?;
         println!("{line}");
@@ -59,7 +60,8 @@ fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
 }
 
 impl Line {
-    /// The fields are apart by commas; those of the program and the work may stand in quotes, and the last one may hold any.
+    /// Parses a line. The fields are separated by commas; the program and the work can be quoted,
+    /// and the last field can contain commas.
     fn read(line: &str) -> Option<Self> {
         let (program, rest) = name(line)?;
         let (work, rest) = name(rest)?;
@@ -75,7 +77,7 @@ impl Line {
     }
 }
 
-/// A name at the beginning of a line, and what follows after it.
+/// Splits a line after its first name.
 fn name(line: &str) -> Option<(&str, &str)> {
     match line.strip_prefix('"') {
         Some(quoted) => quoted.split_once("\","),

@@ -1,13 +1,16 @@
-//! Scenes beside other programs: irradiance maps and view factors, with the time that each program takes and its error.
+//! Scenes compared with other programs: irradiance maps and view factors, with the time and the
+//! error of each program.
 //!
 //! ```text
 //! files, scenes/cornell_box.toml ─▶ work ─┬─ criterion
-//!                                         └─ clock ─▶ time and error ──────────────┬─ table ─▶ the terminal, docs/benchmarks.md
+//!                                         └─ clock ─▶ time and error ──────────────┬─▶ table
 //!    reference values ─▶ elsewhere/*.py ─▶ times and errors of other programs ─────┘
+//! table ─▶ the terminal, docs/benchmarks.md
 //! ```
-//! `cargo bench --bench scenes` has criterion measure this program's part. With `--table` the scripts of `elsewhere` are run as well
-//! (by `python3`) and the tables printed; `--write` writes them into the page too. `--table WORD…` measures only view factors and the
-//! works whose titles contain one of the words, and no other program.
+//! `cargo bench --bench scenes` measures this program's part with criterion. With `--table` the
+//! scripts of `elsewhere` are run as well (by `python3`) and the tables are printed; `--write`
+//! writes them into the page too. `--table WORD…` measures only view factors and the works whose
+//! titles contain one of the words, and no other program.
 
 mod cells;
 mod clock;

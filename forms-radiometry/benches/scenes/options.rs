@@ -1,17 +1,18 @@
-//! What a bench is told on the command line: nothing for criterion, `--table WORD…` for tables, `--write` for tables in the page.
+//! Command line of a bench: no options for criterion, `--table WORD…` for tables, `--write` for
+//! tables in the page.
 
 use crate::page::replaced;
 use std::io;
 use std::path::Path;
 
-/// What is asked of the bench.
+/// Options of the bench.
 pub(crate) struct Options {
     options: Vec<String>,
     words: Vec<String>,
 }
 
 impl Options {
-    /// Those of the command line.
+    /// Reads the options of the command line.
     pub(crate) fn read() -> Self {
         let (options, words) = std::env::args().skip(1).partition(|argument| argument.starts_with('-'));
         Self { options, words }
@@ -21,22 +22,24 @@ impl Options {
         self.options.iter().any(|option| option == name)
     }
 
-    /// Whether tables are asked for, and not criterion.
+    /// Whether tables are requested instead of criterion.
     pub(crate) fn are_tables(&self) -> bool {
         self.has("--table") || self.has("--write")
     }
 
-    /// Whether a work with this title is: it contains one of the words, if there are any.
+    /// Whether a work with this title is requested: no words are given, or the title contains one
+    /// of them.
     pub(crate) fn is_wanted(&self, title: &str) -> bool {
         self.are_all() || self.words.iter().any(|word| title.contains(word.as_str()))
     }
 
-    /// Whether all works are.
+    /// Whether all works are requested.
     pub(crate) fn are_all(&self) -> bool {
         self.words.is_empty()
     }
 
-    /// Prints the tables, and writes them into a part of the page if that is asked for and they are complete.
+    /// Prints the tables, and writes them into a part of the page if that is requested and they are
+    /// complete.
     pub(crate) fn put(&self, part: &str, tables: &str) -> io::Result<()> {
         print!("{tables}");
         if self.has("--write") && self.are_all() {

@@ -1,17 +1,17 @@
-//! A scene becomes values, and these the error that a bench is about.
+//! Runs a scene, and computes the values and the errors that the bench compares.
 
 use forms_radiometry::scene::{MaterialKind, Scene, read};
 use forms_radiometry::simulation::{Simulation, Unwatched, plan, simulate};
 
-/// The band of the Cornell box that is simulated: one number for each reflectance.
+/// Band of the Cornell box that is simulated: one number for each reflectance.
 const BAND: usize = 8;
 
-/// The scene that a file says.
+/// Reads the scene of a file.
 pub(crate) fn open(text: &str, name: &str) -> Scene {
     read(text, name).unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-/// One band of the Cornell box.
+/// Returns one band of the Cornell box.
 pub(crate) fn cornell_box() -> Scene {
     let mut scene = open(forms_radiometry::CORNELL_BOX, "cornell_box.toml");
     let only = |values: &mut Vec<f64>| *values = vec![values[BAND]];
@@ -26,13 +26,13 @@ pub(crate) fn cornell_box() -> Scene {
     scene
 }
 
-/// The plan and the simulation.
+/// Plans and simulates a scene.
 pub(crate) fn simulated(scene: &Scene) -> Simulation {
     let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     simulate(scene, &plan, &Unwatched)
 }
 
-/// The cells of all maps; where there is no map, the answers.
+/// Returns the cells of all maps, or the answers if there is no map.
 pub(crate) fn values(simulation: &Simulation) -> Vec<f64> {
     if simulation.maps.is_empty() {
         return simulation.answers.iter().map(|answer| answer.value).collect();
@@ -41,7 +41,7 @@ pub(crate) fn values(simulation: &Simulation) -> Vec<f64> {
     cells.copied().filter(|value| !value.is_nan()).collect()
 }
 
-/// The root of the mean square error over the mean.
+/// Returns the root-mean-square error divided by the mean.
 pub(crate) fn relative_error(found: &[f64], reference: &[f64]) -> f64 {
     assert_eq!(found.len(), reference.len(), "both have the same cells");
     let squares: f64 = found.iter().zip(reference).map(|(a, b)| (a - b).powi(2)).sum();

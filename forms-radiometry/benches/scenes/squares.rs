@@ -1,4 +1,5 @@
-//! View factors between unit squares: in general position for the time, and hard cases with known values.
+//! View factors between unit squares: pairs in general position for the time, and hard cases with
+//! known values.
 
 use crate::processor_clock::seconds;
 use forms_radiometry::geometry::{Polygon, Vector, view_factor};
@@ -6,24 +7,24 @@ use std::fmt::Write;
 use std::io;
 use std::path::Path;
 
-/// The tolerance of the view factors whose time is taken.
+/// Tolerance of the view factors that are timed.
 const TOLERANCE: f64 = 1e-12;
-/// How many pairs are in general position.
+/// Number of pairs in general position.
 const GENERAL: usize = 64;
 
-/// Two squares.
+/// Pair of squares.
 pub(crate) struct Pair {
     title: String,
     squares: [Polygon; 2],
-    /// The view factor, where it is known in closed form.
+    /// View factor, if it is known in closed form.
     known: Option<f64>,
 }
 
-/// What was measured.
+/// Measurements of all pairs.
 pub(crate) struct Measured {
-    /// The processor time of one view factor in general position: no other thread has a part in it.
+    /// Processor time of one view factor in general position; no other thread takes part.
     pub(crate) seconds: f64,
-    /// Of each case the title and the largest relative error.
+    /// Title and largest relative error of each case.
     pub(crate) errors: Vec<(String, f64)>,
 }
 
@@ -33,26 +34,27 @@ impl Pair {
         self.known.is_none()
     }
 
-    /// The view factor from the first to the second.
+    /// Returns the view factor from the first to the second.
     pub(crate) fn view_factor(&self) -> f64 {
         let [from, to] = &self.squares;
         view_factor(from, to, TOLERANCE).area
     }
 
-    /// What it is: known, or to the last digits.
+    /// Returns the reference: the known value, or the view factor computed to the last digits.
     fn reference(&self) -> f64 {
         let [from, to] = &self.squares;
         self.known.unwrap_or_else(|| view_factor(from, to, 0.0).area)
     }
 }
 
-/// Numbers of [0, 1) that fill it evenly: the additive recurrence of the powers of the root of x⁸ = x + 1.
+/// Returns numbers that fill [0, 1) evenly: the additive recurrence of the powers of the root of x⁸
+/// = x + 1.
 fn evenly(index: usize, axis: usize) -> f64 {
     const ROOT: f64 = 1.096_981_557_798_56;
     (0.5 + index as f64 * ROOT.powi(-1 - axis as i32)).fract()
 }
 
-/// The unit square with this middle, whose front looks along a direction.
+/// Returns the unit square with this centre, whose front faces along a direction.
 fn square(middle: Vector, normal: Vector, turn: f64) -> Polygon {
     let normal = normal.unit().expect("a normal has a length");
     let aside = if normal.x.abs() < 0.5 { Vector::new(1.0, 0.0, 0.0) } else { Vector::new(0.0, 1.0, 0.0) };
@@ -65,7 +67,7 @@ fn square(middle: Vector, normal: Vector, turn: f64) -> Polygon {
     Polygon::new((0..4).map(corner).collect()).expect("a square is a polygon")
 }
 
-/// Squares at a distance of 2 to 3 that look towards each other, turned every way.
+/// Returns squares at a distance of 2 to 3 that face each other, in all orientations.
 fn general(index: usize) -> Pair {
     let n = |axis| evenly(index, axis);
     let height = 2.0 * n(0) - 1.0;
@@ -78,7 +80,7 @@ fn general(index: usize) -> Pair {
     Pair { title: "general position, distance 2 to 3".to_string(), squares: [from, to], known: None }
 }
 
-/// Directly opposed unit squares at this distance, moved along all axes by an offset.
+/// Returns directly opposed unit squares at this distance, moved along all axes by an offset.
 fn opposed(distance: f64, offset: f64, known: f64) -> Pair {
     let at = |x: f64, y: f64, z: f64| Vector::new(x + offset, y + offset, z + offset);
     let below = vec![at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(1.0, 1.0, 0.0), at(0.0, 1.0, 0.0)];
@@ -89,7 +91,7 @@ fn opposed(distance: f64, offset: f64, known: f64) -> Pair {
     Pair { title: format!("opposed, distance {distance}{moved}"), squares, known: Some(known) }
 }
 
-/// Every pair. Known values are Howell C-11 in 40 digits.
+/// Returns every pair. Known values are Howell C-11 in 40 digits.
 pub(crate) fn all() -> Vec<Pair> {
     let mut pairs: Vec<Pair> = (0..GENERAL).map(general).collect();
     pairs.extend([
@@ -102,7 +104,8 @@ pub(crate) fn all() -> Vec<Pair> {
     pairs
 }
 
-/// The time of one view factor, and the errors of all; the pairs are written into a folder for the scripts.
+/// Measures the time of one view factor and the errors of all pairs, and writes the pairs into a
+/// directory for the scripts.
 pub(crate) fn measured(pairs: &[Pair], folder: &Path) -> io::Result<Measured> {
     let mut lines = "title,general,reference,vertices of both\n".to_string();
     for pair in pairs {

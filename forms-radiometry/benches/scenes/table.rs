@@ -1,11 +1,11 @@
-//! The tables: works by rows and programs by columns, and the ratios that the goals are about.
+//! The tables: works by rows and programs by columns, and the ratios for which goals are set.
 
 use crate::cells::{heads, ratio, row, shown, time};
 use crate::elsewhere::Line;
 use crate::page::processor;
 use crate::{squares, work};
 
-/// Both tables in Markdown, after the name of the processor.
+/// Returns both tables in Markdown, after the name of the processor.
 pub(crate) fn markdown(maps: &[work::Measured], factors: &squares::Measured, others: &[Line]) -> String {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut text = format!("Processor: {}, {threads} threads.\n\n", processor());
@@ -60,7 +60,7 @@ fn of_maps(maps: &[work::Measured], others: &[Line]) -> String {
     text + "\n"
 }
 
-/// How other programs got there.
+/// Returns the settings with which other programs reached their errors.
 fn of_remarks(maps: &[work::Measured], others: &[Line]) -> String {
     let mut text = "| work | program | time | error | |\n|---|---|---|---|---|\n".to_string();
     for measured in maps {

@@ -1,4 +1,4 @@
-//! The works: a scene file, what is asked of it, and what counts as its error.
+//! The works: each is a scene file, the estimand, and the definition of its error.
 
 use crate::clock::seconds;
 use crate::run::{cornell_box, open, relative_error, simulated, values};
@@ -9,41 +9,41 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
-/// The surfaces of the Cornell box whose maps are asked for, 4096 cells in all.
+/// Surfaces of the Cornell box whose maps are requested, 4096 cells in all.
 const SURFACES: [&str; 4] = ["floor", "back", "right", "short_top"];
 /// Columns and rows of each of these maps.
 const CELLS: [usize; 2] = [32, 32];
-/// The tolerances that are tried for reflected light, the loosest first. A tolerance is of the largest error and has a margin; what is
-/// asked for is the root of a mean square.
+/// Tolerances that are tried for reflected light, from the loosest to the tightest. A tolerance
+/// bounds the largest error and includes a margin; the target is a root-mean-square error.
 const REFLECTED: &[f64] = &[1.0, 0.3, 0.1, 0.03, 0.01];
-/// The tolerance of the reference.
+/// Tolerance of the reference.
 const REFERENCE: f64 = 1e-3;
 
-/// A scene and what is asked of it.
+/// Scene with the estimand and its target error.
 pub(crate) struct Work {
-    /// What the scripts call it.
+    /// Name in the scripts.
     pub(crate) name: &'static str,
-    /// What the table calls it.
+    /// Name in the table.
     pub(crate) title: &'static str,
-    /// The relative error that is asked for: of maps the root of the mean square over the mean.
+    /// Target of the relative error: for maps the root-mean-square error divided by the mean.
     pub(crate) target: f64,
-    /// How many times slower than this program Mitsuba should at least be.
+    /// Least factor by which Mitsuba should be slower than this program.
     pub(crate) goal: f64,
     tolerances: &'static [f64],
     scene: Scene,
 }
 
-/// What was measured of a work.
+/// Measurements of a work.
 pub(crate) struct Measured<'w> {
     pub(crate) work: &'w Work,
     pub(crate) seconds: f64,
-    /// The error, as it is asked for.
+    /// Error, in the measure of the target.
     pub(crate) error: f64,
-    /// The loosest tolerance that leads to it.
+    /// Loosest tolerance that reaches the target.
     pub(crate) tolerance: f64,
 }
 
-/// Every work.
+/// Returns every work.
 pub(crate) fn all() -> Vec<Work> {
     let lamp = |name, title, text| Work {
         name,
@@ -77,7 +77,7 @@ pub(crate) fn all() -> Vec<Work> {
     ]
 }
 
-/// The Cornell box with maps of some surfaces.
+/// Returns the Cornell box with maps of some surfaces.
 fn with_maps(mut scene: Scene, interreflection: Option<Force>) -> Scene {
     let place = scene.receivers[0].place.clone();
     let map = |name: &str| {
@@ -93,13 +93,13 @@ fn with_maps(mut scene: Scene, interreflection: Option<Force>) -> Scene {
 }
 
 impl Work {
-    /// The plan and the simulation.
+    /// Plans and simulates the scene.
     pub(crate) fn run(&self) -> Simulation {
         simulated(&self.with(self.tolerances[0]))
     }
 
-    /// Its time with the loosest tolerance that leads to the error asked for, beside a reference, which is written into a folder for the
-    /// scripts.
+    /// Measures its time with the loosest tolerance that reaches the target error, compared with a
+    /// reference, which is written into a directory for the scripts.
     pub(crate) fn measured(&self, folder: &Path) -> io::Result<Measured<'_>> {
         let reference = simulated(&self.with(REFERENCE));
         csv(&reference, File::create(folder.join(format!("{}.csv", self.name)))?)?;

@@ -1,11 +1,14 @@
-//! Bounds: of every known answer of the gallery, and of every row of the reference that a scene can say, what its error is said to be beside what it is.
+//! Error bounds: compares the reported error with the true error, for every known answer of the
+//! gallery and for every row of the reference that can be expressed as a scene.
 //!
 //! ```text
 //! scenes/*.toml, their known answers ─┐
-//! rows of the reference as scenes ────┴─▶ bound over true error, sorted ─▶ a table of docs/benchmarks.md, with the median
+//! rows of the reference as scenes ────┴─▶ bound over true error, sorted ─▶ table, with the median
+//! table ─▶ the terminal, docs/benchmarks.md
 //! ```
-//! `cargo run --release -p forms-radiometry --example bounds [--write]` prints the table; with `--write` the page is written anew. Standard errors are no
-//! bounds: sampled answers are not among them. It fails if a true error is beyond its bound.
+//! `cargo run --release -p forms-radiometry --example bounds [--write]` prints the table; with
+//! `--write` the page is rewritten. Standard errors are not bounds, so sampled answers are
+//! excluded. The program fails if a true error exceeds its bound.
 
 #[path = "../gallery/mod.rs"]
 mod gallery;
@@ -24,10 +27,10 @@ use gallery::{Problem, files, name, said, scene};
 use known::{GALLERY, Known};
 use std::process::ExitCode;
 
-/// What the reference allows of a solver.
+/// Tolerance that the reference allows a solver.
 const TOLERANCE: f64 = 5e-3;
 
-/// An answer with a bound.
+/// Answer with a bound.
 struct Bounded {
     what: String,
     value: f64,
@@ -36,7 +39,7 @@ struct Bounded {
 }
 
 impl Bounded {
-    /// The bound over the true error.
+    /// Returns the bound divided by the true error.
     fn ratio(&self) -> f64 {
         if self.off > 0.0 { self.bound / self.off } else { f64::INFINITY }
     }
@@ -47,7 +50,7 @@ impl Bounded {
     }
 }
 
-/// The known answers of the gallery.
+/// Returns the known answers of the gallery.
 fn of_gallery() -> Result<Vec<Bounded>, Problem> {
     let mut found = Vec::new();
     for file in files()? {
@@ -65,14 +68,14 @@ fn of_gallery() -> Result<Vec<Bounded>, Problem> {
     Ok(found)
 }
 
-/// Whether no answer of a sum is sampled, and the value is that of the scene itself.
+/// Whether no answer of a sum is sampled, and the value is the value of the scene itself.
 fn has_bound(known: &Known, answers: &[Answer]) -> bool {
     let summands = known.sum.iter().map(|(_, receiver, _)| receiver);
     let mut own = summands.flat_map(|name| answers.iter().filter(move |answer| answer.receiver == *name));
     known.idealised == 0.0 && own.all(|answer| answer.kind != ErrorKind::Sigma)
 }
 
-/// The rows of the reference that are scenes.
+/// Returns the rows of the reference that are scenes.
 fn of_reference() -> Vec<Bounded> {
     let compared = |row: &rows::Row| {
         let rows::Compared { value, off, bound } = row.compared(TOLERANCE)?;
@@ -81,7 +84,7 @@ fn of_reference() -> Vec<Bounded> {
     rows::visible().iter().filter_map(compared).collect()
 }
 
-/// The middle of some numbers, which are not none.
+/// Returns the median of some numbers, of which there is at least one.
 fn median(mut numbers: Vec<f64>) -> f64 {
     numbers.sort_by(f64::total_cmp);
     numbers[numbers.len() / 2]

@@ -1,27 +1,30 @@
-//! The figure of a scene: errors against time on axes of powers of ten, and below it what each effect costs.
+//! The figure of a scene: errors against time on logarithmic axes, and below them the cost of each
+//! effect.
 
 use super::measured::{Costs, Measured, Rung};
 use super::plot::{Axis, STYLE, escaped, line, put, rule, text};
 use forms_radiometry::simulation::Plan;
 
 const WIDTH: f64 = 720.0;
-/// The frame of the errors: left, top, right and bottom.
+/// Frame of the errors: left, top, right and bottom.
 const FRAME: [f64; 4] = [76.0, 74.0, 686.0, 372.0];
-/// Where the names of effects end, where bars begin and where the longest ends; the height of a row, and of a bar in it.
+/// Right edge of the names of effects, left edge of the bars and right edge of the longest bar;
+/// then the height of a row, and of a bar in it.
 const BARS: [f64; 3] = [190.0, 200.0, 560.0];
 const ROW: f64 = 22.0;
 const BAR: f64 = 13.0;
-/// So many characters of an operation list fill a line.
+/// Maximum number of characters in a line of an operation list.
 const LINE: usize = 96;
-/// Of rounding and of true errors is drawn what is less than so many decades below the least error that is said.
+/// Rounding and true errors extend the axis if they lie within this number of decades below the
+/// least reported error.
 const NEAR: f64 = 3.0;
-/// Errors of nothing are drawn as this one: an `f64` is not more exact.
+/// Smallest error that is drawn, also for errors of zero: the precision of `f64`.
 const SMALLEST: f64 = f64::EPSILON / 2.0;
-/// What dashes and bars look like, beside the style of plots.
+/// Style of dashes and bars, in addition to the style of plots.
 const OWN_STYLE: &str = ".floor{stroke:#8a8f96;stroke-dasharray:6 4}.slope{stroke:#8a8f96;fill:none;stroke-width:1}.bar{fill:#2f6f9f}.bar.all{fill:#b5482f}\
     @media(prefers-color-scheme:dark){.bar{fill:#76b7e6}.bar.all{fill:#ee8d70}}";
 
-/// The figure as SVG.
+/// Returns the figure as SVG.
 pub(crate) fn svg(measured: &Measured) -> String {
     let mut body = String::new();
     errors(&mut body, measured);
@@ -34,14 +37,14 @@ pub(crate) fn svg(measured: &Measured) -> String {
     )
 }
 
-/// The axes, in decimal logarithms of seconds and of relative errors.
+/// Axes, in decimal logarithms of seconds and of relative errors.
 struct Axes {
     across: Axis,
     up: Axis,
 }
 
 impl Axes {
-    /// Those that hold all runs, and rounding where that is near.
+    /// Returns axes that contain all runs, and rounding if it is near.
     fn of(rungs: &[Rung]) -> Self {
         let [left, top, right, bottom] = FRAME;
         let times = || rungs.iter().map(|rung| rung.seconds.log10());
@@ -65,7 +68,7 @@ impl Axes {
     fn grid(&self, svg: &mut String) {
         let [left, top, right, bottom] = FRAME;
         let decades = |axis: &Axis| axis.range[0] as i32..=axis.range[1] as i32;
-        // numbers stand farther apart than they are high
+        // the distance between numbers is larger than their height
         let step = ((self.up.range[1] - self.up.range[0]) / 12.0).ceil() as usize;
         for decade in decades(&self.up).step_by(step.max(1)) {
             let y = self.up.place(f64::from(decade));
@@ -93,12 +96,12 @@ fn logarithm(error: f64) -> f64 {
     error.max(SMALLEST).log10()
 }
 
-/// `1e-3`, and 1.
+/// Returns a power of ten as `1e-3`, and as `1` for the exponent 0.
 fn power(decade: i32) -> String {
     if decade == 0 { "1".to_owned() } else { format!("1e{decade}") }
 }
 
-/// `3.2 ms`
+/// Returns a duration as `3.2 ms`.
 fn duration(seconds: f64) -> String {
     let (number, unit) = match seconds {
         short if short < 1e-3 => (short * 1e6, "µs"),
@@ -150,13 +153,14 @@ fn legend(svg: &mut String, x: f64, look: usize, words: &str) {
     text(svg, [x + 38.0, y + 4.5], "start", "ink", words);
 }
 
-/// The line along which the error of samples falls: as the root of the time, through the middle of the runs.
+/// Draws the line along which a sampling error falls, inversely to the square root of the time,
+/// through the mean of the runs.
 fn slope(svg: &mut String, axes: &Axes, rungs: &[Rung]) {
     let mean = |of: fn(&Rung) -> f64| rungs.iter().map(of).sum::<f64>() / rungs.len() as f64;
     let [time, error] = [mean(|rung| rung.seconds.log10()), mean(|rung| logarithm(rung.said))];
     let [low, high] = axes.across.range;
     let [bottom, top] = axes.up.range;
-    // where it enters and leaves the frame
+    // times at which the line enters and leaves the frame
     let begin = low.max(time - 2.0 * (top - error));
     let end = high.min(time + 2.0 * (error - bottom));
     let at =
@@ -170,7 +174,8 @@ fn slope(svg: &mut String, axes: &Axes, rungs: &[Rung]) {
     }
 }
 
-/// Bars of the time as planned and without each effect, and the operations of the kernels; where the figure ends.
+/// Draws bars of the time as planned and without each effect, and the operations of the kernels;
+/// returns the bottom of the figure.
 fn costs(svg: &mut String, costs: &Costs, plan: &Plan) -> f64 {
     let mut y = FRAME[3] + 72.0;
     let head = format!("time with each effect turned off, with tolerance {:.1e}", costs.tolerance);
@@ -201,7 +206,8 @@ fn costs(svg: &mut String, costs: &Costs, plan: &Plan) -> f64 {
     y
 }
 
-/// The operations of each kernel that runs, of all that it has with every effect, in lines.
+/// Returns lines with the operations of each kernel that runs, next to its operations with every
+/// effect.
 fn operations(plan: &Plan) -> Vec<String> {
     let mut lines = vec!["operations of a value:".to_owned()];
     for (number, kernel) in plan.kernels.iter().enumerate() {

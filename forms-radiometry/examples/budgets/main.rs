@@ -1,13 +1,15 @@
-//! Error budgets: of every scene of the gallery what its error is made of, what half of it costs, and how it falls in time.
+//! Error budgets: for every scene of the gallery, the parts of its error, the cost of half the
+//! error, and the decrease of the error with time.
 //!
 //! ```text
-//! scenes/*.toml ─┬─ as they are ─────────────────▶ parts of the worst error ─┐
-//!                ├─ half the error asked for ────▶ time of halving it ───────┴─▶ a row of docs/benchmarks.md
-//!                ├─ tolerances that fall ────────▶ errors against time ──────┬─▶ docs/figures/scenes/*.svg
-//!                └─ effects forced off, one each ▶ time of each effect ──────┘
+//! scenes/*.toml ─┬─ as they are ───────────────▶ parts of the worst error ┐
+//!                ├─ half the requested error ──▶ time of halving it ──────┴─▶ docs/benchmarks.md
+//!                ├─ decreasing tolerances ─────▶ errors against time ─────┬─▶ docs/figures/scenes
+//!                └─ each effect forced off ────▶ time of each effect ─────┘
 //! ```
-//! `cargo run --release -p forms-radiometry --example budgets [--write] [SCENE…]` measures all scenes or those that are named, and prints the
-//! table; with `--write` the figures are written anew, and with all scenes the page.
+//! `cargo run --release -p forms-radiometry --example budgets [--write] [SCENE…]` measures all
+//! scenes or the given ones, and prints the table, one row per scene. With `--write` the figures
+//! (`docs/figures/scenes/*.svg`) are rewritten, and with all scenes also the page.
 
 mod figure;
 #[path = "../gallery/mod.rs"]

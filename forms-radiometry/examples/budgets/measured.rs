@@ -1,4 +1,5 @@
-//! What is measured of a scene: runs with tolerances that fall, one with half the error, and ones without each effect.
+//! Measurements of a scene: runs with decreasing tolerances, one run with half the error, and one
+//! run without each effect.
 
 use super::gallery::{self, Problem, said, scene};
 use super::known::{GALLERY, Known};
@@ -7,51 +8,54 @@ use forms_radiometry::scene::{Effect, Force, Scene};
 use forms_radiometry::simulation::{Answer, ErrorParts, plan};
 use std::path::Path;
 
-/// Each tolerance is this part of the one before.
+/// Ratio of each tolerance to the one before.
 const STEP: f64 = 0.5;
-/// The tolerances, relative to that of the file: from the loosest to the tightest; and the loosest of all.
+/// Loosest and tightest tolerance, relative to the tolerance of the file; then the loosest
+/// tolerance overall.
 const RANGE: [f64; 2] = [16.0, 0.1];
 const LOOSEST: f64 = 0.5;
-/// The runs with tolerances that fall end with the first that takes longer than this, in seconds, but there are so many at least, and the
-/// scene as it is.
+/// The runs with decreasing tolerances end with the first that takes longer than this, in seconds.
+/// The number below is the least number of these runs; the scene as it is always is among them.
 const LONG: f64 = 2.0;
 const FEWEST: usize = 3;
 
-/// A run of the scene with some tolerance.
+/// Run of the scene with some tolerance.
 pub(crate) struct Rung {
     pub(crate) tolerance: f64,
     pub(crate) seconds: f64,
-    /// The largest error of an answer, a cell or a pixel, relative to it.
+    /// Largest relative error of an answer, a cell or a pixel.
     pub(crate) said: f64,
-    /// Of the worst answer the part of the error that is rounding, likewise, and whether samples are the largest part.
+    /// Rounding part of the error of the worst answer, relative to it, and whether sampling is the
+    /// largest part.
     pub(crate) rounding: f64,
     pub(crate) is_sampled: bool,
-    /// How far what is known is off, relative to it.
+    /// Largest relative deviation from the known values.
     pub(crate) off: Option<f64>,
 }
 
-/// What halves the error, or what was tried.
+/// Attempt to halve the error.
 pub(crate) struct Halved {
-    /// What is asked for: a tolerance, or an effect that the plan dropped.
+    /// Change of the request: a tolerance, or an omitted effect that is kept.
     pub(crate) what: String,
     pub(crate) seconds: f64,
     pub(crate) error: f64,
 }
 
-/// The costs of effects: with a tolerance the time as planned, and with each of them off.
+/// Costs of effects: for one tolerance, the time as planned and the time without each effect.
 pub(crate) struct Costs {
     pub(crate) tolerance: f64,
     pub(crate) seconds: f64,
     pub(crate) without: Vec<(Effect, f64)>,
 }
 
-/// All of a scene.
+/// All measurements of a scene.
 pub(crate) struct Measured {
     pub(crate) name: String,
     pub(crate) planned: Run,
-    /// What is tried to halve the error; nothing where all of it is rounding.
+    /// Attempts to halve the error; empty if rounding is at least half of the error and nothing is
+    /// omitted.
     pub(crate) halved: Vec<Halved>,
-    /// The runs, from the loosest tolerance to the tightest.
+    /// Runs, from the loosest tolerance to the tightest.
     pub(crate) rungs: Vec<Rung>,
     pub(crate) costs: Costs,
 }
@@ -69,13 +73,13 @@ impl Measured {
         Ok(Self { name, planned, halved, rungs, costs })
     }
 
-    /// The answer with the worst error.
+    /// Returns the answer with the worst error.
     pub(crate) fn worst(&self) -> Result<&Answer, Problem> {
         let worst = self.planned.found.accuracy().worst_answer().map(|worst| worst.answer);
         worst.ok_or_else(|| format!("{}: there is no light", self.name).into())
     }
 
-    /// What takes the least time of all that halves the error.
+    /// Returns the fastest attempt that halves the error.
     pub(crate) fn cheapest(&self) -> Option<&Halved> {
         let half = 0.5 * self.planned.error();
         let halves = self.halved.iter().filter(|halved| halved.error <= half);
@@ -89,7 +93,7 @@ fn with_tolerance(scene: &Scene, tolerance: f64) -> Scene {
     scene
 }
 
-/// Runs with tolerances that fall, and the one as planned among them.
+/// Runs the scene with decreasing tolerances; the run as planned is among them.
 fn rungs(scene: &Scene, known: &[Known], planned: &Run) -> Result<Vec<Rung>, Problem> {
     let own = scene.solve.tolerance;
     let mut rungs = Vec::new();
@@ -132,7 +136,8 @@ fn rung(tolerance: f64, run: &Run, known: &[Known]) -> Rung {
     }
 }
 
-/// What an error of a known sum is relative to: the largest of its value and of the answers that it is made of.
+/// Returns the value to which the error of a known sum is relative: the largest of its value and
+/// its summands.
 fn scale(known: &Known, answers: &[Answer]) -> f64 {
     let of_receiver = |receiver: &str| {
         let own = answers.iter().filter(move |answer| answer.receiver == receiver);
@@ -142,7 +147,8 @@ fn scale(known: &Known, answers: &[Answer]) -> f64 {
     summands.fold(known.value.abs(), f64::max)
 }
 
-/// What may halve the error: its receiver asked alone, to half of the error, and what the plan dropped, kept.
+/// Makes the attempts to halve the error: keeping each omitted effect, and simulating the receiver
+/// of the worst answer alone, with half of the error as its tolerance.
 fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
     let Some(worst) = planned.found.accuracy().worst_answer() else { return Ok(Vec::new()) };
     let worst = worst.answer;
@@ -176,7 +182,8 @@ fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
     Ok(tried)
 }
 
-/// The time without each effect that can be off, with the tightest tolerance that does not take long.
+/// Measures the time without each effect that can be off, with the tightest tolerance that does not
+/// take long.
 fn costs(scene: &Scene, rungs: &[Rung]) -> Result<Costs, Problem> {
     let short = rungs.iter().rev().find(|rung| rung.seconds <= LONG);
     let Some(rung) = short.or(rungs.first()) else { return Err("there is no tolerance to run with".into()) };
@@ -185,7 +192,8 @@ fn costs(scene: &Scene, rungs: &[Rung]) -> Result<Costs, Problem> {
     let mut without = Vec::new();
     for effect in plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect) {
         let scene = forced(&scene, &[effect], Force::Off);
-        // without occlusion rays would pass through what they meet: what cannot be off is refused
+        // an effect that cannot be off is refused: without occlusion rays would pass through the
+        // surfaces they meet
         if let Ok(run) = Run::of(&scene) {
             without.push((effect, run.seconds));
         }

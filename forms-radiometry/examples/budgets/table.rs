@@ -7,7 +7,7 @@ use forms_radiometry::simulation::{ErrorKind, ErrorParts};
 pub(crate) const HEAD: &str = "| scene | worst answer | value | error | rounding | quadrature | truncated orders | dropped effects | sampling | time | the cheapest half |\n\
                                |---|---|---|---|---|---|---|---|---|---|---|\n";
 
-/// The row of a scene.
+/// Returns the row of a scene.
 pub(crate) fn row(measured: &Measured) -> Result<String, Problem> {
     let worst = measured.worst()?;
     let parts: Vec<String> = worst.parts.all().into_iter().map(part).collect();
@@ -32,7 +32,7 @@ fn part(part: f64) -> String {
     if part == 0.0 { "0".to_owned() } else { format!("{part:.1e}") }
 }
 
-/// What halves the error for the least time, and what that costs.
+/// Returns the fastest way to halve the error, and its cost.
 fn half(measured: &Measured, parts: &ErrorParts) -> String {
     if let Some(halved) = measured.cheapest() {
         return format!("{}: {:.2e} s", halved.what, halved.seconds);

@@ -1,11 +1,12 @@
-//! Honesty of standard errors: every scene with a known answer is simulated with many seeds, and it is counted how often the truth lies within
-//! one and within two of the standard errors that are told.
+//! Honesty of standard errors: simulates every scene with a known answer with many seeds, and
+//! counts how often the truth lies within one and within two of the reported standard errors.
 //!
 //! ```text
-//! known answers × seeds ─▶ (answer − truth)/σ ─▶ within 1 σ, within 2 σ: of each scene, and of all together
+//! known answers × seeds ─▶ (answer − truth)/σ ─▶ within 1 σ, within 2 σ: per scene, and for all
 //! ```
-//! `cargo run --release -p forms-radiometry --example coverage [SEEDS [TOLERANCE…]] [SCENE]` prints a row for each scene and fails unless, of all
-//! together, 63 to 73 % are within one and 93 to 98 % within two standard errors; a normal distribution has 68.3 and 95.4 %.
+//! `cargo run --release -p forms-radiometry --example coverage [SEEDS [TOLERANCE…]] [SCENE]` prints
+//! a row for each scene. It fails unless, over all scenes together, 63 to 73 % are within one and
+//! 93 to 98 % within two standard errors; a normal distribution has 68.3 and 95.4 %.
 
 #[path = "../../tests/paths/claims/mod.rs"]
 #[expect(dead_code, reason = "tests need the rest")]
@@ -17,7 +18,7 @@ use std::time::Instant;
 
 const SEEDS: u64 = 200;
 const TOLERANCES: [f64; 2] = [0.1, 0.03];
-/// The least and the largest part of answers within one and within two standard errors.
+/// Accepted range of the fraction of answers within one, and within two standard errors.
 const HONEST: [[f64; 2]; 2] = [[0.63, 0.73], [0.93, 0.98]];
 
 fn main() -> ExitCode {

@@ -1,41 +1,42 @@
-//! Callgrind: a program is run by valgrind, and every instruction that it executes is counted where the source has it.
+//! Callgrind: runs a program under Valgrind, and counts every instruction that it executes at its
+//! source location.
 //!
 //! ```text
-//! program ─ valgrind ─▶ fl, fi: the files of lines │ fn: functions │ counts ─▶ instructions by function and file
+//! program ─ valgrind ─▶ fl, fi: files of lines │ fn: functions │ counts ─▶ by function and file
 //! ```
-//! Lines that are inlined are counted in the file that they stand in, which debug information tells, and not in that of the function
-//! that they have become a part of.
+//! Inlined lines are counted in the source file that contains them, as recorded in the debug
+//! information, and not in the file of the function that they were inlined into.
 
 use std::collections::BTreeMap;
 use std::io::{Error, Result};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Instructions by where they are.
+/// Instruction counts by source location.
 pub(crate) type Counts = BTreeMap<Place, u64>;
 
-/// Where instructions are.
+/// Source location of instructions.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Place {
-    /// The function, as the program names it.
+    /// Function, as the program names it.
     pub(crate) function: String,
-    /// The file that the line stands in; unknown without debug information.
+    /// File that contains the line; unknown without debug information.
     pub(crate) file: String,
-    /// The line.
+    /// Line.
     pub(crate) line: u64,
 }
 
-/// Whether valgrind is installed.
+/// Whether Valgrind is installed.
 pub(crate) fn is_installed() -> bool {
     let version =
         Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     version.is_ok_and(|status| status.success())
 }
 
-/// What a program executes with these arguments, on one thread.
+/// Returns the instructions that a program executes with these arguments, on one thread.
 ///
 /// # Errors
-/// Where valgrind fails, or its file cannot be read.
+/// If Valgrind fails, or its file cannot be read.
 pub(crate) fn counted(program: &Path, arguments: &[&str], variables: &[(&str, &str)]) -> Result<Counts> {
     let file = std::env::temp_dir().join(format!("forms-effects-{}-{:p}", std::process::id(), &arguments));
     let mut out = std::ffi::OsString::from("--callgrind-out-file=");
@@ -57,7 +58,8 @@ pub(crate) fn counted(program: &Path, arguments: &[&str], variables: &[(&str, &s
     Ok(counts(&text))
 }
 
-/// The counts of a file of callgrind's. A line behind `calls=` tells what a call takes in all: that is counted where it is.
+/// Reads the counts of a Callgrind file. The line after `calls=` holds the inclusive cost of a call
+/// and is skipped: that cost is counted in the callee.
 fn counts(text: &str) -> Counts {
     let mut counts = Counts::new();
     let (mut function, mut file) = (String::new(), String::new());

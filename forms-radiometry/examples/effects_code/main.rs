@@ -1,11 +1,14 @@
-//! What of the code runs: every scene of the gallery with its plan, and with every effect on, the instructions that each effect takes.
+//! Executed code by effect: runs every scene of the gallery with its plan and with every effect on,
+//! and counts the instructions of each effect.
 //!
 //! ```text
-//! scenes/*.toml ─ plan ─┬─ as it is ───┬─ this program under callgrind ─▶ instructions by effect ─▶ docs/benchmarks.md
-//!                       └─ all on ─────┘
+//! scenes/*.toml ─ plan ─┬─ as it is ─┬─ this program under Callgrind ─▶ instructions by effect
+//!                       └─ all on ───┘
+//! instructions by effect ─▶ the terminal, docs/benchmarks.md
 //! ```
-//! `cargo run --profile counted -p forms-radiometry --example effects_code` prints the table; with `--write` the page is written
-//! anew. An effect that is off and yet takes an instruction is an error, and so is a kernel that runs and is not in the plan's list.
+//! `cargo run --profile counted -p forms-radiometry --example effects_code` prints the table; with
+//! `--write` the page is rewritten. It is an error if a disabled effect executes instructions, and
+//! if a kernel runs that is not in the plan's list.
 
 mod callgrind;
 #[path = "../gallery/mod.rs"]
@@ -21,10 +24,11 @@ use gallery::{Problem, said, scene};
 use std::fmt::Write;
 use std::path::Path;
 
-/// What this program is started with to be counted: this, the file of a scene, and the effects that are on.
+/// First argument with which this program starts itself under Valgrind; the file of a scene and the
+/// effects that are on follow.
 const COUNTED: &str = "--counted";
-/// Scenes are simulated to this tolerance, or to their own where that is larger, and maps of them have at most so many cells along
-/// each side: under valgrind everything takes fifty times as long.
+/// Tolerance of the simulations, or the scene's own where that is larger; then the largest number
+/// of cells of a map along each side. Under Valgrind everything takes fifty times as long.
 const TOLERANCE: f64 = 0.3;
 const CELLS: usize = 8;
 const HEAD: &str = "| scene | effect | by the plan | instructions, as planned | instructions, all on |\n|---|---|---|---|---|\n";
@@ -56,7 +60,7 @@ fn main() -> Result<(), Problem> {
     Ok(())
 }
 
-/// Simulates a scene with these effects, and plans nothing: what is counted is the work alone.
+/// Simulates a scene with these effects, without planning, so that only the simulation is counted.
 fn run(file: &Path, on: &str) -> Result<(), Problem> {
     let scene = coarse(file)?;
     let planned = |(name, effect): (&str, Effect)| {
@@ -88,7 +92,7 @@ fn coarse(file: &Path) -> Result<Scene, Problem> {
     Ok(scene)
 }
 
-/// The rows of one scene.
+/// Returns the rows of one scene.
 fn rows(file: &Path) -> Result<String, Problem> {
     let name = gallery::name(file);
     let scene = coarse(file)?;
@@ -132,14 +136,14 @@ fn rows(file: &Path) -> Result<String, Problem> {
     }
 }
 
-/// A number with spaces between thousands.
+/// Formats a number with spaces between thousands.
 fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let groups = digits.as_bytes().rchunks(3).rev().map(String::from_utf8_lossy);
     groups.collect::<Vec<_>>().join(" ")
 }
 
-/// Effects that are on as this program is told them: `direct=,interreflection=3`.
+/// Returns the argument for the effects that are on: `direct=,interreflection=3`.
 fn words<'p>(on: impl Iterator<Item = &'p PlannedEffect>) -> String {
     let word = |planned: &PlannedEffect| {
         let orders = planned.orders.map_or(String::new(), |orders| orders.to_string());
@@ -148,7 +152,7 @@ fn words<'p>(on: impl Iterator<Item = &'p PlannedEffect>) -> String {
     on.map(word).collect::<Vec<_>>().join(",")
 }
 
-/// What this program executes for a scene with these effects.
+/// Counts the instructions that this program executes for a scene with these effects.
 fn counted(file: &Path, on: &str) -> Result<Counts, Problem> {
     let file = file.to_str().ok_or("a path that is no text")?;
     Ok(callgrind::counted(&std::env::current_exe()?, &[COUNTED, file, on], &[])?)

@@ -1,8 +1,9 @@
-//! Parts of the solver: which effect each of its files is for, and which kernel a line of generated code is of.
+//! Parts of the solver: maps each source file to its effect, and each line of generated code to its
+//! kernel.
 //!
 //! ```text
-//! place of instructions ─┬─ a file of the crate, or the module of the function ─▶ an effect, or none
-//!                        └─ generated code ─▶ the file of the kernel, and where nothing is inlined the kernel
+//! source location ─┬─ a file of the crate, or the module of the function ─▶ an effect, or none
+//!                  └─ generated code ─▶ the file of the kernel; the kernel, if nothing is inlined
 //! ```
 
 use super::callgrind::{Counts, Place};
@@ -10,7 +11,8 @@ use forms_radiometry::library;
 use forms_radiometry::scene::Effect;
 use std::collections::BTreeSet;
 
-/// The modules that are for an effect alone. What polygons, elements, readings and rays share is not among them.
+/// Modules that serve one effect alone. Code shared by polygons, elements, readings and rays is not
+/// among them.
 const MODULES: [(Effect, &[&str]); 7] = [
     (Effect::Direct, &["radiosity::direct"]),
     (
@@ -34,10 +36,11 @@ const MODULES: [(Effect, &[&str]); 7] = [
     (Effect::Refraction, &["monte_carlo::refraction"]),
     (Effect::Time, &["monte_carlo::time"]),
 ];
-/// What paths have no code of their own for: a path is all of it.
+/// Effects without modules of their own in the path tracer: a path computes all three.
 const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Interreflection];
 
-/// The modules that follow light along rays, which meet what hides, and go on where it reflects.
+/// Modules that trace light along rays, which occluders block and which continue at reflecting
+/// surfaces.
 const RAYS: [&str; 9] = [
     "geometry::visibility::branches",
     "geometry::visibility::ray",
@@ -50,17 +53,18 @@ const RAYS: [&str; 9] = [
     "radiosity::walk",
 ];
 
-/// The effects that have modules of their own where light is followed along paths, or where a scene is solved as a whole.
+/// Returns the effects that have modules of their own in the path tracer, or in the solver of whole
+/// scenes.
 pub(crate) fn effects(is_by_paths: bool) -> impl Iterator<Item = Effect> {
     MODULES.iter().map(|(effect, _)| *effect).filter(move |effect| is_by_paths != OF_PIECES.contains(effect))
 }
 
-/// The instructions that are for an effect.
+/// Returns the number of instructions that serve an effect.
 pub(crate) fn of_effect(counts: &Counts, effect: Effect) -> u64 {
     MODULES.iter().filter(|(of, _)| *of == effect).map(|(_, modules)| of_modules(counts, modules)).sum()
 }
 
-/// The instructions that follow light along rays.
+/// Returns the number of instructions that trace light along rays.
 pub(crate) fn of_rays(counts: &Counts) -> u64 {
     of_modules(counts, &RAYS)
 }
@@ -76,7 +80,8 @@ fn of_modules(counts: &Counts, modules: &[&str]) -> u64 {
     counts.iter().filter(|(place, _)| is_meant(place)).map(|(_, count)| count).sum()
 }
 
-/// All instructions of the crate but those that read the scene; those of kernels are among them.
+/// Returns the number of instructions of the crate, kernels included, except those that read the
+/// scene.
 pub(crate) fn of_solver(counts: &Counts) -> u64 {
     let is_meant = |place: &Place| {
         let module = module(place);
@@ -85,13 +90,15 @@ pub(crate) fn of_solver(counts: &Counts) -> u64 {
     counts.iter().filter(|(place, _)| is_meant(place)).map(|(_, count)| count).sum()
 }
 
-/// Whether lines are known: without debug information what is inlined would be counted for the function that it is in.
+/// Whether lines are known. Without debug information, inlined code would be counted for the
+/// function that contains it.
 pub(crate) fn has_lines(counts: &Counts) -> bool {
     counts.keys().any(|place| in_crate(&place.file).is_some())
 }
 
-/// The module of a line: that of its file, or if this is not one of the crate, that of the function. Line 0 marks an instruction
-/// that the compiler has merged from several lines: its file is that of any of them, and the function it is in has it.
+/// Returns the module of a line: the module of its file or, if the file is not one of the crate, of
+/// its function. Line 0 marks an instruction that the compiler has merged from several lines: its
+/// file is the file of any of them, so it is counted for its function.
 fn module(place: &Place) -> String {
     match in_crate(&place.file).filter(|_| place.line > 0) {
         Some(path) => path.trim_end_matches(".rs").trim_end_matches("/mod").replace('/', "::"),
@@ -99,17 +106,17 @@ fn module(place: &Place) -> String {
     }
 }
 
-/// The path of a file of the crate below `src`.
+/// Returns the path of a file of the crate below `src`.
 fn in_crate(file: &str) -> Option<&str> {
     file.split_once("forms-radiometry/src/").map(|(_, path)| path)
 }
 
-/// The path of a function of the crate, of an implementation too.
+/// Returns the path of a function of the crate, also of one in an implementation.
 fn of_function(function: &str) -> Option<&str> {
     function.trim_start_matches("_$LT$").trim_start_matches('<').strip_prefix("forms_radiometry::")
 }
 
-/// The files of kernels that have run, as far as lines tell them.
+/// Returns the files of the kernels that have run, as determined from lines.
 pub(crate) fn kernel_files(counts: &Counts) -> BTreeSet<&'static str> {
     let lines: Vec<&str> = include_str!("../../src/kernels.rs").lines().collect();
     let file = |(place, _): (&Place, &u64)| {
@@ -120,11 +127,12 @@ pub(crate) fn kernel_files(counts: &Counts) -> BTreeSet<&'static str> {
     counts.iter().filter_map(file).collect()
 }
 
-/// The function that calls the members of `gathered_light`: it is called by a pointer and so never inlined, while optimised members
-/// have no line of their own, since a member can be a single operation.
+/// Function that calls the members of `gathered_light`. It is called by a pointer and is therefore
+/// never inlined, while optimised members have no line of their own, since a member can be a single
+/// operation.
 const GATHERED: &str = "radiosity::arriving::gathered";
 
-/// The kernels that have run, as far as functions tell them: what is inlined has none.
+/// Returns the kernels that have run, as determined from functions: inlined kernels have none.
 pub(crate) fn kernels(counts: &Counts) -> BTreeSet<String> {
     let name = |place: &Place| {
         let function = of_function(&place.function)?;
@@ -138,7 +146,7 @@ pub(crate) fn kernels(counts: &Counts) -> BTreeSet<String> {
     counts.keys().filter_map(name).collect()
 }
 
-/// The file of a kernel of the library.
+/// Returns the file of a kernel of the library.
 pub(crate) fn file_of(kernel: &str) -> Option<&'static str> {
     let warp = kernel.strip_suffix("_sample").unwrap_or(kernel);
     let declared = [format!("kernel {kernel}("), format!("warp {warp}(")];

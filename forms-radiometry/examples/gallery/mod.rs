@@ -1,17 +1,17 @@
-//! The gallery: the scenes of the folder `scenes`, in the order of their names.
+//! The gallery: the scenes of the directory `scenes`, in the order of their names.
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::path::{Path, PathBuf};
 
-/// What can go wrong.
+/// Any error of an example.
 pub(crate) type Problem = Box<dyn std::error::Error>;
 
-/// The folder of the scenes.
+/// Returns the directory of the scenes.
 pub(crate) fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
 }
 
-/// Their files.
+/// Returns the files of the scenes.
 pub(crate) fn files() -> Result<Vec<PathBuf>, Problem> {
     let mut files: Vec<_> =
         std::fs::read_dir(folder())?.map(|entry| Ok(entry?.path())).collect::<Result<_, Problem>>()?;
@@ -20,17 +20,17 @@ pub(crate) fn files() -> Result<Vec<PathBuf>, Problem> {
     Ok(files)
 }
 
-/// The name of a file, without what is behind the point.
+/// Returns the name of a file without its extension.
 pub(crate) fn name(file: &Path) -> String {
     file.file_stem().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// A scene by its text; meshes are those of the folder.
+/// Reads a scene from its text; meshes are files of the directory.
 pub(crate) fn scene(text: &str, name: &str) -> Result<Scene, Problem> {
     read_with_files(text, name, &|file| std::fs::read(folder().join(file))).map_err(said)
 }
 
-/// What is wrong with a scene.
+/// Joins the errors of a scene.
 pub(crate) fn said(errors: Vec<SceneError>) -> Problem {
     errors.into_iter().map(|error| error.to_string()).collect::<Vec<_>>().join("\n").into()
 }

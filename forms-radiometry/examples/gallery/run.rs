@@ -1,16 +1,16 @@
-//! Runs: a scene is planned and simulated, and the time of both is taken.
+//! Timed runs: each plans and simulates a scene.
 
 use super::gallery::{Problem, said};
 use forms_radiometry::scene::{Effect, Force, ForcedEffect, Place, Scene};
 use forms_radiometry::simulation::{Plan, Simulation, Unwatched, plan, simulate};
 use std::time::Instant;
 
-/// Runs of which the median is taken: an odd number.
+/// Number of runs whose median is used; it is odd.
 const RUNS: usize = 3;
-/// A run that takes longer, in seconds, is not repeated.
+/// Runs that take longer than this, in seconds, are not repeated.
 const LONG: f64 = 5.0;
 
-/// A simulation and how long plan and answers took.
+/// Simulation with the time of plan and answers.
 pub(crate) struct Run {
     pub(crate) plan: Plan,
     pub(crate) found: Simulation,
@@ -18,7 +18,7 @@ pub(crate) struct Run {
 }
 
 impl Run {
-    /// The median of some runs, or a long one.
+    /// Returns the median of several runs, or the first long run.
     pub(crate) fn of(scene: &Scene) -> Result<Self, Problem> {
         let mut runs = Vec::new();
         for _ in 0..RUNS {
@@ -35,13 +35,13 @@ impl Run {
         Ok(runs.swap_remove(RUNS / 2))
     }
 
-    /// The largest error of an answer, a cell or a pixel, relative to it.
+    /// Returns the largest relative error of an answer, a cell or a pixel.
     pub(crate) fn error(&self) -> f64 {
         self.found.accuracy().largest_error()
     }
 }
 
-/// The scene with these effects forced, whatever its file says of them.
+/// Returns the scene with these effects forced, instead of the file's own settings for them.
 pub(crate) fn forced(scene: &Scene, effects: &[Effect], force: Force) -> Scene {
     let mut scene = scene.clone();
     scene.solve.forced.retain(|forced| !effects.contains(&forced.effect));

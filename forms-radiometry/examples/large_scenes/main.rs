@@ -1,13 +1,14 @@
-//! Time, memory and error of scenes with more and more surfaces, and with more and more receivers: tables of `docs/benchmarks.md` and the
-//! figures beside them.
+//! Time, memory and error of scenes with an increasing number of surfaces, and of receivers: the
+//! tables of `docs/benchmarks.md` and the figures next to them.
 //!
 //! ```text
-//! kind of scene, number ─▶ text of a scene ─ a process of its own, with 1 or 2 threads ─▶ times, memory, errors
-//!                                                ─┬─ table ─▶ docs/benchmarks.md
-//!                                                 └─ plot  ─▶ docs/figures/many_*.svg
+//! kind of scene, number ─▶ text of a scene ─ separate process, 1 or 2 threads
+//!                              └─▶ times, memory, errors ─┬─ table ─▶ docs/benchmarks.md
+//!                                                         └─ plot  ─▶ docs/figures/many_*.svg
 //! ```
-//! `cargo run --release -p forms-radiometry --example large_scenes [--write] [surfaces|receivers] [NUMBER…]` measures scenes of 10 to
-//! 100 000 surfaces and of 100 to 1 000 000 receivers, or what is named; with `--write` the page and the figures are written anew.
+//! `cargo run --release -p forms-radiometry --example large_scenes [--write] [surfaces|receivers]
+//! [NUMBER…]` measures scenes of 10 to 100 000 surfaces and of 100 to 1 000 000 receivers, or the
+//! given ones; with `--write` the page and the figures are rewritten.
 
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
@@ -26,7 +27,7 @@ mod uniform;
 
 use std::io;
 
-/// What marks a process that measures one scene.
+/// Argument of a process that measures one scene.
 const ONE: &str = "--one";
 
 fn main() -> io::Result<()> {

@@ -1,4 +1,4 @@
-//! One scene, measured: in this process, or in one of its own, whose memory and threads are its own too.
+//! Measurement of one scene: in this process, or in a separate one with its own memory and threads.
 
 use super::ONE;
 use forms_radiometry::scene::read;
@@ -7,9 +7,9 @@ use std::io;
 use std::process::Command;
 use std::time::Instant;
 
-/// What was measured: seconds, kibibytes, and the largest relative error that was printed.
+/// Measurements: seconds, kibibytes, and the largest relative error that was printed.
 pub(crate) struct Measured {
-    /// How many there were of what the scene is measured for.
+    /// Number of surfaces or receivers, whichever the series varies.
     pub(crate) count: usize,
     pub(crate) reading: f64,
     pub(crate) planning: f64,
@@ -19,7 +19,7 @@ pub(crate) struct Measured {
 }
 
 impl Measured {
-    /// The figures on a line, for [`elsewhere`].
+    /// Returns the figures on a line, for [`elsewhere`].
     pub(crate) fn line(&self) -> String {
         let Self { count, reading, planning, answering, memory, error } = self;
         format!("{count} {reading} {planning} {answering} {memory} {error}")
@@ -62,7 +62,8 @@ pub(crate) fn here(count: usize, text: String) -> Measured {
     Measured { count, reading, planning, answering, memory: most_memory(), error }
 }
 
-/// The most memory that this process has had, in kibibytes, where the system tells it.
+/// Returns the peak memory of this process in kibibytes, or NaN where the system does not report
+/// it.
 fn most_memory() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));

@@ -1,21 +1,22 @@
-//! Scenes whose receivers are many points: under a lamp, under a lamp that a plate hides in part, and in a closed room.
+//! Scenes with many point receivers: under a lamp, under a lamp that a plate partly occludes, and
+//! in a closed room.
 
 use crate::scene_text::{CUBE, Point, material, point_receiver, polygon, surface, tolerance};
 use crate::uniform::Uniform;
 use std::f64::consts::TAU;
 
-/// Points on a floor of 4 m × 4 m under a lamp of 2 m × 2 m, 2 m above its middle.
+/// Returns points on a floor of 4 m × 4 m under a lamp of 2 m × 2 m, 2 m above its centre.
 pub(crate) fn under_a_lamp(points: usize) -> String {
     format!("{}{}", lamp(), on_the_floor(points))
 }
 
-/// The same with a plate of 1.5 m × 1 m halfway below the lamp, off the middle.
+/// Returns the same scene with a plate of 1.5 m × 1 m halfway below the lamp, off-centre.
 pub(crate) fn under_a_plate(points: usize) -> String {
     let plate = polygon(&[[-0.5, -0.25, 1.0], [-0.5, 0.75, 1.0], [1.0, 0.75, 1.0], [1.0, -0.25, 1.0]]);
     format!("{}{}{}", lamp(), surface("plate", "black", &plate), on_the_floor(points))
 }
 
-/// Points that look anywhere in a cube whose walls reflect and whose ceiling shines.
+/// Returns points with random normals in a cube whose walls reflect and whose ceiling emits.
 pub(crate) fn in_a_cube(points: usize) -> String {
     let mut random = Uniform::new(2);
     let mut text = material("paint", 0.6);

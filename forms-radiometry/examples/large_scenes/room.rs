@@ -1,4 +1,5 @@
-//! A room of 10 m by 10 m by 4 m with a lamp under its ceiling, whose floor is full of boxes of different heights, turned at random.
+//! A room of 10 m by 10 m by 4 m with a lamp under its ceiling, whose floor is full of boxes of
+//! different heights and random orientations.
 
 use crate::scene_text::{Point, material, polygon, surface};
 use crate::uniform::Uniform;
@@ -6,11 +7,12 @@ use std::f64::consts::TAU;
 
 /// The sides of the room.
 const SIZE: [f64; 3] = [10.0, 10.0, 4.0];
-/// The surfaces of a room without boxes, and those of a box, which stands on the floor.
+/// Number of surfaces of a room without boxes, and of a box, which stands on the floor.
 const SHELL: usize = 7;
 const BOX: usize = 5;
 
-/// Ten receivers: points at three heights that look up, down and to a wall, a sphere, a ray and a wall.
+/// Ten receivers: points at three heights that face up, down and to a wall, a sphere, a ray and a
+/// wall.
 const RECEIVERS: &str = r#"
 [[receiver]]
 name = "up 1"
@@ -64,12 +66,12 @@ surface = "left"
 tolerance = 1e-2
 "#;
 
-/// The text of a scene with about this many surfaces, and ten receivers.
+/// Returns the text of a scene with about this many surfaces, and ten receivers.
 pub(crate) fn asked(surfaces: usize) -> String {
     with_boxes(surfaces) + RECEIVERS
 }
 
-/// The room with about this many surfaces, and no receivers.
+/// Returns the room with about this many surfaces, and no receivers.
 pub(crate) fn with_boxes(surfaces: usize) -> String {
     let mut text = String::from("name = \"A room of boxes\"\n");
     for (name, reflectance) in [("paint", 0.7), ("wood", 0.4), ("cloth", 0.2)] {
@@ -99,11 +101,11 @@ fn shell(text: &mut String) {
         ("lamp", "paint", [[4.0, 4.0, under], [4.0, 6.0, under], [6.0, 6.0, under], [6.0, 4.0, under]]),
     ];
     faces.iter().for_each(|(name, material, corners)| *text += &surface(name, material, &polygon(corners)));
-    // of the lamp, which is the last
+    // belongs to the lamp, which is the last surface
     text.push_str("exitance = 100\n");
 }
 
-/// A box without a bottom, within its cell of the floor.
+/// Adds a box without a bottom, within its cell of the floor.
 fn add_box(text: &mut String, index: usize, [column, row]: [usize; 2], size: f64, random: &mut Uniform) {
     let middle = [(column as f64 + 0.5) * size * SIZE[0], (row as f64 + 0.5) * size * SIZE[1]];
     let half = size * SIZE[0] * (0.15 + 0.15 * random.next());

@@ -1,4 +1,5 @@
-//! What is measured: kinds of scenes, in numbers that grow, with one thread and with two; and how that is told.
+//! Series of measurements: kinds of scenes of increasing size, with one thread and with two, and
+//! their tables and figures.
 
 use super::measured::{self, Measured};
 use super::page::{self, processor};
@@ -10,23 +11,23 @@ use std::path::PathBuf;
 
 const THREADS: [usize; 2] = [1, 2];
 
-/// A kind of scene: how it is named on the command line and in words, and its text for a number.
+/// Kind of scene: its name on the command line and in prose, and its text for a number.
 struct Kind {
     argument: &'static str,
     words: &'static str,
     text: fn(usize) -> String,
-    /// The largest number that does not take too long.
+    /// Largest number that does not take too long.
     most: usize,
 }
 
-/// Kinds of scenes in which the number of one thing grows.
+/// Kinds of scenes in which the number of one thing increases.
 pub(crate) struct Series {
-    /// What there are more and more of.
+    /// Thing whose number increases.
     pub(crate) name: &'static str,
     pub(crate) numbers: &'static [usize],
     caption: &'static str,
     kinds: &'static [Kind],
-    /// Whether memory has a figure too, beside its column of the table.
+    /// Whether memory has a figure too, next to its column of the table.
     draws_memory: bool,
 }
 
@@ -55,19 +56,19 @@ const RECEIVERS: Series = Series {
     draws_memory: true,
 };
 
-/// All that is measured.
+/// Returns all series.
 pub(crate) fn all() -> [Series; 2] {
     [SURFACES, RECEIVERS]
 }
 
-/// The text of a scene of the kind that is named so.
+/// Returns the text of a scene of the kind with this name.
 pub(crate) fn text(argument: &str, number: usize) -> Option<String> {
     let all = all();
     let kind = all.iter().flat_map(|series| series.kinds).find(|kind| kind.argument == argument)?;
     Some((kind.text)(number))
 }
 
-/// One scene, and what was measured with this many threads.
+/// Measurements of one scene with this number of threads.
 pub(crate) struct Row {
     kind: &'static Kind,
     threads: usize,
@@ -75,7 +76,7 @@ pub(crate) struct Row {
 }
 
 impl Series {
-    /// Measures scenes of every kind in these numbers, and prints the table on the way.
+    /// Measures scenes of every kind in these numbers, and prints the table as it grows.
     pub(crate) fn measured(&self, numbers: &[usize]) -> io::Result<Vec<Row>> {
         let mut rows = Vec::new();
         print!("{}", self.head());
@@ -107,7 +108,7 @@ impl Series {
         if self.draws_memory { std::fs::write(figure("_memory"), self.memory(rows).svg()) } else { Ok(()) }
     }
 
-    /// Whether there are several kinds of scenes to be told apart.
+    /// Whether there are several kinds of scenes to distinguish.
     fn has_kinds(&self) -> bool {
         self.kinds.len() > 1
     }
@@ -169,7 +170,7 @@ impl Series {
     }
 }
 
-/// A figure of every scene of a kind, measured with this many threads.
+/// Returns a figure of every scene of a kind, measured with this number of threads.
 fn points_of(rows: &[Row], kind: &Kind, threads: usize, figure: fn(&Measured) -> f64) -> Vec<[f64; 2]> {
     let is_meant = |row: &&Row| row.kind.argument == kind.argument && row.threads == threads;
     rows.iter().filter(is_meant).map(|row| [row.found.count as f64, figure(&row.found)]).collect()

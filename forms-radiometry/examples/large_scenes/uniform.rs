@@ -1,4 +1,4 @@
-//! Numbers of chance that are the same in every run.
+//! Pseudorandom numbers that are the same in every run.
 
 /// SplitMix64 (Steele, Lea, Flood 2014), as numbers from 0 to 1.
 pub(crate) struct Uniform(u64);
@@ -16,7 +16,7 @@ impl Uniform {
         ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A number between these.
+    /// Returns a number between these limits.
     pub(crate) fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
         low + (high - low) * self.next()
     }

@@ -1,24 +1,25 @@
-//! Accuracy: errors of answers, cells and pixels relative to what the tolerance of each is relative to.
+//! Accuracy: errors of answers, cells and pixels, relative to the scale of the tolerance of each.
 //!
 //! ```text
 //! a number                          |value|
 //! a component of a vector, a bin    the largest of all components, of all bins
 //! a cell, a pixel                   max(scale of its map, |value|)          see Map::scales
-//! dark ones                         1e-9 of the largest number at least
+//! dark numbers                      at least 1e-9 of the largest number
 //! ```
-//! What is printed, what misses the tolerance, and what a figure shows at its end are taken from here, so that they agree. The scales of all
-//! answers are found once, in time that is linear in their number.
+//! Printed errors, the list of missed tolerances, and the last point of a convergence plot are all
+//! taken from this module, so that they agree. The scales of all answers are found once, in time
+//! linear in their number.
 
 use super::answer::{Answer, Map, Quantity, Simulation};
 use super::solver::DARK;
 use std::collections::HashMap;
 
-/// The answers of a simulation with the scale of each.
+/// Answers of a simulation with the scale of each.
 pub struct Accuracy<'s> {
     found: &'s Simulation,
-    /// What the error of each answer is relative to.
+    /// Scale of each answer: the value that its error is relative to.
     scales: Vec<f64>,
-    /// The least number that an error is relative to.
+    /// Lower limit of all scales.
     dark: f64,
 }
 
@@ -27,27 +28,27 @@ pub struct Accuracy<'s> {
 pub struct Rated<'s> {
     /// The answer.
     pub answer: &'s Answer,
-    /// What its error is relative to.
+    /// Scale that its error is relative to.
     pub scale: f64,
     /// Its relative error.
     pub error: f64,
 }
 
-/// The cells of a map, or pixels of an image, whose errors are larger than a tolerance allows, in one band.
+/// Cells of a map, or pixels of an image, whose errors exceed a tolerance in one band.
 #[derive(Clone, Copy, Debug)]
 pub struct MissedCells<'s> {
     /// The map.
     pub map: &'s Map,
-    /// The band, from 0; none where the scene has a single one.
+    /// The band, counted from 0; `None` where the scene has a single band.
     pub band: Option<usize>,
-    /// The number of these cells, and of all cells that have a value.
+    /// Number of these cells, and number of all cells that have a value.
     pub counts: [usize; 2],
-    /// The largest of their errors relative to their scales.
+    /// Largest of their errors, relative to their scales.
     pub worst: f64,
 }
 
 impl Simulation {
-    /// The accuracy of what was found.
+    /// Returns the accuracy of the results.
     pub fn accuracy(&self) -> Accuracy<'_> {
         let mut largest: HashMap<_, f64> = HashMap::new();
         for answer in &self.answers {
@@ -62,7 +63,8 @@ impl Simulation {
     }
 }
 
-/// The answers that have one scale: those of one receiver, band and quantity, and the components of a vector.
+/// Returns the key of the answers that share one scale: the answers of one receiver, band and
+/// quantity, and the components of a vector.
 fn group(answer: &Answer) -> (&str, Option<usize>, Quantity) {
     let quantity = match answer.quantity {
         Quantity::VectorIrradiance(_) => Quantity::FluenceRate,
@@ -72,7 +74,7 @@ fn group(answer: &Answer) -> (&str, Option<usize>, Quantity) {
 }
 
 impl<'s> Accuracy<'s> {
-    /// All answers, in their order.
+    /// Returns all answers in their order.
     pub fn answers(&self) -> impl DoubleEndedIterator<Item = Rated<'s>> {
         let rated = |(answer, &scale): (&'s Answer, &f64)| Rated {
             answer,
@@ -82,12 +84,12 @@ impl<'s> Accuracy<'s> {
         self.found.answers.iter().zip(&self.scales).map(rated)
     }
 
-    /// For each answer, in their order, whether its error is larger than this tolerance allows.
+    /// Returns for each answer, in their order, whether its error exceeds this tolerance.
     pub fn missed(&self, tolerance: f64) -> Vec<bool> {
         self.answers().map(|rated| rated.error > with_rounding(tolerance)).collect()
     }
 
-    /// The maps and images that have errors larger than this tolerance allows.
+    /// Returns the maps and images, band by band, that have errors above this tolerance.
     pub fn missed_cells(&self, tolerance: f64) -> Vec<MissedCells<'s>> {
         let of_band = |map: &'s Map, band: usize| {
             let (mut missed, mut all, mut worst) = (0, 0, 0.0_f64);
@@ -103,41 +105,43 @@ impl<'s> Accuracy<'s> {
         self.found.maps.iter().flat_map(bands).filter_map(|(map, band)| of_band(map, band)).collect()
     }
 
-    /// The answer whose relative error is the largest, the first of several; none where there is no light.
+    /// Returns the answer whose relative error is the largest, the first of several; `None` where
+    /// there is no light.
     pub fn worst_answer(&self) -> Option<Rated<'s>> {
         let lit = self.answers().filter(|rated| rated.scale > 0.0);
         lit.rev().max_by(|one, other| one.error.total_cmp(&other.error))
     }
 
-    /// The largest relative error of the cells and pixels of all maps and images.
+    /// Returns the largest relative error of the cells and pixels of all maps and images.
     pub fn largest_of_cells(&self) -> f64 {
         let bands = self.found.maps.iter().flat_map(|map| (0..map.values.len()).map(move |band| (map, band)));
         bands.flat_map(|(map, band)| self.of_cells(map, band)).fold(0.0, f64::max)
     }
 
-    /// The largest relative error of all answers, cells and pixels.
+    /// Returns the largest relative error of all answers, cells and pixels.
     pub fn largest_error(&self) -> f64 {
         self.answers().map(|rated| rated.error).fold(self.largest_of_cells(), f64::max)
     }
 
-    /// The relative errors of the cells of a map that have a value.
+    /// Returns the relative errors of the cells of a map that have a value.
     fn of_cells(&self, map: &'s Map, band: usize) -> impl Iterator<Item = f64> {
         let cells = map.values[band].iter().zip(&map.errors[band]).filter(|(value, _)| !value.is_nan());
         cells.map(move |(value, &error)| self.relative(error, map.scales[band].max(value.abs())))
     }
 
-    /// An error relative to a scale. Where there is no light at all, any error is infinite.
+    /// Returns an error relative to a scale. Where there is no light at all, every error other than
+    /// zero is infinite.
     fn relative(&self, error: f64, scale: f64) -> f64 {
         relative(error, scale.max(self.dark))
     }
 }
 
-/// An error relative to a scale; none is none, also where there is no light.
+/// Returns an error relative to a scale. An error of zero stays zero, even where there is no light.
 pub(super) fn relative(error: f64, scale: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / scale }
 }
 
-/// A tolerance with what rounding of the sum of its parts makes of an error that meets it exactly.
+/// Returns a tolerance that an error still meets after the rounding of the sum of its parts.
 fn with_rounding(tolerance: f64) -> f64 {
     tolerance * (1.0 + 4.0 * f64::EPSILON)
 }

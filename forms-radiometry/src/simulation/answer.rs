@@ -1,40 +1,42 @@
-//! What a simulation says: the plan, and values with their errors.
+//! Results of a simulation: the plan, and values with their errors.
 
 use super::parts::ErrorParts;
 use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
 use serde::{Deserialize, Serialize};
 
-/// Which effects are simulated.
+/// Decision about the effects that are simulated.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Every effect, in the order of [`Effect::ALL`].
+    /// All effects, in the order of [`Effect::ALL`].
     pub effects: Vec<PlannedEffect>,
-    /// The kernels that the simulation runs with these effects.
+    /// Kernels that the simulation runs with these effects.
     pub kernels: Vec<UsedKernel>,
-    /// What all that was left out because it matters less than the tolerance can change in an answer, relative to it.
+    /// Error budget spent on omitted effects: the largest change of an answer, relative to it, by
+    /// all effects that were omitted because they matter less than the tolerance.
     pub dropped: f64,
 }
 
-/// What a plan decides about one effect.
+/// Decision of a plan about one effect.
 #[derive(Clone, Debug)]
 pub struct PlannedEffect {
     /// The effect.
     pub effect: Effect,
     /// Whether it is simulated.
     pub on: bool,
-    /// How many orders of it are simulated; all, if none is said.
+    /// Number of orders that are simulated; all orders if `None`.
     pub orders: Option<u32>,
-    /// Why: what in the scene triggers it, or that nothing does.
+    /// Reason: the trigger in the scene, or that there is no trigger.
     pub why: String,
-    /// What leaving it out, or its higher orders, can change in an answer, in the answer's unit; none where no bound is known.
+    /// Largest change of an answer, in the answer's unit, by omitting the effect or its higher
+    /// orders; `None` where no bound is known.
     pub bound: Option<f64>,
 }
 
-/// What is measured.
+/// Measured quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Quantity {
-    /// Power per area, W/m²; of a surface its mean.
+    /// Power per area, W/m²; for a surface, its mean.
     Irradiance,
     /// Power that arrives at a surface, W.
     Flux,
@@ -42,104 +44,116 @@ pub enum Quantity {
     Radiance,
     /// The integral of radiance over all directions, W/m².
     FluenceRate,
-    /// A component of the integral of radiance times direction of travel, W/m²: 0, 1 or 2 for x, y or z.
+    /// A component of the integral of radiance times direction of travel, W/m²: 0, 1 or 2 for x, y
+    /// or z.
     VectorIrradiance(usize),
-    /// Energy per area that arrives in a time, J/m²; of a surface its mean.
+    /// Energy per area that arrives during an exposure, J/m²; for a surface, its mean.
     Exposure,
-    /// The fluence rate, over a time, J/m².
+    /// Fluence rate integrated over an exposure, J/m².
     Fluence,
 }
 
-/// What an error means.
+/// Meaning of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum ErrorKind {
-    /// A rigorous bound: closed forms leave only rounding.
+    /// Rigorous bound. Closed forms leave only rounding.
     Bound,
-    /// Extrapolated from how values settle: hardly ever exceeded, and not by much.
+    /// Extrapolated from the convergence of the values: hardly ever exceeded, and not by much.
     Estimate,
-    /// The half width of Student's interval of samples that holds the value with the probability [`ErrorKind::LEVEL`].
+    /// Half width of the Student interval of the samples, which contains the value with the
+    /// probability [`ErrorKind::LEVEL`].
     Confidence,
     /// One standard error.
     Sigma,
 }
 
-/// One number that was asked for.
+/// One requested number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// The receiver's name.
     pub receiver: String,
-    /// What was measured.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// The band, from 0; none where the scene has a single one.
+    /// The band, counted from 0; `None` where the scene has a single band.
     pub band: Option<usize>,
-    /// The bin of time, from 0; none where the receiver is not resolved in time.
+    /// The time bin, counted from 0; `None` where the receiver is not resolved in time.
     pub bin: Option<usize>,
     /// The value.
     pub value: f64,
     /// Its error, in the same unit.
     pub error: f64,
-    /// What the error is made of: together these are the error, as [`ErrorParts::error`] says.
+    /// Error budget: its parts combine to the error by [`ErrorParts::error`].
     pub parts: ErrorParts,
-    /// What the error means.
+    /// Meaning of the error.
     pub kind: ErrorKind,
-    /// The part of the time of the work that it took, in seconds: that of its receiver, divided evenly among the answers of this.
-    /// What all receivers share is not part of it ([`Simulation::shared_seconds`]).
+    /// Time spent on this answer, in seconds: the time of its receiver, divided evenly among the
+    /// receiver's answers. Work shared by all receivers is not included
+    /// ([`Simulation::shared_seconds`]).
     pub seconds: f64,
 }
 
-/// The irradiance of a surface, cell by cell, or the radiance that a camera sees, pixel by pixel.
+/// Irradiance of a surface, cell by cell, or radiance seen by a camera, pixel by pixel.
 ///
-/// The cells divide the bounding rectangle of the polygon in its plane, whose first axis is the polygon's first edge: columns
-/// follow each other along that edge, and rows away from it. A cell outside of the polygon holds NaN, and so does one that was
-/// not reached before the work was stopped. Pixels follow each other row by row from the upper left of the picture.
+/// The cells divide the bounding rectangle of the polygon in its plane. The first axis of the
+/// rectangle is the polygon's first edge: columns follow each other along that edge, and rows away
+/// from it. A cell outside the polygon holds NaN, and so does a cell that was not reached before
+/// the work was stopped. Pixels follow each other row by row from the upper left of the picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Map {
     /// The receiver's name.
     pub receiver: String,
-    /// What was measured.
+    /// Measured quantity.
     pub quantity: Quantity,
-    /// How many cells there are along each side, [columns, rows].
+    /// Number of cells along each side, [columns, rows].
     pub size: [usize; 2],
-    /// For each band the value of each cell, row by row.
+    /// Value of each cell for each band, row by row.
     pub values: Vec<Vec<f64>>,
-    /// For each band the error of each cell, row by row.
+    /// Error of each cell for each band, row by row.
     pub errors: Vec<Vec<f64>>,
-    /// For each band what the tolerance is relative to, of each cell at least its own value: the mean over all cells that have a value, of an
-    /// image over the pixels in which no emitter is seen directly. Where these are dark, or there are none, the mean over all pixels. Work by
-    /// paths takes a mean that its first samples tell, from below and within a tenth, and where these find no light the brightest one.
+    /// Scale of the tolerance for each band. The error of a cell is relative to the larger of this
+    /// scale and the cell's own value. The scale is the mean over all cells that have a value; for
+    /// an image, it is the mean over the pixels that see no emitter directly. Where those pixels
+    /// are dark, or there are none, it is the mean over all pixels. The path tracer uses a lower
+    /// estimate of that mean from pilot samples: within a tenth of it once the pilot has settled,
+    /// and never below half of it. Where the pilot finds no light, the scale is the brightest
+    /// light.
     pub scales: Vec<f64>,
-    /// What these errors mean.
+    /// Meaning of these errors.
     pub kind: ErrorKind,
-    /// Whether it is what a camera sees, so that the first row is the upper one.
+    /// Whether it is the view of a camera, whose first row is the upper one.
     pub is_image: bool,
 }
 
-/// How exact the answers were at some time of the work.
+/// Accuracy of the answers at one time of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Moment {
     /// Seconds since the work began.
     pub seconds: f64,
-    /// The largest error of an answer, a cell or a pixel, relative to it; of a cell or a pixel as [`Map::scales`] says.
+    /// Largest error of an answer, a cell or a pixel, relative to its scale (for cells and pixels
+    /// see [`Map::scales`]).
     pub error: f64,
 }
 
-/// What was found.
+/// Results of a simulation.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Simulation {
-    /// The numbers, in the order of the receivers, then of quantities, then of bands. A map has its mean among them.
+    /// The numbers, in the order of the receivers, then of the quantities, then of the bands. The
+    /// mean of a map is one of them.
     pub answers: Vec<Answer>,
-    /// The maps, in the order of the receivers.
+    /// The maps and images, in the order of the receivers.
     pub maps: Vec<Map>,
-    /// How the error fell in time.
+    /// Convergence: the error as a function of time.
     pub history: Vec<Moment>,
-    /// The time of the work, in seconds, with that of earlier runs that it was continued from; of shares that were merged the sum.
+    /// Time of the work in seconds, including earlier runs that it was continued from; for merged
+    /// shards, the sum.
     pub seconds: f64,
-    /// Whether the work was stopped before it was done: then receivers may be missing, or be less exact than was asked for.
+    /// Whether the work was stopped before it was done. Receivers may then be missing, or be less
+    /// accurate than requested.
     pub stopped: bool,
 }
 
 impl Quantity {
-    /// Its name, as in the program's output.
+    /// Returns its name, as in the program's output.
     pub fn name(self) -> &'static str {
         match self {
             Self::Irradiance => "irradiance",
@@ -154,7 +168,7 @@ impl Quantity {
         }
     }
 
-    /// Its unit.
+    /// Returns its unit.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Irradiance | Self::FluenceRate | Self::VectorIrradiance(_) => "W/m²",
@@ -166,7 +180,8 @@ impl Quantity {
 }
 
 impl Simulation {
-    /// The time of what all receivers share, in seconds: with the times of all answers it is that of the work.
+    /// Returns the time of the work shared by all receivers, in seconds. Together with the times of
+    /// all answers it is the time of the whole work.
     pub fn shared_seconds(&self) -> f64 {
         let of_answers: f64 = self.answers.iter().map(|answer| answer.seconds).sum();
         (self.seconds - of_answers).max(0.0)
@@ -174,7 +189,8 @@ impl Simulation {
 }
 
 impl Answer {
-    /// The unit of the value. Lights of receivers that are resolved in time send a pulse, whose energy takes the place of power.
+    /// Returns the unit of the value. For a receiver that is resolved in time, lights send a pulse,
+    /// and energy replaces power.
     pub fn unit(&self) -> &'static str {
         match (self.bin, self.quantity.unit()) {
             (Some(_), "W") => "J",
@@ -186,7 +202,7 @@ impl Answer {
 }
 
 impl ErrorKind {
-    /// Its name, as in the program's output.
+    /// Returns its name, as in the program's output.
     pub fn name(self) -> &'static str {
         match self {
             Self::Bound => "bound",
@@ -196,10 +212,11 @@ impl ErrorKind {
         }
     }
 
-    /// The probability that the value lies within an error of the kind [`ErrorKind::Confidence`].
+    /// Confidence level: the probability that the value lies within an error of the kind
+    /// [`ErrorKind::Confidence`].
     pub const LEVEL: f64 = 0.9999;
 
-    /// What it means, beside an error.
+    /// Returns its label, printed next to an error.
     pub fn words(self) -> &'static str {
         match self {
             Self::Bound => "bound",
@@ -209,7 +226,7 @@ impl ErrorKind {
         }
     }
 
-    /// The kind of an error of this kind and one that is an estimate together.
+    /// Returns the kind of the sum of an error of this kind and an estimate.
     pub(super) fn with_estimate(self) -> Self {
         if self == Self::Bound { Self::Estimate } else { self }
     }

@@ -1,10 +1,11 @@
-//! Arithmetic: what of a machine decides the last bits of its answers.
+//! Arithmetic: the properties of a machine that determine the last bits of its answers.
 //!
 //! ```text
-//! vector instructions ─ the loops of kernels over rows are compiled for several, and the best that there are is taken
-//! functions           ─ sin, exp, … of the system round differently from library to library, and from processor to processor
+//! vector instructions ─ kernel loops over rows are compiled for several sets; the best is chosen
+//! functions           ─ sin, exp, … round differently between libraries and between processors
 //! ```
-//! Sums, products, quotients and square roots are rounded alike everywhere. The functions are told apart by their values at many places.
+//! Sums, products, quotients and square roots are rounded identically everywhere. Implementations
+//! of the functions are distinguished by their values at many points.
 
 use crate::sampling::Random;
 use forms::math::Instructions;
@@ -12,10 +13,10 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::hint::black_box;
 
-/// At how many places each function is computed.
+/// Number of points at which each function is evaluated.
 const PLACES: usize = 1 << 12;
 
-/// The instructions and functions that a simulation runs with.
+/// Instructions and functions that a simulation runs with.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Arithmetic {
     processor: String,
@@ -24,7 +25,7 @@ pub struct Arithmetic {
 }
 
 impl Arithmetic {
-    /// That of this machine, with the instructions that were chosen.
+    /// Returns the arithmetic of this machine, with the chosen instructions.
     pub fn here() -> Self {
         Self {
             processor: std::env::consts::ARCH.to_owned(),
@@ -40,7 +41,7 @@ impl fmt::Display for Arithmetic {
     }
 }
 
-/// A number that is made of the bits of all functions at all places.
+/// Returns a hash of the bits of all functions at all points.
 fn functions() -> u64 {
     let mut random = Random::new(0);
     let mut hash = blake3::Hasher::new();

@@ -1,10 +1,11 @@
-//! Digits: readings of what comes straight from lights become values with bounds on their rounding.
+//! Precision: readings of direct light become values with bounds on their rounding error.
 //!
 //! ```text
-//! few edges in all ─▶ to the last digit, round shapes as a whole
-//! many ─▶ in f64, with a bound for all points ─ too large ─▶ with one of their own ─ too large ─▶ to the last digit
+//! few edges in all ─▶ double-double, disks and spheres as whole shapes
+//! many edges       ─▶ f64 with one bound for all points; where that is too large, with its own
+//!                     bound; where that is too large too, double-double
 //! ```
-//! A bound is too large if it is more than rules of integration may leave.
+//! A bound is too large if it exceeds the error that quadrature is allowed.
 
 use super::readings::Reading;
 use super::solver::RULES;
@@ -12,28 +13,29 @@ use crate::radiosity::{Radiosity, Scratch, Straight, is_precise};
 use crate::scene::Scene;
 use std::borrow::Cow;
 
-/// How readings are computed.
+/// Precision of the readings.
 pub(super) enum Digits {
-    /// They are not closed forms alone: of their rounding nothing is known yet.
+    /// The readings are not closed forms alone. Their rounding error is not known yet.
     Unknown,
-    /// To the last digit.
+    /// In double-double.
     All,
-    /// In `f64`; for each band, what rounding changes of any reading at a point.
+    /// In `f64`, with a bound for each band on the rounding error of any reading at a point.
     Some(Vec<f64>),
 }
 
-/// A reading.
+/// Value of a reading.
 pub(super) struct Value<'d> {
-    /// In each band.
+    /// Value in each band.
     pub(super) bands: Vec<f64>,
-    /// What rounding changes of it in each band, as far as that is known.
+    /// Bound on its rounding error in each band, where it is known.
     pub(super) rounding: Cow<'d, [f64]>,
-    /// Whether flat pieces may stand for a round shape in it.
+    /// Whether tessellated faces may replace a disk or a sphere in it.
     pub(super) has_pieces: bool,
 }
 
 impl Digits {
-    /// Of readings of a scene, the first `answers` of which are answers; those after them are watched.
+    /// Chooses the precision for the readings of a scene. The first `answers` readings are answers;
+    /// the others are watched.
     pub(super) fn of(
         (scene, readings): (&Scene, &[Reading]),
         answers: usize,
@@ -51,7 +53,8 @@ impl Digits {
         Self::Some(lights.rounding_of_all(&points, transport))
     }
 
-    /// A reading in each band. One that is watched is as those are of which it tells.
+    /// Returns a reading in each band. A watched reading is evaluated like the cells that it
+    /// represents.
     pub(super) fn value(
         &self,
         (reading, is_watched): (&Reading, bool),

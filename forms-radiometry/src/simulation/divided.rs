@@ -1,8 +1,9 @@
-//! Simulations in parts: from a state on, in shares, and from these put together.
+//! Runs: simulations that start from a checkpoint, are divided into shards, and are merged from
+//! shards.
 //!
 //! ```text
-//! light along paths      every number, cell and pixel is a unit of work, and the shares deal them out
-//! solved as a whole      all of it is one unit: surfaces light each other, and every answer needs all of them
+//! path tracing        every number, cell and pixel is a unit of work, dealt out to the shards
+//! solved as a whole   a single unit: surfaces illuminate each other, and all answers need them
 //! ```
 
 use super::answer::{Plan, Simulation};
@@ -16,21 +17,21 @@ use super::watch::{Unwatched, Watch};
 use crate::radiosity::Gathering;
 use crate::scene::{Scene, WorkingScene};
 
-/// Whether light is followed along paths. Other scenes are solved as a whole.
+/// Whether a scene is simulated by path tracing. Other scenes are solved as a whole.
 pub fn is_by_paths(scene: &Scene, plan: &Plan) -> bool {
     Prepared::of(scene, plan).is_followed()
 }
 
-/// Answers the questions of a scene with the effects of a plan.
+/// Simulates a scene with the effects of a plan.
 pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
     let found = simulate_job(scene, plan, Job::default(), watch);
     found.expect("there is no state that could be of another simulation")
 }
 
-/// Does what a job says of a scene. A share to which nothing belongs finds nothing.
+/// Runs a job on a scene. The result of a shard without any unit of work is empty.
 ///
 /// # Errors
-/// The state of the job is not of this scene.
+/// The checkpoint of the job does not belong to this scene.
 pub fn simulate_job(
     scene: &Scene,
     plan: &Plan,
@@ -48,10 +49,10 @@ pub fn simulate_job(
     Ok(prepared.finished(found, &working))
 }
 
-/// What one simulation of all the work would have found, from the states at the end of its shares.
+/// Merges the final checkpoints of all shards into the result of one undivided simulation.
 ///
 /// # Errors
-/// A share is missing or not done, or its state is not of this scene.
+/// A shard is missing or not done, or its checkpoint does not belong to this scene.
 pub fn merge(
     scene: &Scene,
     plan: &Plan,
@@ -73,10 +74,11 @@ pub fn merge(
     Ok(prepared.finished(found, &working))
 }
 
-/// The single unit of work on a scene that is solved as a whole.
+/// The single unit of work of a scene that is solved as a whole.
 const PIECE: usize = 0;
 
-/// What a share finds of a scene that is solved as a whole, which is kept at the end, and only there.
+/// Solves a scene as a whole, if the shard has that unit of work. The checkpoint is kept at the
+/// end, and only there.
 fn in_one_piece(
     prepared: &Prepared,
     working: &WorkingScene<'_>,
@@ -94,7 +96,7 @@ fn in_one_piece(
     Ok(found.unwrap_or_default())
 }
 
-/// What a state says that a share found of a scene that is solved as a whole.
+/// Returns the result of a shard, from its checkpoint, for a scene that is solved as a whole.
 fn piece(share: Share, state: State) -> Result<Option<Simulation>, Misfit> {
     state.of_whole().filter(|found| found.is_some() == share.has(PIECE)).ok_or(Misfit)
 }

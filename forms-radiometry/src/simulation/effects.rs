@@ -1,4 +1,4 @@
-//! Effects: what the solver does of the plan.
+//! Effects: the plan, expressed as settings of the solver.
 
 use super::answer::PlannedEffect;
 use super::followed::Computable;
@@ -10,19 +10,19 @@ use crate::monte_carlo::{self, Limits};
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, is_precise, kernels};
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
 
-/// What the solver does.
+/// Effects that the solver simulates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Effects {
     pub(super) direct: bool,
     pub(super) occlusion: bool,
-    /// What surfaces hide.
+    /// Occlusion between surfaces: simulated, omitted, or absent.
     pub(super) hiding: Hiding,
-    /// How often light is reflected at most; as often as it happens, if nothing is said.
+    /// Maximum number of reflections; unlimited if `None`.
     pub(super) orders: Option<u32>,
-    /// How often it is scattered by media at most, likewise.
+    /// Maximum number of scattering events in media; unlimited if `None`.
     pub(super) scatterings: Option<u32>,
     pub(super) bands: bool,
-    /// Those that paths are asked for.
+    /// Effects requested from the path tracer.
     pub(super) of_paths: monte_carlo::Effects,
 }
 
@@ -35,7 +35,8 @@ impl Effects {
             _ => Some(0),
         };
         let occlusion = is_on(Effect::Occlusion);
-        // what is found to be absent changes nothing for certain
+        // a bound of 0 means that occlusion was found to be absent: omitting it changes nothing for
+        // certain
         let is_absent = planned(Effect::Occlusion).is_some_and(|planned| planned.bound == Some(0.0));
         let hiding = match (occlusion, is_absent) {
             (true, _) => Hiding::Simulated,
@@ -60,7 +61,7 @@ impl Effects {
         }
     }
 
-    /// What they ask of a solution.
+    /// Returns the query that they pose to a solution.
     pub(super) fn question(&self, scene: &Scene) -> Question {
         Question {
             orders: self.orders,
@@ -70,7 +71,7 @@ impl Effects {
         }
     }
 
-    /// The kernels that simulating them runs.
+    /// Returns the kernels that their simulation runs.
     pub(super) fn kernels(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
@@ -81,12 +82,12 @@ impl Effects {
         kernels(scene, &faces, &question, (self.hiding, is_precise))
     }
 
-    /// How far paths go.
+    /// Returns the limits of paths.
     pub(super) fn limits(&self) -> Limits {
         Limits { reflections: self.orders, scatterings: self.scatterings, direct: self.direct }
     }
 
-    /// The kernels that following the paths of a scene runs.
+    /// Returns the kernels that path tracing of a scene runs.
     pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
@@ -94,8 +95,10 @@ impl Effects {
         monte_carlo::kernels(scene, &|receiver| computable.has(receiver))
     }
 
-    /// What of these faces hides light or is met by rays: those that are asked for, or those by which light is gathered. Where round lights may be seen
-    /// as a whole, also what hides nothing of their pieces is asked for what hides the rest of them.
+    /// Returns the faces that occlude light or that rays meet. The rays are those of receivers, or
+    /// those that gather light. Where disks and spheres may be seen as whole shapes, occluders are
+    /// needed in any case: an occluder that hides nothing of the tessellated faces may hide some of
+    /// the rest of the shape.
     pub(super) fn screens(&self, scene: &Scene, faces: &[Face], gathering: Gathering) -> Screens {
         let may_be_whole = self.orders == Some(0) && gathering == Gathering::Pieces && is_round(scene);
         if self.occlusion || may_be_whole {
@@ -108,19 +111,19 @@ impl Effects {
     }
 }
 
-/// Whether a receiver asks what a ray meets.
+/// Whether a receiver is a ray or a camera, which needs the first surface along rays.
 pub(super) fn asks_for_rays(scene: &Scene) -> bool {
     let is_seen =
         |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. } | ReceiverKind::Camera(_));
     scene.receivers.iter().any(is_seen)
 }
 
-/// How an effect is forced, if it is.
+/// Returns how an effect is forced, if it is.
 pub(super) fn forced(scene: &Scene, effect: Effect) -> Option<Force> {
     forcing(scene, effect).map(|forced| forced.force)
 }
 
-/// What forces an effect, if anything does.
+/// Returns the setting that forces an effect, if any.
 pub(super) fn forcing(scene: &Scene, effect: Effect) -> Option<&ForcedEffect> {
     scene.solve.forced.iter().find(|forced| forced.effect == effect)
 }

@@ -1,60 +1,66 @@
-//! Estimates: what is known of a reading, from how it changed while elements became finer.
+//! Estimates: the value of a reading, and its error from its changes while elements were refined.
 //!
 //! ```text
-//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)          where elements were made finer for others: no less than εₙ₋₁ − Δₙ/2
+//! error = 1.5 λₙ max(Δₙ, λₙ₋₁ Δₙ₋₁/4, pooled change)
+//!         at least εₙ₋₁ − Δₙ/2 where elements were refined for other readings
 //! ```
-//! λ is what all refinements to come are expected to settle, relative to what the last one settled, both as elements matter to the
-//! answers. A change may cancel by chance: so what the change before let expect counts too, and the changes of all readings together, most
-//! of all those of the same receiver: the components of a vector, the cells of a map. A reading that does not change at all is none
-//! of the elements'.
+//! λ is the change that all future refinements are expected to make, relative to the change made by
+//! the last one. Both are weighted by the importance of the elements for the answers. A change may
+//! cancel by chance. Therefore the change expected from the previous refinement counts too, and so
+//! do the changes of all readings together, most of all those of the same receiver: the components
+//! of a vector, the cells of a map. A reading that does not change at all does not depend on the
+//! elements.
 
 use super::answer::ErrorKind;
 use super::parts::ErrorParts;
 use super::solver::DARK;
 
-/// The safety of the estimate.
+/// Safety factor of the estimate.
 const SAFETY: f64 = 1.5;
-/// The least and the largest that refinements to come are taken to settle.
+/// Smallest and largest λ that the estimate uses.
 const LEFT: [f64; 2] = [0.05, 10.0];
-/// What refinements to come are taken to settle at least where there was a single one: how fast light settles is not seen yet.
+/// Least λ after a single refinement: the rate of convergence is not known yet.
 const AT_FIRST: f64 = 0.5;
-/// The part of what the change before let expect that each change is taken to have had at least.
+/// Each change counts as at least this part of the change expected from the previous refinement.
 const CARRIED: f64 = 0.25;
-/// The part of a change that was settled where elements were made finer for other readings: the rest may have come anew.
+/// Part of a change that reduces the error where elements were refined for other readings: the rest
+/// may be new error.
 const SETTLED: f64 = 0.5;
-/// The part of the changes of all readings that each one is taken to have had at least, relative to its scale.
+/// Each change counts as at least this part of the changes of all readings, relative to its scale.
 const POOLED: f64 = 0.3;
 
-/// The part of the largest change in its group, relative to the scale of each, that each reading is taken to have had at least.
+/// Each change counts as at least this part of the largest change in its group, both relative to
+/// their scales.
 const GROUPED: f64 = 0.5;
 
-/// What is known of one reading in one band.
+/// Estimate of one reading in one band.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Estimate {
     pub(super) value: f64,
-    /// By how much it changed last, and by how much it may have.
+    /// Last change, and the change that it may have been.
     changed: f64,
     change: f64,
-    /// What refinements to come settle, relative to what the last one settled.
+    /// λ: change by future refinements, relative to the change by the last one.
     left: f64,
-    /// What is left of the error before, if elements were made finer for other readings only.
+    /// Remainder of the previous error, if elements were refined for other readings only.
     kept: f64,
-    /// What finer elements leave: the solution of the equations, rules of integration, the shape of surfaces, and rounding.
+    /// Error that refinement does not reduce: solution of the equations, quadrature, tessellation,
+    /// and rounding.
     pub(super) floor: ErrorParts,
 }
 
-/// What is known of a reading before elements became finer.
+/// Estimate of a reading before a refinement.
 #[derive(Clone, Copy)]
 pub(super) struct Before<'e> {
     pub(super) estimate: &'e Estimate,
-    /// Whether it was one of those that they became finer for.
+    /// Whether elements were refined for this reading.
     pub(super) was_asked: bool,
-    /// What refinements to come settle, relative to what this one settled.
+    /// Change by future refinements, relative to the change by this one.
     pub(super) left: f64,
 }
 
 impl Estimate {
-    /// A first value, or one that comes after another.
+    /// Returns the estimate from a first value, or from a value after a refinement.
     pub(super) fn new(value: f64, before: Option<Before>, floor: ErrorParts) -> Self {
         let (value, floor) = known(value, floor);
         let unknown = f64::INFINITY;
@@ -69,18 +75,19 @@ impl Estimate {
         Self { value, changed, change: changed.max(carried), left: left.max(f64::MIN_POSITIVE), kept, floor }
     }
 
-    /// A value that finer elements do not change, with its error.
+    /// Returns the estimate of a value that refinement does not change.
     pub(super) fn exact(value: f64, floor: ErrorParts) -> Self {
         let (value, floor) = known(value, floor);
         Self { value, changed: 0.0, change: 0.0, left: 0.0, kept: 0.0, floor }
     }
 
-    /// Finer elements do not change it.
+    /// Records that refinement does not change the value.
     pub(super) fn settle(&mut self) {
         *self = Self::exact(self.value, self.floor);
     }
 
-    /// What its error means: rules of integration, elements and flat pieces in the place of round shapes leave no more than estimates.
+    /// Returns the kind of its error. Quadrature, elements, and tessellated disks and spheres leave
+    /// no more than estimates.
     pub(super) fn kind(&self, has_pieces: bool) -> ErrorKind {
         let parts = self.parts();
         if parts.sampling > 0.0 {
@@ -92,12 +99,12 @@ impl Estimate {
         }
     }
 
-    /// Whether finer elements do not change it.
+    /// Whether refinement does not change the value.
     pub(super) fn is_exact(&self) -> bool {
         self.left == 0.0
     }
 
-    /// What its error is made of: what elements leave is of the quadrature.
+    /// Returns its error budget. The error by elements counts as quadrature.
     pub(super) fn parts(&self) -> ErrorParts {
         let refined =
             if self.change == 0.0 { 0.0 } else { SAFETY * self.left.clamp(LEFT[0], LEFT[1]) * self.change };
@@ -111,7 +118,8 @@ impl Estimate {
     }
 }
 
-/// A value and its error, where numbers beyond the range of `f64` left none: then nothing is known of it, and it says so.
+/// Returns a value and its error, with NaN replaced. Numbers beyond the range of `f64` leave NaN:
+/// the error is then infinite, and a NaN value becomes 0.
 fn known(value: f64, error: ErrorParts) -> (f64, ErrorParts) {
     let unknown = ErrorParts { quadrature: f64::INFINITY, ..ErrorParts::default() };
     match (value.is_nan(), error.error(ErrorKind::Bound).is_nan()) {
@@ -121,25 +129,26 @@ fn known(value: f64, error: ErrorParts) -> (f64, ErrorParts) {
     }
 }
 
-/// A reading in all bands, in none if it was not reached.
+/// Reading in all bands; in none if it was not reached.
 #[derive(Clone, Debug)]
 pub(super) struct Found {
     pub(super) bands: Vec<Estimate>,
-    /// Whether flat pieces may stand for a round shape in it.
+    /// Whether tessellated faces may replace a disk or a sphere in it.
     pub(super) has_pieces: bool,
 }
 
 impl Found {
-    /// Whether it was not reached.
+    /// Whether the reading was not reached.
     pub(super) fn is_missing(&self) -> bool {
         self.bands.is_empty()
     }
 }
 
-/// Raises changes that are small beside those of all readings, each relative to its scale, and beside those of its group.
+/// Raises changes that are small compared with the changes of all readings, each relative to its
+/// scale, and with those of the reading's group.
 pub(super) fn pool(found: &mut [Found], scales: &[Vec<f64>], groups: &[usize]) {
     let (mut sum, mut count) = (0.0, 0.0);
-    // of what is dark beside all others, changes are no more than rounding
+    // a reading that is dark compared with all others changes by rounding only
     let dark = DARK * scales.iter().flatten().copied().fold(0.0, f64::max);
     let mut largest = vec![vec![0.0_f64; scales.first().map_or(0, Vec::len)]; found.len()];
     for ((found, scales), &group) in found.iter().zip(scales).zip(groups) {

@@ -1,26 +1,26 @@
-//! Exposure: what arrives in a time under light that does not change.
+//! Exposure: irradiance and fluence rate of constant light become their integrals over a time.
 //!
 //! ```text
 //! H = ∫ E dt = E t        radiant exposure of a surface, J/m², of its irradiance
 //! Ψ = ∫ φ dt = φ t        radiant fluence at a point, J/m², of its fluence rate
 //! ```
-//! A factor that is exact: the error grows with the value, and by the rounding of one product.
+//! The factor is exact. The error grows with the value, and by the rounding of one product.
 
 use super::answer::{Answer, Quantity, Simulation};
 use crate::scene::{Scene, SceneError};
 use std::fmt;
 
-/// A time of exposure, above zero.
+/// Exposure time, above zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exposure {
     seconds: f64,
 }
 
-/// The shortest and the longest time in seconds: far beyond what anybody waits for, and not so far that a rate times it is
-/// beyond all numbers.
+/// Shortest and longest exposure time in seconds: far beyond any practical time, but a rate times
+/// it stays in the range of numbers.
 const TIMES: [f64; 2] = [1e-30, 1e30];
 
-/// A number that is no time of exposure.
+/// Number that is not an exposure time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoTime(pub f64);
 
@@ -38,20 +38,21 @@ impl fmt::Display for NoTime {
 impl std::error::Error for NoTime {}
 
 impl Exposure {
-    /// The exposure over so many seconds.
+    /// Creates an exposure of this many seconds.
     pub fn new(seconds: f64) -> Result<Self, NoTime> {
         if (TIMES[0]..=TIMES[1]).contains(&seconds) { Ok(Self { seconds }) } else { Err(NoTime(seconds)) }
     }
 
-    /// How many seconds it lasts.
+    /// Returns its duration in seconds.
     pub fn seconds(self) -> f64 {
         self.seconds
     }
 
-    /// Whether the light of a scene is steady: receivers that are resolved in time ask for that of a pulse.
+    /// Checks that the light of a scene is steady: receivers that are resolved in time measure the
+    /// light of a pulse.
     ///
     /// # Errors
-    /// Each of these receivers.
+    /// One error for each of these receivers.
     pub fn check(self, scene: &Scene) -> Result<(), Vec<SceneError>> {
         let error = |receiver: &crate::scene::Receiver| {
             let time = receiver.time.as_ref()?;
@@ -65,7 +66,8 @@ impl Exposure {
         if errors.is_empty() { Ok(()) } else { Err(errors) }
     }
 
-    /// Adds to a simulation the exposure behind every irradiance, and the fluence behind every fluence rate.
+    /// Adds to a simulation the exposure after every irradiance, and the fluence after every
+    /// fluence rate.
     pub fn add_to(self, simulation: &mut Simulation) {
         let is_together = |a: &Answer, b: &Answer| a.receiver == b.receiver && a.quantity == b.quantity;
         let mut answers = Vec::with_capacity(2 * simulation.answers.len());
@@ -76,14 +78,14 @@ impl Exposure {
         simulation.answers = answers;
     }
 
-    /// What a rate adds up to, if that has a name.
+    /// Returns the time integral of a rate, if that integral has a name.
     fn of(self, rate: &Answer) -> Option<Answer> {
         let quantity = match rate.quantity {
             Quantity::Irradiance => Quantity::Exposure,
             Quantity::FluenceRate => Quantity::Fluence,
             _ => return None,
         };
-        // a product takes no time
+        // the product costs no time
         let mut sum = Answer { quantity, seconds: 0.0, ..rate.clone() };
         sum.multiply(self.seconds);
         Some(sum)

@@ -1,9 +1,10 @@
-//! Files of states: what a state belongs to and the state itself become bytes, which are understood only where nothing of them changed.
+//! State files: the identity of the work and its state become bytes. These are accepted only where
+//! nothing in them has changed.
 //!
 //! ```text
-//! "forms checkpoint" or "forms part" | version of the program | what it belongs to | state | BLAKE3 of all before
+//! "forms checkpoint" or "forms part" | program version | identity | state | BLAKE3 of all before
 //! ```
-//! What it belongs to and the state are written in the format of postcard, in which an `f64` keeps its bits.
+//! Identity and state are written in the postcard format, in which an `f64` keeps its bits.
 
 use super::answer::{Plan, PlannedEffect};
 use super::arithmetic::Arithmetic;
@@ -15,42 +16,43 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::{self, Write};
 
-/// What only the same version understands, and goes on to the same bits with.
+/// Version of the program. Only the same version can read a file and continue from it to the same
+/// bits.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
-/// The bytes of the number that all others are checked by.
+/// Length of the checksum of all other bytes.
 const CHECK: usize = blake3::OUT_LEN;
 
-/// What a file of a state is for.
+/// Purpose of a state file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StateFile {
-    /// The same work goes on from it.
+    /// The same work continues from it.
     Checkpoint,
-    /// It is put together with those of other shares.
+    /// It is merged with the files of the other shards.
     Part,
 }
 
-/// The work that a state belongs to.
+/// Identity of the work that a state belongs to.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Identity {
     scene: [u8; 32],
     plan: [u8; 32],
-    /// The bits of the tolerance that is worked to, whoever asked for it.
+    /// Bits of the tolerance in use, regardless of who requested it.
     tolerance: u64,
-    /// The seed that the work has, likewise.
+    /// Seed in use, regardless of who requested it.
     seed: u64,
     arithmetic: Arithmetic,
     budget: Option<Budget>,
     share: Share,
 }
 
-/// Why bytes are no state.
+/// Reason why bytes are not a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NoState {
-    /// They are something else.
+    /// The bytes are not a file of this kind.
     Foreign,
-    /// They are not what was written.
+    /// The bytes differ from those that were written.
     Damaged,
-    /// Another version of the program wrote them.
+    /// Another version of the program wrote the file.
     Version(String),
 }
 
@@ -67,7 +69,8 @@ impl fmt::Display for NoState {
 impl std::error::Error for NoState {}
 
 impl Identity {
-    /// That of work on this machine. The scene is the one that is simulated, with the settings that replace those of its sources.
+    /// Returns the identity of work on this machine. `scene` is the simulated scene, with the
+    /// settings that replace those of `sources`.
     pub fn new(sources: &Sources, scene: &Scene, plan: &Plan, budget: Option<Budget>, share: Share) -> Self {
         Self {
             scene: sources.digest(),
@@ -80,17 +83,18 @@ impl Identity {
         }
     }
 
-    /// The share that it is.
+    /// Returns the shard.
     pub fn share(&self) -> Share {
         self.share
     }
 
-    /// The samples that there are to be, if that was said.
+    /// Returns the fixed number of samples, if one was requested.
     pub fn budget(&self) -> Option<Budget> {
         self.budget
     }
 
-    /// The first thing in which another identity differs, as what the other is and what this one is.
+    /// Describes the first property in which another identity differs: the other's value, then this
+    /// one's.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let samples = |budget: Option<Budget>| {
             budget.map_or("as many samples as the tolerance asks for".to_owned(), |budget| {
@@ -123,13 +127,14 @@ impl Identity {
         (found != wanted).then(|| format!("it is of share {found}, not of {wanted}"))
     }
 
-    /// The same for another share.
+    /// Returns the same identity for another shard.
     pub fn with_share(&self, share: Share) -> Self {
         Self { share, ..self.clone() }
     }
 }
 
-/// A number that plans of other effects do not have; their reasons are no matter.
+/// Returns a hash that differs between plans of different effects. The reasons in a plan do not
+/// enter.
 fn digest(plan: &Plan) -> [u8; 32] {
     let of_effect = |planned: &PlannedEffect| (planned.effect, planned.on, planned.orders, planned.bound);
     let effects: Vec<_> = plan.effects.iter().map(of_effect).collect();
@@ -144,7 +149,7 @@ impl StateFile {
         }
     }
 
-    /// Writes a state and what it belongs to.
+    /// Writes a state and the identity that it belongs to.
     pub fn write(
         self,
         belongs_to: &impl Serialize,
@@ -159,7 +164,7 @@ impl StateFile {
         output.output.write_all(check.as_bytes())
     }
 
-    /// Reads what a state belongs to, and the state.
+    /// Reads the identity that a state belongs to, and the state.
     pub fn read<T: DeserializeOwned>(self, bytes: &[u8]) -> Result<(T, State), NoState> {
         let content = bytes.strip_prefix(self.title().as_bytes()).ok_or(NoState::Foreign)?;
         let (before, check) = bytes.split_at(bytes.len().saturating_sub(CHECK));
@@ -177,7 +182,7 @@ impl StateFile {
     }
 }
 
-/// What is written goes into a number as well.
+/// Writer that also hashes the bytes it writes.
 struct Checked<'o> {
     output: &'o mut dyn Write,
     hash: blake3::Hasher,

@@ -1,13 +1,18 @@
-//! Answers by paths: receivers become questions, and these get more samples until they are exact enough.
+//! Path driver: receivers become estimands, and these get more samples until their errors meet the
+//! tolerance.
 //!
 //! ```text
-//! receivers ─▶ questions ─▶ pilot: scales ─▶ replicates ─ twice as many samples where the error is too large ─▶ answers, maps, images
-//!                                              └─▶ snapshots, from which the work goes on, and shares, which are put together
+//! receivers ─▶ estimands ─▶ pilot: scales ─▶ replicates ─▶ answers, maps, images
+//!                                            │  samples are doubled where the error is too large
+//!                                            └─▶ checkpoints, from which the work continues,
+//!                                                and shards, which are merged
 //! ```
-//! A question that is computed without samples has its answer from the beginning. The tolerance is of one standard error, relative to the
-//! answer; of the components of a vector and the bins of a time to the largest of them; of the cells of a map and the pixels of an image to
-//! their own value or the mean that a pilot found, if that is larger. After the pilot, how many samples a question gets depends on nothing but itself: not on threads, on
-//! pauses, or on which other questions are answered beside it.
+//! An estimand that is computed without samples has its answer from the beginning. The tolerance
+//! applies to one standard error, relative to the answer. For the components of a vector and the
+//! bins of a time, it is relative to the largest of them. For the cells of a map and the pixels of
+//! an image, it is relative to their own value, or to the mean that a pilot found if that is
+//! larger. After the pilot, the number of samples of an estimand depends on that estimand alone:
+//! not on threads, on pauses, or on the other estimands of the run.
 
 mod asked;
 mod computed;
@@ -40,7 +45,7 @@ pub(super) use state::{OfPaths, WrittenOfPaths};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// A scene in working units, the effects that are simulated, and the working unit of length in metres.
+/// Scene in working units, the simulated effects, and the working unit of length in metres.
 #[derive(Clone, Copy)]
 pub(super) struct Task<'s> {
     pub(super) scene: &'s Scene,
@@ -48,11 +53,12 @@ pub(super) struct Task<'s> {
     pub(super) metres: f64,
 }
 
-/// Answers the questions of a scene by paths, or does what a job says of that.
+/// Simulates a scene, or the part requested by a job, by path tracing.
 pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) -> Result<Simulation, Misfit> {
     let world = World::new(task.scene);
     let limits = task.effects.limits();
-    // what the file turns on is in the code, also where the scene has nothing of it
+    // effects that the file turns on are part of the specialised tracer, even where the scene
+    // contains none of them
     let contained = monte_carlo::Effects::of(task.scene);
     let followers = follower(&world, contained | task.effects.of_paths, limits);
     let computing = Computing::of(task.scene, &limits, &followers);
@@ -64,7 +70,7 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) ->
     Ok(work.simulation())
 }
 
-/// The answers of a scene from the states at the end of all shares of it.
+/// Merges the final states of all shards of a scene into its answers.
 pub(super) fn merged(
     task: Task<'_>,
     job: &Job<'_>,
@@ -82,7 +88,8 @@ pub(super) fn merged(
     Ok(work.simulation())
 }
 
-/// Whether a scene asks for more than diffuse surfaces in a vacuum, numbers and maps of them, and images of flat ones that are not too many.
+/// Whether a scene needs path tracing. It does unless it has only diffuse surfaces in a vacuum,
+/// with numbers and maps of them, and with images only of flat surfaces with few faces.
 pub(super) fn is_followed(scene: &Scene) -> bool {
     let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
     let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
@@ -93,12 +100,12 @@ pub(super) fn is_followed(scene: &Scene) -> bool {
         || (scene.receivers.iter().any(is_image) && (is_round(scene) || faces(scene, 0).len() > MANY))
 }
 
-/// Work by paths.
+/// State of the path driver.
 pub(super) struct Work<'w> {
     scene: &'w Scene,
     division: Division,
     asked: Vec<Asked>,
-    /// The scales of cells, once the pilot has found them.
+    /// Scales of the cells, once the pilot has found them.
     scales: Option<Scales>,
     keeper: Option<&'w dyn Keeper>,
     progress: &'w Progress<'w>,
@@ -126,7 +133,8 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Rounds of samples, until all is exact enough, or nothing can be gained, or it is stopped.
+    /// Runs rounds of samples until every error meets the tolerance, nothing can be gained, or the
+    /// work is stopped.
     fn run(&mut self, followers: &[Box<dyn Follow + '_>]) {
         self.keep_if(true);
         let mut is_noted = true;
@@ -144,12 +152,13 @@ impl<'w> Work<'w> {
         self.keep_if(true);
     }
 
-    /// Samples of all questions up to their targets; whether they got there before the work was stopped.
+    /// Adds samples to all estimands up to their targets. Returns whether the targets were reached
+    /// before the work was stopped.
     fn reach(&mut self, followers: &[Box<dyn Follow + '_>]) -> bool {
         let (division, progress, keeper) = (self.division, self.progress, self.keeper);
         let samples = self.foreseen();
         while self.asked.iter().any(|asked| !asked.is_there()) {
-            // whoever asks for pauses all the time still gets on
+            // the first estimand runs in any case, so that the work advances under constant pauses
             let has_begun = AtomicBool::new(false);
             let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
             let begin = Instant::now();
@@ -169,8 +178,8 @@ impl<'w> Work<'w> {
         true
     }
 
-    /// New targets: those of the pilot until it has found the scales, then twice as many samples where the error is too large. Whether
-    /// there are any.
+    /// Sets new targets: those of the pilot until it has found the scales, then twice as many
+    /// samples where the error is too large. Returns whether there are any.
     fn aim(&mut self) -> bool {
         if self.division.budget.is_none() && self.scales.is_none() {
             return self.begin() || self.pilot() || self.refine();
@@ -178,7 +187,8 @@ impl<'w> Work<'w> {
         self.refine()
     }
 
-    /// The first targets, of all cells and of what belongs to the share; whether there are any.
+    /// Sets the first targets, for all cells and for the units of the shard. Returns whether there
+    /// are any.
     fn begin(&mut self) -> bool {
         let division = self.division;
         let mut has_begun = false;
@@ -194,7 +204,7 @@ impl<'w> Work<'w> {
         has_begun
     }
 
-    /// More samples where that tells the scales; or else the scales.
+    /// Requests more samples where these determine the scales; otherwise stores the scales.
     fn pilot(&mut self) -> bool {
         match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
             Ok(scales) => {
@@ -210,7 +220,7 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Twice as many samples where the budget is not spent, or the error is too large.
+    /// Requests twice as many samples where the budget is not spent or the error is too large.
     fn refine(&mut self) -> bool {
         let is_open = |&question: &usize| {
             let asked = &self.asked[question];
@@ -230,7 +240,7 @@ impl<'w> Work<'w> {
         !open.is_empty()
     }
 
-    /// What the tolerance of a question is relative to in each band, by these scales of cells.
+    /// Returns the scale of an estimand's tolerance in each band, given these scales of cells.
     fn scales_of(&self, asked: &Asked, scales: Option<&Scales>) -> Vec<f64> {
         match (scales, asked.cell) {
             (Some(scales), Some(_)) => scales[asked.receiver].clone(),
@@ -244,7 +254,7 @@ impl<'w> Work<'w> {
         }
     }
 
-    /// Notes how exact what belongs to the share is by now.
+    /// Records the present accuracy of the units of the shard.
     fn note(&mut self) {
         let Division { share, budget } = self.division;
         let own = || self.asked.iter().enumerate().filter(|(question, _)| self.division.has(*question));
@@ -260,7 +270,7 @@ impl<'w> Work<'w> {
         self.history.extend(error.map(|error| Moment { seconds, error }));
     }
 
-    /// The scales of cells: those of the pilot, or what all that is known tells.
+    /// Returns the scales of cells: those of the pilot, or an estimate from all samples so far.
     fn scales_of_cells(&self) -> Scales {
         let all = || known(&self.asked, self.scene.receivers.len(), self.scene.band_count());
         self.scales.clone().unwrap_or_else(all)

@@ -1,23 +1,23 @@
-//! Forecasts: ends of the work that are foreseen one after the other become the time that is left,
-//! if they agree for long enough.
+//! Forecasts: successive predictions of the end of the work become the remaining time, if they
+//! agree for long enough.
 //!
 //! ```text
-//! agree   all ends since then are within a third of the time that is left of the last one
-//! enough  they have agreed for a third of the time that is left
+//! agree   all predictions since then are within a third of the remaining time of the last one
+//! enough  they have agreed for a third of the remaining time
 //! ```
 
-/// By how much ends may differ, relative to the time that is left.
+/// Largest difference between predicted ends, relative to the remaining time.
 const AGREEING: f64 = 1.0 / 3.0;
-/// How long they have to agree, likewise.
+/// Time for which predictions have to agree, relative to the remaining time.
 const LONG: f64 = 1.0 / 3.0;
-/// Ends that are foreseen after less than this part of the time are not kept.
+/// Of predictions closer together than this part of the elapsed time, only the latest is kept.
 const SOON: f64 = 0.01;
 
-/// The ends that were foreseen.
+/// Predictions of the end.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Forecast(Vec<Foreseen>);
 
-/// An end that was foreseen at some time.
+/// Prediction of the end, and the time at which it was made.
 #[derive(Clone, Copy, Debug)]
 struct Foreseen {
     at: f64,
@@ -25,7 +25,8 @@ struct Foreseen {
 }
 
 impl Forecast {
-    /// Takes the end that is foreseen now; gives the time that is left, if it can be trusted.
+    /// Records the end that is predicted now. Returns the remaining time, if the prediction can be
+    /// trusted.
     pub(super) fn note(&mut self, now: f64, end: f64) -> Option<f64> {
         let left = (end - now).max(0.0);
         let agrees = |foreseen: &&Foreseen| (foreseen.end - end).abs() <= AGREEING * left;
@@ -34,7 +35,8 @@ impl Forecast {
         (now - since >= LONG * left).then_some(left)
     }
 
-    /// Keeps an end, in the place of the last one if that was foreseen just before.
+    /// Stores a prediction. It replaces the last one if the one before that was made shortly
+    /// before.
     fn keep(&mut self, foreseen: Foreseen) {
         if let [.., before, _] = self.0[..]
             && foreseen.at - before.at < SOON * foreseen.at
@@ -63,11 +65,11 @@ mod tests {
 
     #[test]
     fn an_end_that_moves_away_is_not_told() {
-        // there is always as much left as was done
+        // the remaining time always equals the elapsed time
         let mut forecast = Forecast::default();
         let told = (1..1000).filter_map(|i| forecast.note(f64::from(i), 2.0 * f64::from(i))).count();
         assert_eq!(told, 0);
-        // it moves once, and is trusted again later
+        // the end moves once, and is trusted again later
         let mut forecast = Forecast::default();
         let ends = |i: u32| if i < 50 { 100.0 } else { 200.0 };
         let told: Vec<Option<f64>> = (0..200).map(|i| forecast.note(f64::from(i), ends(i))).collect();

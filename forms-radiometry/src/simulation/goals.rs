@@ -1,30 +1,32 @@
-//! Goals: the readings that are not exact enough say which elements are made finer.
+//! Goals: the readings that are not accurate enough determine which elements are refined.
 
 use super::accuracy::relative;
 use super::estimate::{Before, Estimate, Found};
 use super::solver::Work;
 use crate::radiosity::{Asking, Goal, Radiosity, Refined};
 
-/// The part that elements may take which are not split though they are expected to change.
+/// Part of the tolerance left for elements that are not split although they are expected to change.
 const SPARED: f64 = 0.3;
 
-/// What is known of all readings before elements became finer, and what that leaves.
+/// Estimates of all readings before a refinement, and the change that it leaves to future ones.
 pub(super) struct Earlier<'f> {
     found: &'f [Found],
-    /// What is left of each reading that they became finer for.
+    /// Remaining change of each reading that the elements were refined for, relative to the last
+    /// change.
     left: Vec<Option<f64>>,
     pub(super) refined: Refined,
 }
 
 impl<'f> Earlier<'f> {
-    /// `open` are the readings whose goals were asked for, in their order.
+    /// Collects the estimates before a refinement. `open` are the readings whose goals were
+    /// requested, in the order of the goals.
     pub(super) fn new(found: &'f [Found], open: &[usize], refined: Refined) -> Self {
         let mut left = vec![None; found.len()];
         open.iter().zip(&refined.of_goals).for_each(|(&reading, &of_goal)| left[reading] = Some(of_goal));
         Self { found, left, refined }
     }
 
-    /// What is known of a reading in a band.
+    /// Returns the earlier estimate of a reading in a band.
     pub(super) fn of(&self, reading: usize, band: usize) -> Before<'f> {
         let own = self.left[reading];
         Before {
@@ -36,7 +38,8 @@ impl<'f> Earlier<'f> {
 }
 
 impl Work<'_> {
-    /// The readings that are not exact enough, each weighted by how far it is from that; and their numbers.
+    /// Returns the readings that are not accurate enough, as goals weighted by their errors, and
+    /// the indices of these readings.
     pub(super) fn asking(&self, radiosity: &Radiosity, found: &[Found]) -> (Asking, Vec<usize>) {
         let sparing = SPARED * self.scene.solve.tolerance;
         let (mut asking, mut open) = (Asking { goals: Vec::new(), errors: [0.0; 2], sparing }, Vec::new());
@@ -44,7 +47,8 @@ impl Work<'_> {
         for (index, ((reading, found), scales)) in readings.enumerate() {
             let worst = worst(found, &scales);
             let errors = found.bands.iter().map(Estimate::error).filter(|error| error.is_finite());
-            // what is nothing so far is relative to what it may be, or to anything
+            // the weight of a reading that is zero so far is relative to its error, or to 1 if that
+            // is zero too
             let scale = [scales.iter().copied().fold(0.0, f64::max), errors.fold(0.0, f64::max)];
             let scale = scale.into_iter().find(|&scale| scale > 0.0).unwrap_or(1.0);
             let weight = if worst.is_finite() { worst / scale } else { 1.0 / scale };
@@ -60,7 +64,8 @@ impl Work<'_> {
         (asking, open)
     }
 
-    /// The errors of all readings in all bands, relative to what their tolerances are. Of what was not reached nothing is known.
+    /// Returns the errors of all readings in all bands, relative to the scales of their tolerances.
+    /// The error of a reading that was not reached is infinite.
     pub(super) fn relative_errors(&self, found: &[Found]) -> impl Iterator<Item = f64> {
         let relative = |(estimate, scale): (&Estimate, f64)| relative(estimate.error(), scale);
         let pairs = found.iter().zip(self.targets(found));
@@ -75,7 +80,7 @@ impl Work<'_> {
     }
 }
 
-/// The largest error of a reading in any band, relative to its scales.
+/// Returns the largest error of a reading in any band, relative to its scales.
 fn worst(found: &Found, scales: &[f64]) -> f64 {
     let relative = |(estimate, scale): (&Estimate, &f64)| {
         let error = estimate.error();

@@ -1,12 +1,14 @@
-//! Images of diffuse surfaces: what a camera sees of them becomes pixels, from the same solution that receivers gather from.
+//! Images of diffuse surfaces: the visible parts of surfaces become pixels, computed from the same
+//! solution that receivers gather from.
 //!
 //! ```text
-//! pinhole ─▶ pieces that it sees ─▶ polygons of the film ─▶ mean radiance of each pixel, the borders of surfaces exactly
-//!            some pixels are watched while elements become finer ─▶ errors, and how large radiance is
+//! pinhole ─▶ visible parts ─▶ polygons on the film ─▶ mean radiance of each pixel, exact borders
+//!            some pixels are watched while elements are refined ─▶ errors, scale of radiance
 //! ```
-//! The tolerance is relative to the mean of the pixels in which no emitter is seen, of each pixel at least its own value (see
-//! [`scales`](super::scales)). What elements may still change is the same for all pixels, relative to the light that they reflect, and each pixel has
-//! an error of its own by the rules of its integral.
+//! The tolerance is relative to the mean of the pixels in which no emitter is seen; for each pixel,
+//! at least to its own value (see [`scales`](super::scales)). The error by elements is the same for
+//! all pixels, relative to the light that they reflect. In addition, each pixel has an error of its
+//! own by the quadrature of its integral.
 
 mod block;
 mod film;
@@ -29,11 +31,11 @@ use film::{Block, blocks};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// One in so many pixels is watched, at least and at most so many in all.
+/// One in this many pixels is watched, but no fewer and no more pixels than these limits.
 const WATCHED: usize = 36;
 const FEWEST: usize = 64;
 const MOST: usize = 512;
-/// The part of the tolerance that may be left beside the error of elements.
+/// Part of the tolerance left for quadrature, in addition to the error by elements.
 const RULES: f64 = 0.25;
 
 /// An image and its mean.
@@ -44,7 +46,7 @@ pub(super) struct Image {
 }
 
 impl Work<'_> {
-    /// The cameras, with the numbers of their receivers.
+    /// Returns the cameras with the indices of their receivers.
     pub(super) fn cameras(&self) -> impl Iterator<Item = (usize, &Camera)> {
         let receivers = self.scene.receivers.iter().enumerate();
         receivers.filter_map(|(index, receiver)| match &receiver.kind {
@@ -53,8 +55,9 @@ impl Work<'_> {
         })
     }
 
-    /// The geometry with all that hides from a camera: an eye sees nothing through surfaces, even where none hides light. None if that is the
-    /// geometry that light passes through, or there is no camera.
+    /// Returns the geometry with all occluders of a camera's view: an eye sees nothing through
+    /// surfaces, even where none occludes light. `None` if the transport geometry is the same, or
+    /// there is no camera.
     pub(super) fn sight(&self, transport: &Transport) -> Option<Transport> {
         let is_another = !transport.occlusion && self.cameras().next().is_some();
         is_another.then(|| Transport {
@@ -65,8 +68,8 @@ impl Work<'_> {
         })
     }
 
-    /// The readings of pixels that are watched, so that elements are refined until images are exact enough, and have errors: some all over
-    /// the image.
+    /// Returns readings of watched pixels, spread over each image. Elements are refined until these
+    /// are accurate enough, and they provide the errors of the images.
     pub(super) fn watched_pixels(&self) -> Vec<Reading> {
         let of_camera = |(index, camera): (usize, &Camera)| {
             let [columns, rows] = camera.resolution;
@@ -83,7 +86,7 @@ impl Work<'_> {
         self.cameras().flat_map(of_camera).collect()
     }
 
-    /// The images, with the means of their pixels.
+    /// Returns the images with the means of their pixels.
     pub(super) fn images(&self, radiosity: &Radiosity, sight: &Transport, found: &[Found]) -> Vec<Image> {
         let images = self.cameras().map(|(index, camera)| {
             let begin = Instant::now();
@@ -96,7 +99,7 @@ impl Work<'_> {
         images.collect()
     }
 
-    /// The pixels of a camera; not a number where the work was stopped before.
+    /// Computes the pixels of a camera; NaN where the work was stopped before.
     fn image(
         &self,
         (receiver, camera): (usize, &Camera),
@@ -108,7 +111,8 @@ impl Work<'_> {
         let bands = outside.len();
         let is_seen_past = outside.iter().any(|&radiance| radiance > 0.0);
         let pieces = radiosity.seen_from(camera.origin, sight, is_seen_past);
-        // where every watched pixel is dark, the first rule tells how bright others are
+        // where every watched pixel is dark, no part is subdivided: the first rule tells how bright
+        // others are
         let scale = |watched: &Watched| if watched.scale > 0.0 { watched.scale } else { f64::INFINITY };
         let scales: Vec<f64> = watched.iter().map(scale).collect();
         let tolerance = RULES * self.scene.solve.tolerance;
@@ -155,7 +159,7 @@ impl Work<'_> {
         }
     }
 
-    /// The mean of an image, for each band; none if it is not all there.
+    /// Returns the mean of an image for each band; empty if the image is not complete.
     fn means(&self, map: &Map) -> Vec<Answer> {
         let bands = map.values.len();
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;

@@ -1,36 +1,41 @@
-//! Interpolation: values at some cells of a grid become those of all; where cells between them differ from what these tell, they are
-//! computed.
+//! Interpolation: computed values at some cells of a grid become the values of all cells. Cells
+//! where the interpolation is not accurate are computed too.
 //!
 //! ```text
 //! every 8th cell ─▶ every 4th ─▶ every 2nd ─▶ every cell           along both sides
-//!      each new cell: what the cells before it tell, by cubic polynomials; computed where a cell nearby was off before
+//!      each new cell: interpolated from earlier cells by cubic polynomials;
+//!                     computed where the interpolation was off nearby before
 //! ```
-//! By how much a cell that is computed is off from what those before it told is its detail. From spacing to spacing details shrink sixteenfold
-//! where values are smooth, and by half across a bend; so a cell whose neighbours had details within what is allowed is within it as
-//! well, but for steps that are hardly higher than that. Some of those that are not computed are checked, and those around them are
-//! computed where one is off: a shadow that falls between the cells of the second spacing would be missed else.
+//! The detail of a computed cell is its difference from the value interpolated from the earlier
+//! cells. From spacing to spacing, details shrink sixteenfold where values are smooth, and by half
+//! across a kink. So a cell whose neighbours had details within the allowed error is within it as
+//! well, except at steps that are hardly higher than the allowed error. Some of the interpolated
+//! cells are checked, and the cells around them are computed where one is off. Otherwise, a shadow
+//! that falls between the cells of the second spacing would be missed.
 //!
 //! Source: D. L. Donoho, Interpolating wavelet transforms (1992).
 
 use std::ops::RangeInclusive;
 
-/// The spacing of the first cells.
+/// Spacing of the first cells.
 const COARSEST: usize = 8;
-/// How many cells a polynomial goes through.
+/// Number of cells that a polynomial passes through.
 const THROUGH: usize = 4;
-/// One in so many cells that are not computed is checked, and how far around one that is off cells are computed after all.
+/// One in this many interpolated cells is checked. Where the check fails, the cells up to this
+/// distance are computed.
 const CHECKED: usize = 16;
 const AROUND: usize = 4;
-/// Spreads the cells that are checked over the grid: 2⁶⁴ over the golden ratio.
+/// Spreads the checked cells over the grid: 2⁶⁴ over the golden ratio.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// The values of some cells, for each of them in all bands, computed together; `gap` is how far neighbours are apart.
+/// Function that computes some cells together, each in all bands; `gap` is the distance between
+/// neighbours.
 pub(super) trait Compute: FnMut(&[usize], usize) -> Vec<f64> {}
 
 impl<F: FnMut(&[usize], usize) -> Vec<f64>> Compute for F {}
 
-/// The values of all cells of a grid with so many columns and rows, cell by cell and band by band, each within what is allowed in its band;
-/// not a number in the cells that are not asked for.
+/// Returns the values of all cells of a grid of `size` columns and rows, cell by cell and band by
+/// band, each within the allowed error of its band; NaN in cells that are not requested.
 pub(super) fn interpolated(
     size: [usize; 2],
     is_asked: &[bool],
@@ -55,7 +60,7 @@ pub(super) fn interpolated(
     field.values
 }
 
-/// What is known of a cell.
+/// State of a cell.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     Outside,
@@ -64,18 +69,19 @@ enum State {
     Interpolated,
 }
 
-/// A grid whose cells become known.
+/// Grid that is filled in step by step.
 struct Field<'f, C> {
     size: [usize; 2],
     allowed: &'f [f64],
     state: Vec<State>,
     values: Vec<f64>,
-    /// Whether a cell is near one that was off.
+    /// Whether a cell is near a cell where the interpolation was off.
     is_rough: Vec<bool>,
     compute: C,
 }
 
-/// Places along a side, coarse to fine: each list has those of the one before, and those in the middles of the gaps between them.
+/// Returns positions along a side, from coarse to fine. Each list contains the positions of the
+/// list before and the midpoints of its gaps.
 fn spacings(count: usize) -> Vec<Vec<usize>> {
     let last = count - 1;
     let gaps = last.div_ceil(COARSEST).max(1);
@@ -95,7 +101,8 @@ fn spacings(count: usize) -> Vec<Vec<usize>> {
     }
 }
 
-/// The places that a polynomial goes through, of a sorted list, to tell what is at a place between them, each with its weight.
+/// Returns the positions, out of a sorted list, that the polynomial around a position passes
+/// through, each with its weight.
 fn told(places: &[usize], at: usize) -> impl Iterator<Item = (usize, f64)> {
     let beyond = places.partition_point(|&place| place < at);
     let first = beyond.saturating_sub(THROUGH / 2).min(places.len().saturating_sub(THROUGH));
@@ -117,7 +124,7 @@ impl<C: Compute> Field<'_, C> {
         &self.values[cell * self.bands()..][..self.bands()]
     }
 
-    /// The cells in these columns and rows of which nothing is known yet.
+    /// Returns the cells in these columns and rows that are not known yet.
     fn open(&self, columns: &[usize], rows: &[usize]) -> Vec<usize> {
         let cells = rows.iter().flat_map(|row| columns.iter().map(move |column| row * self.size[0] + column));
         cells.filter(|&cell| self.state[cell] == State::Open).collect()
@@ -135,7 +142,7 @@ impl<C: Compute> Field<'_, C> {
         }
     }
 
-    /// Goes on from some columns and rows to more of them: first along columns, then along all rows.
+    /// Refines some columns and rows to more of them: first along columns, then along all rows.
     fn refine(
         &mut self,
         [columns, rows]: [Vec<usize>; 2],
@@ -163,7 +170,7 @@ impl<C: Compute> Field<'_, C> {
         self.settle(across, gaps, finer, is_first);
     }
 
-    /// What cells with these weights tell of another one; not a number if one of them is outside.
+    /// Returns the value interpolated from cells with these weights; NaN if a cell is outside.
     fn tell(&self, others: impl Iterator<Item = (usize, f64)>) -> Vec<f64> {
         let mut sums = vec![0.0; self.bands()];
         for (other, weight) in others {
@@ -172,7 +179,8 @@ impl<C: Compute> Field<'_, C> {
         sums
     }
 
-    /// Takes what is told of cells, or computes them where this may be off, or tells nothing, or where all details are asked for.
+    /// Accepts interpolated cells, or computes them where the interpolation may be off, gives no
+    /// value, or where all details are requested.
     fn settle(&mut self, told: Vec<(usize, Vec<f64>)>, gaps: [usize; 2], finer: usize, are_all: bool) {
         let is_known = |values: &[f64]| values.iter().all(|value| !value.is_nan());
         let (taken, open): (Vec<_>, Vec<_>) = told
@@ -192,7 +200,7 @@ impl<C: Compute> Field<'_, C> {
         }
     }
 
-    /// Whether a cell is farther from some values than is allowed.
+    /// Whether a cell differs from some values by more than the allowed error.
     fn is_off(&self, cell: usize, values: &[f64]) -> bool {
         let pairs = self.of(cell).iter().zip(values).zip(self.allowed);
         pairs.into_iter().any(|((own, told), allowed)| (own - told).abs() > *allowed)
@@ -208,7 +216,7 @@ impl<C: Compute> Field<'_, C> {
         }
     }
 
-    /// Computes some cells that are interpolated, and those around them where one is off.
+    /// Computes some of the interpolated cells, and the cells around those that are off.
     fn check(&mut self) {
         let open = |field: &Self| -> Vec<usize> {
             (0..field.state.len()).filter(|&cell| field.state[cell] == State::Interpolated).collect()
@@ -235,7 +243,8 @@ mod tests {
 
     const SIZE: [usize; 2] = [67, 45];
 
-    /// The largest error over all cells of a function on the unit square, and what part of them was computed.
+    /// Returns the largest error over all cells for a function on the unit square, and the computed
+    /// part of the cells.
     fn measured(allowed: f64, f: impl Fn(f64, f64) -> f64) -> [f64; 2] {
         let at = |cell: usize| {
             f((cell % SIZE[0]) as f64 / SIZE[0] as f64, (cell / SIZE[0]) as f64 / SIZE[1] as f64)

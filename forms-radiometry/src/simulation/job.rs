@@ -1,14 +1,15 @@
-//! Jobs: which part of the work on a scene is done, from where it goes on, and who keeps what is done.
+//! Jobs: the part of the work on a scene that is done, the checkpoint from which it continues, and
+//! the keeper of its checkpoints.
 //!
 //! ```text
 //! tolerance   unit u of the work is a number, a cell or a pixel, with as many samples as it needs
-//! budget      unit u is one replicate of one of these, with a number of samples that is given
+//! budget      unit u is one replicate of one of these, with a given number of samples
 //! share i/n   the units with u mod n = i − 1
 //! ```
 //! A scene that is solved as a whole, without paths, is a single unit.
 //!
-//! How many samples a unit gets depends on nothing but itself and a pilot that every share repeats, so that shares come to what one run
-//! gives, bit for bit.
+//! The number of samples of a unit depends only on the unit and on a pilot that every shard
+//! repeats. Merged shards therefore equal one run, bit for bit.
 
 use super::state::{Snapshot, State};
 use crate::monte_carlo::REPLICATES;
@@ -16,14 +17,14 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
-/// One of the shares that the work on a scene is divided into.
+/// One shard of the work on a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Share {
     part: u32,
     of: u32,
 }
 
-/// A text that is no share.
+/// Text that is not a shard.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NoShare(String);
 
@@ -44,17 +45,17 @@ impl Share {
     /// All of the work.
     pub const WHOLE: Self = Self { part: 1, of: 1 };
 
-    /// The first of them all.
+    /// Returns the first shard of the same division.
     pub fn first(self) -> Self {
         Self { part: 1, ..self }
     }
 
-    /// The others that it makes all of the work with, and itself.
+    /// Returns all shards of the same division, including this one.
     pub fn all(self) -> impl Iterator<Item = Self> {
         (1..=self.of).map(move |part| Self { part, of: self.of })
     }
 
-    /// How many shares there are.
+    /// Returns the number of shards.
     pub fn count(self) -> u32 {
         self.of
     }
@@ -82,7 +83,7 @@ impl FromStr for Share {
     fn from_str(text: &str) -> Result<Self, NoShare> {
         let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
         match parts {
-            // whoever counts from 0 to n − 1 has the same shares, the last of them first
+            // shards counted from 0 to n − 1 are the same shards, with the last of them first
             Some((0, of)) if of > 0 => Ok(Self { part: of, of }),
             Some((part, of)) if (1..=of).contains(&part) => Ok(Self { part, of }),
             _ => Err(NoShare(text.to_owned())),
@@ -90,13 +91,14 @@ impl FromStr for Share {
     }
 }
 
-/// How many samples every number, cell and pixel gets instead of as many as the tolerance asks for: a multiple of the replicates.
+/// Fixed number of samples of every number, cell and pixel, instead of the number that the
+/// tolerance requires: a multiple of the number of replicates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Budget {
     of_replicate: u32,
 }
 
-/// A number of samples that cannot be had.
+/// Number of samples that is not possible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NoBudget(pub u64);
 
@@ -114,7 +116,7 @@ impl fmt::Display for NoBudget {
 impl std::error::Error for NoBudget {}
 
 impl Budget {
-    /// So many samples, a multiple of the replicates.
+    /// Creates a budget of this many samples, a multiple of the number of replicates.
     pub fn new(samples: u64) -> Result<Self, NoBudget> {
         if (1..=Self::most()).contains(&samples) && samples.is_multiple_of(REPLICATES as u64) {
             Ok(Self { of_replicate: (samples / REPLICATES as u64) as u32 })
@@ -123,7 +125,7 @@ impl Budget {
         }
     }
 
-    /// How many samples there are.
+    /// Returns the number of samples.
     pub fn samples(self) -> u64 {
         u64::from(self.of_replicate) * REPLICATES as u64
     }
@@ -137,24 +139,25 @@ impl Budget {
     }
 }
 
-/// Who keeps the state of a simulation while it goes on. Called from several threads.
+/// Keeper of the checkpoints of a running simulation. Called from several threads.
 pub trait Keeper: Sync {
-    /// Whether it is time to keep what is done.
+    /// Whether it is time to keep a checkpoint.
     fn is_due(&self) -> bool;
 
-    /// Keeps it: called before the work, whenever it is time, and at the end.
+    /// Keeps a checkpoint. Called before the work, whenever one is due, and at the end.
     fn keep(&self, snapshot: &Snapshot<'_>);
 }
 
-/// What is to be done of a simulation.
+/// Part of a simulation to run.
 pub struct Job<'k> {
-    /// How many samples there are to be; as many as the tolerance asks for, if that is not said. What is solved as a whole has none.
+    /// Number of samples; as many as the tolerance requires if `None`. Scenes that are solved as a
+    /// whole have no samples.
     pub budget: Option<Budget>,
-    /// Which part of the work is done.
+    /// Shard that is run.
     pub share: Share,
-    /// The state from which it goes on; from the beginning, if there is none.
+    /// Checkpoint from which the work continues; it starts from the beginning if `None`.
     pub state: Option<State>,
-    /// Who keeps the state.
+    /// Keeper of the checkpoints.
     pub keeper: Option<&'k dyn Keeper>,
 }
 

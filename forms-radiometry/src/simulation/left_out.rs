@@ -1,23 +1,27 @@
-//! What is left out: a scene becomes the same scene without the effects that a plan turns off.
+//! Reduced scene: a scene becomes the same scene without the effects that a plan turns off.
 //!
 //! ```text
-//! mirror       mirrors and metals are black            refraction   every index is that of the ambient medium
-//! absorption   σₐ = 0                                  dispersion   every index is the middle of its bands
-//! scattering   σₛ = 0                                  time         receivers are not resolved in time
+//! mirror       mirrors and metals are black
+//! absorption   σₐ = 0
+//! scattering   σₛ = 0
+//! refraction   every index is that of the ambient medium
+//! dispersion   every index is the middle of its bands
+//! time         receivers are not resolved in time
 //! ```
-//! A boundary with nothing on both sides goes, so that what is left may be a scene of diffuse surfaces in a vacuum.
+//! A boundary with a vacuum on both sides is removed, so that the reduced scene may have only
+//! diffuse surfaces in a vacuum.
 
 use super::answer::PlannedEffect;
 use super::effects::forced;
 use crate::scene::{Effect, Force, MaterialKind, Medium, ReceiverKind, Scene, middle};
 
-/// The scene without what the plan turns off.
+/// Returns the scene without the effects that the plan turns off.
 pub(super) fn without(scene: &Scene, effects: &[PlannedEffect]) -> Scene {
     let is_off = |effect| effects.iter().any(|planned| planned.effect == effect && !planned.on);
     leave_out(scene, &is_off)
 }
 
-/// The scene without what its file turns off.
+/// Returns the scene without the effects that its file turns off.
 pub(super) fn without_forced(scene: &Scene) -> Scene {
     leave_out(scene, &|effect| forced(scene, effect) == Some(Force::Off))
 }
@@ -60,7 +64,7 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
     scene
 }
 
-/// Takes away surfaces that are nothing but boundaries, of which none emits light or is asked about.
+/// Removes surfaces that are only boundaries, unless they emit light or are receivers.
 fn remove_boundaries(scene: &mut Scene) {
     let is_asked_for = |index: usize| {
         let is_it =

@@ -1,11 +1,13 @@
-//! Maps: the bounding rectangle of a polygon in its plane is divided into cells, and the irradiance is taken at their middles.
+//! Maps: the bounding rectangle of a polygon in its plane is divided into cells, and the irradiance
+//! is evaluated at their centres.
 //!
 //! ```text
-//! cells ┬ blocks of all ─▶ straight from lights ───────────────────┐
+//! cells ┬ all, in blocks ─▶ direct light ──────────────────────────┐
 //!       ├ polynomials of elements ─────────────────────────────────┼▶ irradiance
-//!       └ some, the others interpolated ─▶ what these lack ────────┘
+//!       └ some, the others interpolated ─▶ lack of the polynomials ┘
 //! ```
-//! What comes straight from lights costs little and has sharp shadows; what is reflected costs much and is smooth in most cells.
+//! Direct light costs little and has sharp shadows. Reflected light costs much and is smooth in
+//! most cells.
 
 use super::interpolation::interpolated;
 use super::watch::Watch;
@@ -15,38 +17,38 @@ use crate::scene::Shape;
 use crate::sharing::Sharing;
 use smallvec::{SmallVec, smallvec};
 
-/// The cells along each side of a block that shares the search for what stands in between.
+/// Number of cells along each side of a block. The cells of a block share the search for occluders.
 const BLOCK: usize = 8;
 
-/// The cells of a map.
+/// Cells of a map.
 pub(super) struct Grid {
     surface: usize,
     normal: Vector,
     size: [usize; 2],
-    /// The middles of the columns, in the lowest edge, and of the rows as ways up from there.
+    /// Centres of the columns on the lowest edge, and offsets of the rows from that edge.
     middles: [Vec<Vector>; 2],
     /// Whether each cell lies on the surface.
     is_on: Vec<bool>,
-    /// The middles of the cells that lie on the surface, block by block.
+    /// Centres of the cells that lie on the surface, block by block.
     points: Vec<Vector>,
-    /// The cell of each of them, counted row by row.
+    /// Cell of each of these points, counted row by row.
     cells: Vec<usize>,
     blocks: Vec<Block>,
 }
 
-/// What there is at each corner of a rectangle.
+/// One item for each corner of a rectangle.
 type Corners<T> = SmallVec<[T; 4]>;
 
-/// Cells that follow each other along both sides, as far as they lie on the surface.
+/// Cells that adjoin along both sides, without those that lie off the surface.
 struct Block {
-    /// Where its points end; they begin where those of the block before it end.
+    /// End of its points; they begin at the end of the block before it.
     end: usize,
     /// The points at its corners, if all are on the surface.
     corners: Option<Corners<Vector>>,
 }
 
 impl Grid {
-    /// A ball that holds all cells: its middle and its radius.
+    /// Returns a ball that contains the centres of all cells: its centre and its radius.
     pub(super) fn ball(&self) -> (Vector, f64) {
         let [columns, rows] = self.size;
         let corners = [[0, 0], [columns - 1, 0], [0, rows - 1], [columns - 1, rows - 1]];
@@ -55,7 +57,8 @@ impl Grid {
         (center, corners.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max))
     }
 
-    /// The grid over the front of a planar surface of this shape: its first axis is the first edge of its outline.
+    /// Returns the grid over the front of a planar surface of this shape. Its first axis is the
+    /// first edge of the outline.
     pub(super) fn over(
         transport: &Transport,
         (surface, shape): (usize, &Shape),
@@ -106,49 +109,51 @@ impl Grid {
         Some(grid)
     }
 
-    /// The middle of the cell in a column and a row.
+    /// Returns the centre of the cell in a column and a row.
     fn middle(&self, [column, row]: [usize; 2]) -> Vector {
         let [across_columns, up_rows] = &self.middles;
         across_columns[column] + up_rows[row]
     }
 
-    /// The middles of the cells at the corners of a rectangle, if all are on the surface.
+    /// Returns the centres of the cells at the corners of a rectangle, if all are on the surface.
     fn outline(&self, cut: &Cut) -> Option<Corners<Vector>> {
         let corners = cut.corners();
         let is_on = corners.iter().all(|[column, row]| self.is_on[row * self.size[0] + column]);
         is_on.then(|| corners.into_iter().map(|cell| self.middle(cell)).collect())
     }
 
-    /// The unit normal of the surface.
+    /// Returns the unit normal of the surface.
     pub(super) fn normal(&self) -> Vector {
         self.normal
     }
 
-    /// How many cells there are along each side.
+    /// Returns the number of cells along each side.
     pub(super) fn size(&self) -> [usize; 2] {
         self.size
     }
 
-    /// The middles of the cells, row by row, where they lie on the surface.
+    /// Returns the centres of the cells, row by row, where they lie on the surface.
     pub(super) fn cells(&self) -> Vec<Option<Vector>> {
         let mut cells = vec![None; self.size[0] * self.size[1]];
         self.cells.iter().zip(&self.points).for_each(|(&cell, &point)| cells[cell] = Some(point));
         cells
     }
 
-    /// How many cells lie on the surface.
+    /// Returns the number of cells on the surface.
     pub(super) fn count(&self) -> usize {
         self.points.len()
     }
 
-    /// Cells spread over the surface: one in so many, but no fewer than at least, as far as there are.
+    /// Returns cells spread over the surface: one in `one_in`, but at least `at_least` of them if
+    /// there are enough.
     pub(super) fn some(&self, [one_in, at_least]: [usize; 2]) -> impl Iterator<Item = Vector> {
         let step = one_in.min(self.count() / at_least).max(1);
         self.cells().into_iter().flatten().skip(step / 2).step_by(step)
     }
 
-    /// The irradiance of all cells, of which this comes straight from lights, for each band row by row; not a number off the surface, and where
-    /// the work was stopped before. What is reflected may be off by what is allowed in each band. `note` is told how many cells are computed.
+    /// Returns the irradiance of all cells, given their direct light, for each band row by row; NaN
+    /// off the surface, and where the work was stopped before. The error of the reflected light
+    /// stays within the allowed error of each band. `note` receives the number of computed cells.
     pub(super) fn irradiance(
         &self,
         radiosity: &Radiosity,
@@ -169,14 +174,14 @@ impl Grid {
             };
             let lacks = interpolated(self.size, &self.is_on, allowed, compute);
             let reflected = lacks.iter().zip(&polynomials).map(|(lacks, polynomial)| lacks + polynomial);
-            // beside the dark, polynomials go below it
+            // next to dark cells, polynomials fall below zero
             let lit = reflected.map(|value| if value < 0.0 { 0.0 } else { value });
             irradiance.iter_mut().zip(lit).for_each(|(sum, value)| *sum += value);
         }
         (0..bands).map(|band| irradiance.iter().skip(band).step_by(bands).copied().collect()).collect()
     }
 
-    /// Numbers of the cells that lie on the surface, block by block, among those of all cells.
+    /// Moves numbers of the cells on the surface, block by block, to their places among all cells.
     pub(super) fn all_cells(&self, bands: usize, gathered: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.size[0] * self.size[1] * bands];
         for (&cell, of_bands) in self.cells.iter().zip(gathered.chunks_exact(bands)) {
@@ -185,8 +190,8 @@ impl Grid {
         values
     }
 
-    /// What the polynomials of the surface's elements tell of what is reflected to all cells, cell by cell and band by band; nothing where
-    /// there are none.
+    /// Evaluates the polynomials of the surface's elements: the light reflected to all cells, cell
+    /// by cell and band by band; zero where there are no polynomials.
     fn polynomials(&self, bands: usize, radiosity: &Radiosity) -> Vec<f64> {
         let mut values = vec![0.0; self.size[0] * self.size[1] * bands];
         let elements = radiosity.elements_on(self.surface);
@@ -196,7 +201,8 @@ impl Grid {
         values
     }
 
-    /// What surfaces reflect to some cells, that are about so far apart, cell by cell and band by band.
+    /// Gathers the light that surfaces reflect to some cells with about this spacing, cell by cell
+    /// and band by band.
     fn reflected(
         &self,
         (cells, gap): (&[usize], usize),
@@ -237,7 +243,7 @@ impl Grid {
         values
     }
 
-    /// Each block with the part of a list that its cells have, cell by cell and band by band.
+    /// Returns each block with its part of a list that is ordered cell by cell and band by band.
     pub(super) fn parts<'g>(
         &'g self,
         bands: usize,
@@ -248,7 +254,8 @@ impl Grid {
         let part = |block: &'g Block| {
             let points = &self.points[start..block.end];
             start = block.end;
-            // where a corner is off the surface, the hull of the others is not that of the cells
+            // where a corner is off the surface, the hull of the others is not the hull of the
+            // cells
             let outline = block.corners.as_deref().unwrap_or(points);
             let (own, rest) = std::mem::take(&mut values).split_at_mut(bands * points.len());
             values = rest;
@@ -258,13 +265,13 @@ impl Grid {
     }
 }
 
-/// A rectangle of cells: the first and the last of them.
+/// Rectangle of cells, given by its first and its last cell.
 struct Cut {
     first: [usize; 2],
     last: [usize; 2],
 }
 
-/// The rectangles of blocks of a grid of this size, row by row.
+/// Returns the rectangles of the blocks of a grid of this size, row by row.
 fn cuts([columns, rows]: [usize; 2]) -> impl Iterator<Item = Cut> {
     let ends = |count: usize| {
         (0..count)
@@ -280,7 +287,7 @@ fn cuts([columns, rows]: [usize; 2]) -> impl Iterator<Item = Cut> {
 }
 
 impl Cut {
-    /// The least one around some cells.
+    /// Returns the smallest rectangle around some cells.
     fn around(mut cells: impl Iterator<Item = [usize; 2]>) -> Self {
         let one = cells.next().expect("no group is empty");
         let grow = |Self { first, last }: Self, cell: [usize; 2]| Self {
@@ -290,7 +297,8 @@ impl Cut {
         cells.fold(Self { first: one, last: one }, grow)
     }
 
-    /// The cells at its corners, one after the other around it; of a block of one row or column two, of a single cell one.
+    /// Returns the cells at its corners, in order around it: two for a block of one row or column,
+    /// one for a single cell.
     fn corners(&self) -> Corners<[usize; 2]> {
         let [[left, low], [right, high]] = [self.first, self.last];
         let mut corners = smallvec![[left, low], [right, low], [right, high], [left, high]];
@@ -302,7 +310,8 @@ impl Cut {
     }
 }
 
-/// The middles of the columns of a grid over an outline with this unit normal, in its lowest edge, and of the rows as ways up from there.
+/// Returns the centres of the columns of a grid over an outline with this unit normal, on its
+/// lowest edge, and the offsets of the rows from that edge.
 fn middles(outline: &[Vector], normal: Vector, [columns, rows]: [usize; 2]) -> Option<[Vec<Vector>; 2]> {
     let corner = outline[0];
     let along = (outline[1] - corner).unit()?;

@@ -1,5 +1,6 @@
-//! Maps of a simulation: receivers with a grid become cells, some of which are watched while elements become finer, and these maps. The error
-//! of a cell is the largest of the watched ones, each relative to its scale (see [`scales`](super::scales)).
+//! Maps of a simulation: receivers with a grid become cells, of which some are watched while
+//! elements are refined, and these become maps. The error of a cell is the largest error of the
+//! watched cells, each relative to its scale (see [`scales`](super::scales)).
 
 use super::answer::{ErrorKind, Map, Quantity};
 use super::estimate::Found;
@@ -15,13 +16,14 @@ use crate::sharing::Sharing;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// One in so many cells of a map is watched while elements become finer, and at least so many in all.
+/// One in this many cells of a map is watched while elements are refined, but at least this many
+/// cells.
 const WATCHED: [usize; 2] = [36, 25];
-/// What cells that are interpolated may be off by, as a part of the error that a cell has anyway.
+/// Allowed error of interpolated cells, as a part of the error that a cell has anyway.
 const INTERPOLATED: f64 = 0.1;
 
 impl Work<'_> {
-    /// The maps that are asked for: the index of the receiver and its cells.
+    /// Returns the requested maps: the index of the receiver, and its cells.
     pub(super) fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
         let receivers = self.scene.receivers.iter().enumerate();
         let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
@@ -34,8 +36,8 @@ impl Work<'_> {
         receivers.filter_map(grid).collect()
     }
 
-    /// Adds readings in some cells of each of these maps and in some pixels of each image, so that elements are refined until these are
-    /// exact enough, and maps have errors.
+    /// Adds readings in some cells of each of these maps and in some pixels of each image. Elements
+    /// are refined until these are accurate enough, and maps get their errors from them.
     pub(super) fn watch_some(&mut self, grids: &[(usize, Grid)], sight: &Transport) {
         for (index, grid) in grids {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
@@ -52,8 +54,9 @@ impl Work<'_> {
         self.groups = groups(&self.readings, self.answers);
     }
 
-    /// What comes to the cells of each map straight from lights, cell by cell and band by band; not a number where the work was stopped
-    /// before. The cells of all maps are shared as one: between small loops threads would wait.
+    /// Gathers direct light in the cells of each map, cell by cell and band by band; NaN where the
+    /// work was stopped before. The cells of all maps are processed in one loop: between small
+    /// loops threads would wait.
     pub(super) fn straight(
         &self,
         grids: &[(usize, Grid)],
@@ -85,7 +88,7 @@ impl Work<'_> {
         grids.iter().zip(gathered).map(|((_, grid), gathered)| grid.all_cells(bands, &gathered)).collect()
     }
 
-    /// The maps with the numbers of their receivers, of whose cells it is known what comes to them straight from lights.
+    /// Returns the maps with the indices of their receivers, given the direct light of their cells.
     pub(super) fn maps(
         &self,
         radiosity: &Radiosity,
@@ -108,7 +111,7 @@ impl Work<'_> {
         maps.into_iter().map(|(map, _)| map).collect()
     }
 
-    /// The map of a receiver, cell by cell.
+    /// Computes the map of a receiver, cell by cell.
     fn map(
         &self,
         radiosity: &Radiosity,
@@ -123,7 +126,7 @@ impl Work<'_> {
         let values = grid.irradiance(radiosity, (straight, &allowed), self.watch, note);
         let rounding = radiosity.lights().rounding_within(grid.ball(), radiosity.transport());
         let errors = |(band, values): (usize, &Vec<f64>)| {
-            // where none is watched, closed forms leave nothing but rounding
+            // where no cell is watched, closed forms leave only rounding
             let brightest = values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
             let of_closed_forms = OF_PRODUCT * brightest + rounding[band];
             let error = |&value: &f64| {
@@ -137,7 +140,7 @@ impl Work<'_> {
         self.finished_map(receiver, (grid, values, errors), kind)
     }
 
-    /// A map of irradiance from its cells: an emitter is seen in none of them.
+    /// Assembles a map of irradiance from its cells. An emitter is visible in none of them.
     pub(super) fn finished_map(
         &self,
         receiver: usize,

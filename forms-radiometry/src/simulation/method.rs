@@ -1,4 +1,4 @@
-//! Methods: how the answers of a plan are found, in the words of the field.
+//! Methods: the names of the field for the ways in which the answers of a plan are found.
 //!
 //! ```text
 //! diffuse surfaces in a vacuum
@@ -6,8 +6,9 @@
 //!   reflections    ─▶ radiosity                              ┘ fewer operations
 //! anything else    ─▶ path tracing; quadrature and ray trees where these need no samples
 //! ```
-//! Names alone: the choice itself is that of [`is_followed`](super::followed::is_followed) and
-//! [`Gathering::of`]. Where only the work shows which of two methods is enough, both are named.
+//! This module only reports names. The choice itself is made by
+//! [`is_followed`](super::followed::is_followed) and [`Gathering::of`]. Where only the work shows
+//! which of two methods suffices, both are named.
 
 use super::answer::Plan;
 use super::effects::Effects;
@@ -19,10 +20,10 @@ use crate::monte_carlo;
 use crate::radiosity::Gathering;
 use crate::scene::{Receiver, ReceiverKind, Scene};
 
-/// A method by which answers are found.
+/// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
-    /// Closed forms of the light that comes from emitters to points.
+    /// Closed forms of the light from emitters to points.
     ClosedForms,
     /// Integrals of these over surfaces and pixels.
     ClosedFormIntegrals,
@@ -35,14 +36,14 @@ pub enum Method {
     Radiosity,
     /// Sampled paths from receivers.
     PathTracing,
-    /// Integrals along rays, and over what points see.
+    /// Integrals along rays, and over the parts of surfaces visible from points.
     Quadrature,
-    /// All rays into which smooth surfaces divide one.
+    /// All rays into which smooth surfaces split one ray.
     RayTrees,
 }
 
 impl Method {
-    /// Its name.
+    /// Returns its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::ClosedForms => "closed forms",
@@ -57,8 +58,8 @@ impl Method {
     }
 }
 
-/// The methods of a plan, the main one first. There are several where receivers differ, or where
-/// only the work shows which is enough.
+/// Returns the methods of a plan, the main one first. There are several where receivers differ, or
+/// where only the work shows which one suffices.
 pub fn methods(scene: &Scene, plan: &Plan) -> Vec<Method> {
     let prepared = Prepared::of(scene, plan);
     let working = prepared.working();
@@ -69,8 +70,8 @@ pub fn methods(scene: &Scene, plan: &Plan) -> Vec<Method> {
     }
 }
 
-/// The methods of a scene of diffuse surfaces in a vacuum. Curved surfaces are divided several
-/// times, and each time it is chosen anew.
+/// Returns the methods of a scene of diffuse surfaces in a vacuum. Curved surfaces are tessellated
+/// several times, and the method is chosen again each time.
 fn of_whole(scene: &Scene, effects: &Effects) -> Vec<Method> {
     let finest = if is_round(scene) { FINEST } else { 0 };
     let question = effects.question(scene);
@@ -92,8 +93,8 @@ fn of_whole(scene: &Scene, effects: &Effects) -> Vec<Method> {
     distinct((0..=finest).flat_map(|fineness| of_gathering(gathering(fineness))))
 }
 
-/// The methods of any other scene: which rays smooth surfaces alone divide, only following them
-/// shows.
+/// Returns the methods of any other scene. Which rays are split by smooth surfaces only, is known
+/// after tracing them.
 fn of_paths(scene: &Scene, effects: &Effects) -> Vec<Method> {
     let computable = Computable::of(scene, &effects.limits());
     let scatters = monte_carlo::Effects::of(scene).scattering;
@@ -109,7 +110,7 @@ fn of_paths(scene: &Scene, effects: &Effects) -> Vec<Method> {
     methods
 }
 
-/// Each method once, in the order in which they come.
+/// Returns each method once, in the order of first occurrence.
 fn distinct(methods: impl Iterator<Item = Method>) -> Vec<Method> {
     let mut found = Vec::new();
     for method in methods {

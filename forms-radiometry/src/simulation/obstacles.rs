@@ -1,12 +1,12 @@
-//! Obstacles: what stands between places and what shines takes some of the light on its way, and where that is little, occlusion
-//! need not be simulated.
+//! Occlusion bound: occluders between a place and a source take some of the source's light. Where
+//! that is little, occlusion need not be simulated.
 //!
 //! ```text
-//! a place, all that shines ─ between ─▶ what stands between the two ─▶ Σ L min(Ω of what shines, Σ Ω of what stands before it) ≥ ΔE
-//! faces that reflect ───────────────────────────────────────────────▶ ρ/π max ΔE/(1 − k̃), the radiance that they send too much
+//! a place, all sources ─▶ occluders between ─▶ Σ L min(Ω of the source, Σ Ω of its occluders) ≥ ΔE
+//! reflecting faces ──────────────────────────▶ ρ/π max ΔE/(1 − k̃), the excess radiance they send
 //! ```
-//! Without occlusion no place gets less than with it. Of a point's directions a face of the area A at the distance d or more takes no
-//! more than A/d², and no more than half of all.
+//! Without occlusion no place gets less light than with it. Of the directions at a point, a face of
+//! the area A at the distance d or more takes no more than A/d², and no more than half of them all.
 
 use super::effects::forced;
 use super::readings::{Place, Reading};
@@ -17,48 +17,50 @@ use crate::radiosity::{Transport, is_reflecting, reflectance};
 use crate::scene::{Effect, ReceiverKind, Scene};
 use std::f64::consts::PI;
 
-/// What stands in the way of light between the faces of a scene.
+/// Occluders between the faces of a scene.
 pub(super) struct Obstacles<'s> {
     scene: &'s Scene,
     transport: &'s Transport,
     sources: Vec<Source>,
-    /// The most, beside the largest answer that its brightest face could make, that is worth asking for.
+    /// Largest change for which a bound is worthwhile, relative to the largest answer under a
+    /// radiance of 1: the tolerance times the brightest radiance.
     most: f64,
-    /// The radiance that a face sends more at most where nothing hides anything.
+    /// Largest excess radiance that a face sends where occlusion is omitted.
     sent: f64,
 }
 
-/// A face that sends light.
+/// Face that sends light.
 struct Source {
     face: usize,
-    /// Its radiance at most, in any band.
+    /// Upper bound on its radiance in any band.
     radiance: f64,
-    /// Its reflectance likewise.
+    /// Upper bound on its reflectance in any band.
     reflectance: f64,
 }
 
-/// How much the reflections of a scene matter.
+/// Strength of the reflections in a scene.
 #[derive(Clone, Copy)]
 pub(super) struct Reflected {
-    /// How much of the light a reflection leaves at most.
+    /// Largest part of the light that a reflection leaves.
     pub(super) contraction: f64,
-    /// The largest irradiance.
+    /// Largest irradiance.
     pub(super) irradiance: f64,
 }
 
-/// What comes to a place too much where nothing hides anything.
+/// Excess light at a place where occlusion is omitted.
 #[derive(Clone, Copy, Default)]
 struct Taken {
-    /// Of the irradiance.
+    /// Excess irradiance.
     irradiance: f64,
-    /// Of Σ ρ F.
+    /// Excess of Σ ρ F.
     contraction: f64,
 }
 
 impl<'s> Obstacles<'s> {
-    /// Of a scene that has no other light than that of its surfaces. Nothing where there is no bound: for shadows of other light, in
-    /// images, or where reflections without shadows might leave all of the light; nor, where the file leaves it to the plan, if they
-    /// matter more than the tolerance.
+    /// Bounds the effect of occlusion in a scene where surfaces are the only emitters. `None`
+    /// where there is no bound: for shadows of other light, in images, or where reflections without
+    /// shadows might leave all of the light. Also `None` where the file leaves the decision to the
+    /// plan and the shadows matter more than the tolerance.
     pub(super) fn of(scene: &'s Scene, transport: &'s Transport, reflected: Reflected) -> Option<Self> {
         let is_outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
         let has_image =
@@ -90,8 +92,10 @@ impl<'s> Obstacles<'s> {
         (!has_one).then_some(obstacles)
     }
 
-    /// The radiance that reflecting faces send too much at most: ΔE ≤ max ΔE₁ + k̃ ΔE of what is missing once, where k̃ is how much
-    /// of the light a reflection leaves where nothing hides anything. None if that is all of it, or too much to be left out.
+    /// Returns the largest excess radiance that reflecting faces send: ΔE ≤ max ΔE₁ + k̃ ΔE. ΔE₁ is
+    /// the excess of light sent once, and k̃ is the part of the light that a reflection leaves
+    /// where occlusion is omitted. `None` if that is all of the light, or if the excess is too
+    /// large for occlusion to be omitted.
     fn sent(&self, reflected: Reflected) -> Option<f64> {
         let albedo = self.sources.iter().map(|source| source.reflectance).fold(0.0, f64::max);
         let mut most = Taken::default();
@@ -109,14 +113,14 @@ impl<'s> Obstacles<'s> {
         Some(sent)
     }
 
-    /// What a reading tells too much at most where nothing hides anything.
+    /// Returns an upper bound on the excess of a reading where occlusion is omitted.
     pub(super) fn taken_of(&self, reading: &Reading) -> f64 {
         let taken = |place: &Place| self.taken(place).irradiance;
         let most = reading.places(self.scene, self.transport).iter().map(taken).fold(0.0, f64::max);
         reading.of_irradiance(self.scene, self.transport) * most + reading.largest(self.transport) * self.sent
     }
 
-    /// What obstacles take of the light on its way to a place.
+    /// Returns an upper bound on the light that occluders take on its way to a place.
     fn taken(&self, place: &Place) -> Taken {
         let (faces, screens) = (&self.transport.faces, &self.transport.screens);
         let mut found = Vec::new();
@@ -133,14 +137,15 @@ impl<'s> Obstacles<'s> {
     }
 }
 
-/// The solid angle of a face, at most, from anywhere at a place.
+/// Returns an upper bound on the solid angle of a face from anywhere at a place.
 fn solid_angle(face: &Face, place: &Place) -> f64 {
     let distance = distance(&face.vertices, place, face.normal);
     (face.area / (distance * distance)).min(2.0 * PI)
 }
 
-/// The distance of an outline with this normal from a place, at least: the widest gap between both along either's normal and along the line
-/// through their middles. Both lie in the convex hulls of their corners, so a gap along any direction is one between them.
+/// Returns a lower bound on the distance of an outline with this normal from a place: the widest
+/// gap between the two, along either normal and along the line through their centres. Both lie in
+/// the convex hulls of their corners, so a gap along any direction is a gap between them.
 fn distance(outline: &[Vector], place: &Place, normal: Vector) -> f64 {
     let between_middles = (Vector::mean(outline) - Vector::mean(&place.outline)).unit();
     let gap = |along: Vector| {
@@ -160,7 +165,7 @@ mod tests {
     use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
     use crate::simulation::{Answer, Plan, Unwatched, plan, simulate};
 
-    /// A floor and a lamp over it, and between them a plate of this size in this place.
+    /// Returns a floor, a lamp above it, and between them a plate of this size at this position.
     fn lamp_and_plate(reflectance: f64, size: f64, [x, y, z]: [f64; 3]) -> String {
         let square = |z: f64| [[-1.0, -1.0, z], [1.0, -1.0, z], [1.0, 1.0, z], [-1.0, 1.0, z]];
         let mut lamp = square(2.0);
@@ -180,14 +185,15 @@ mod tests {
         point_receiver("point", [0.3, 0.2, 0.1], [0.1, 0.0, 1.0]) + &surface_receiver("floor")
     }
 
-    /// A sphere and a ray: what a ray meets is seen past everything.
+    /// Returns a sphere receiver and a ray receiver. The ray meets the same surface with and
+    /// without occlusion.
     fn to_all_sides() -> String {
         let sphere = "[[receiver]]\nname = \"sphere\"\nkind = \"sphere\"\nposition = [0.1, 0.2, 0.3]\n";
         let ray = "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.9, 0, 1]\ndirection = [-0.3, 0.2, -1]\n";
         [sphere, ray].concat()
     }
 
-    /// What gets reflected light alone, of which nothing hides any.
+    /// Returns a point receiver that gets reflected light only, none of which is occluded.
     fn to_the_floor() -> String {
         point_receiver("down", [0.0, 0.0, 0.1], [0.0, 0.0, -1.0])
     }

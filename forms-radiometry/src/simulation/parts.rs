@@ -1,45 +1,49 @@
-//! Parts of an error: what each step of the work leaves adds up to the error of its answer.
+//! Error budget: the errors that the steps of the work leave add up to the error of an answer.
 //!
 //! ```text
-//! plan ─ effects ─┐
-//! equations, expansions ─ orders ─┤
-//! elements, rules, shapes ─ quadrature ─┼─▶ bound: ε = ρ + q + o + e + s          σ: ε = √((ρ + q + o + e)² + s²)
-//! arithmetic ─ rounding ─┤
-//! rays and paths ─ sampling ─┘
+//! plan                    ─ effects    ─┐
+//! equations, expansions   ─ orders     ─┤
+//! elements, rules, shapes ─ quadrature ─┼─▶ bound: ε = ρ + q + o + e + s
+//! arithmetic              ─ rounding   ─┤       σ: ε = √((ρ + q + o + e)² + s²)
+//! rays and paths          ─ sampling   ─┘
 //! ```
-//! Each part is set where it is known, and nowhere else. What the file turns off, or asks only some orders of, is another question, and no
-//! part of the error.
+//! Each part is set where it is known, and nowhere else. Effects that the file turns off, and
+//! orders that it excludes, define another problem and are not part of the error.
 
 use super::answer::ErrorKind;
 use serde::{Deserialize, Serialize};
 use std::ops::Add;
 
-/// What an error is made of, each part in the unit of the answer.
+/// Parts of an error, each in the unit of the answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorParts {
-    /// What the arithmetic of `f64` may have lost.
+    /// Error by the arithmetic of `f64`.
     pub rounding: f64,
-    /// What elements, rules of integration, and polyhedra in the place of round shapes leave.
+    /// Error by elements, by rules of integration, and by polyhedra that replace curved shapes.
     pub quadrature: f64,
-    /// What higher orders of reflections may add, of which the solver took no more as they were too small.
+    /// Possible light of higher reflection orders, which the solver truncated because they were too
+    /// small.
     pub orders: f64,
-    /// What effects may change that the plan left out because they matter less than the tolerance.
+    /// Possible change by effects that the plan omitted because they matter less than the
+    /// tolerance.
     pub effects: f64,
-    /// How far the mean of rays or paths may be off; of an error that is a standard error, that of them.
+    /// Error of the mean of rays or paths; where the error is a standard error, the standard error
+    /// of that mean.
     pub sampling: f64,
 }
 
 impl ErrorParts {
-    /// Their names, in words.
+    /// Names of the parts, in words.
     pub const NAMES: [&str; 5] =
         ["rounding", "quadrature", "truncated orders", "dropped effects", "sampling"];
 
-    /// Them in the order of their names.
+    /// Returns the parts in the order of their names.
     pub fn all(&self) -> [f64; 5] {
         [self.rounding, self.quadrature, self.orders, self.effects, self.sampling]
     }
 
-    /// The error that they make. Bounds add up; of a standard error, what is no chance is taken for one of the same size.
+    /// Returns the combined error. Bounds add up. In a standard error, the deterministic parts
+    /// count as a standard error of the same size.
     pub fn error(&self, kind: ErrorKind) -> f64 {
         let certain = self.rounding + self.quadrature + self.orders + self.effects;
         match kind {
@@ -48,7 +52,7 @@ impl ErrorParts {
         }
     }
 
-    /// Each multiplied by the same factor.
+    /// Returns the parts multiplied by a factor.
     pub(super) fn scaled(self, factor: f64) -> Self {
         Self {
             rounding: factor * self.rounding,
@@ -59,7 +63,8 @@ impl ErrorParts {
         }
     }
 
-    /// Those of a mean: what is sampled averages out, but for this part of it, which all numbers have in common; nothing else does.
+    /// Returns the parts of a mean. Sampling errors average out, except for the part `common`
+    /// that all numbers share; no other error averages out.
     pub(super) fn of_mean(all: impl Iterator<Item = Self>, common: f64) -> Self {
         let (mut sum, mut squares, mut count) = (Self::default(), 0.0, 0.0);
         for parts in all {

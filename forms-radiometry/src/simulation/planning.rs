@@ -1,12 +1,13 @@
-//! The plan: what a scene contains and what is asked of it decide which effects are simulated.
+//! The plan: the contents of a scene and its queries decide which effects are simulated.
 //!
 //! ```text
 //! forced by the file ─▶ as it says
 //! no trigger         ─▶ off, and nothing is lost
-//! a bound            ─▶ off, while the sum of what is dropped stays within half the tolerance of every answer
+//! a bound            ─▶ off, while all such effects stay within half the tolerance of every answer
 //! else               ─▶ on
 //! ```
-//! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): what is left out once is passed on by all reflections.
+//! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): all reflections pass on light that is omitted
+//! once.
 
 use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forcing};
@@ -17,13 +18,13 @@ use crate::monte_carlo::{self, World, endless, has_too_many_images, trap};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
 
-/// The part of the tolerance that what is dropped may take.
+/// Part of the tolerance left for omitted effects.
 const DROPPED: f64 = 0.5;
 
 /// Decides which effects of a scene are simulated.
 ///
 /// # Errors
-/// All that the scene asks for and that is not simulated, and light that could never leave.
+/// Everything that the scene asks for and that is not simulated, and light that could never leave.
 pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     let refused = not_simulated(scene);
     if !refused.is_empty() {
@@ -45,7 +46,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     Ok(Plan { effects, kernels, dropped })
 }
 
-/// The plan of a scene whose light is followed along paths.
+/// Returns the plan of a scene that is simulated by path tracing.
 fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     let is_pervious =
         |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
@@ -75,7 +76,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     Ok(Plan { effects, kernels, dropped })
 }
 
-/// Tells of absorption and scattering where what they leave needs no samples.
+/// Adds to the reasons of absorption and scattering where these need no samples.
 fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
     let computable = Computable::of(left, &Effects::of(effects).limits());
     let computed: Vec<&Receiver> =
@@ -93,7 +94,8 @@ fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
     }
 }
 
-/// What is decided about every effect, one after the other, and what all that is dropped can change, relative to an answer.
+/// Decides about every effect in turn. Returns the decisions, and the largest change by all omitted
+/// effects, relative to an answer.
 fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
     let contains = monte_carlo::Effects::of(scene);
     let most = DROPPED * scene.solve.tolerance;
@@ -106,19 +108,19 @@ struct Planning<'s> {
     scene: &'s Scene,
     survey: Survey,
     contains: monte_carlo::Effects,
-    /// What may still be dropped, relative to every answer.
+    /// Remaining error budget for omitted effects, relative to every answer.
     left: f64,
-    /// What is dropped so far, likewise.
+    /// Error budget spent on omitted effects so far, relative to every answer.
     dropped: f64,
 }
 
-/// What was found of an effect.
+/// Finding about an effect.
 struct Finding {
-    /// Whether there is anything of it.
+    /// Whether the scene contains the effect.
     present: bool,
     why: String,
-    /// What dropping it can change at most, as the largest in the units of the answers, and relative to the answer it matters
-    /// most to.
+    /// Largest change by omitting it: the largest in the units of the answers, and the change
+    /// relative to the answer that it matters most to.
     bound: Option<[f64; 2]>,
 }
 
@@ -204,13 +206,14 @@ impl Planning<'_> {
     }
 }
 
-/// A number below 1, rounded up: to hundredths, or where that would hide it to one digit.
+/// Formats a number below 1, rounded up: to hundredths, or to one digit where hundredths would hide
+/// it.
 fn at_most(number: f64) -> String {
     if number > 0.0 && number < 0.01 {
         let unit = 10_f64.powf(number.log10().floor());
         return format!("{:.0e}", (number / unit).ceil() * unit);
     }
-    // what rounding adds to 0.9 does not make it 0.91
+    // a rounding error on top of 0.9 does not make it 0.91
     format!("{:.2}", (100.0 * number * (1.0 - 1e-9)).ceil() / 100.0)
 }
 

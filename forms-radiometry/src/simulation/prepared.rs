@@ -1,5 +1,5 @@
-//! Preparation: a scene and its plan become the scene that is simulated, in working units, and what was found of that becomes what was
-//! asked for.
+//! Working scene: a scene and its plan become the simulated scene in working units, and its results
+//! become the requested answers.
 
 use super::answer::{Answer, Plan, Simulation};
 use super::effects::Effects;
@@ -8,14 +8,15 @@ use super::left_out::without;
 use super::parts::ErrorParts;
 use crate::scene::{Scene, WorkingScene};
 
-/// A scene as it is simulated.
+/// Scene as it is simulated.
 pub(super) struct Prepared {
     pub(super) effects: Effects,
-    /// What is left of the scene.
+    /// Reduced scene.
     left: Scene,
-    /// The bands that are simulated as a single one, if any are.
+    /// Number of bands that are simulated as a single one, if they are.
     merged: Option<usize>,
-    /// What the plan drops, relative to every answer; the rest of the tolerance is that of the work.
+    /// Error budget spent on omitted effects, relative to every answer; the solver gets the
+    /// remaining tolerance.
     dropped: f64,
 }
 
@@ -29,22 +30,22 @@ impl Prepared {
         Self { effects, left, merged, dropped: plan.dropped }
     }
 
-    /// Whether light is followed along paths.
+    /// Whether light is simulated by path tracing.
     pub(super) fn is_followed(&self) -> bool {
         is_followed(&self.left)
     }
 
-    /// What is left of the scene, in working units.
+    /// Returns the reduced scene in working units.
     pub(super) fn working(&self) -> WorkingScene<'_> {
         self.left.in_working_units()
     }
 
-    /// What is done by paths.
+    /// Returns the task of the path driver.
     pub(super) fn task<'s>(&'s self, working: &'s WorkingScene) -> Task<'s> {
         Task { scene: &working.scene, effects: &self.effects, metres: working.square_metres.sqrt() }
     }
 
-    /// What was found, in the units of its quantities and for all bands.
+    /// Converts the results to the units of their quantities and to all bands.
     pub(super) fn finished(&self, mut simulation: Simulation, working: &WorkingScene) -> Simulation {
         simulation.leave_working_units(working);
         if self.dropped > 0.0 {
@@ -59,8 +60,9 @@ impl Prepared {
     }
 }
 
-/// Adds what the plan drops to every error. It was bounded for the least answer of a receiver, so that of a component of a vector is at
-/// most that of the largest, and that of a cell at most that of the mean.
+/// Adds the error budget of omitted effects to every error. It is a bound for the smallest answer
+/// of a receiver. So the change of a component of a vector is at most the change of the
+/// largest component, and the change of a cell at most the change of the mean.
 fn add_dropped(simulation: &mut Simulation, dropped: f64) {
     let scales: Vec<f64> = simulation.accuracy().answers().map(|rated| rated.scale).collect();
     for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
@@ -78,7 +80,7 @@ fn add_dropped(simulation: &mut Simulation, dropped: f64) {
     history.iter_mut().for_each(|moment| moment.error += dropped);
 }
 
-/// Divides the time of each receiver among its answers, which each have all of it.
+/// Divides the time of each receiver among its answers, each of which holds all of it before.
 fn divide_times(simulation: &mut Simulation) {
     for answers in simulation.answers.chunk_by_mut(|a, b| a.receiver == b.receiver) {
         let count = answers.len() as f64;
@@ -86,7 +88,7 @@ fn divide_times(simulation: &mut Simulation) {
     }
 }
 
-/// The answers of one band, for each band.
+/// Copies the answers of one band to each band.
 fn spread(simulation: &mut Simulation, bands: usize) {
     let of_bands = |answer: Answer| {
         (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
@@ -99,7 +101,8 @@ fn spread(simulation: &mut Simulation, bands: usize) {
     }
 }
 
-/// Ends the history with the accuracy of what was found: what was not reached before the work was stopped is as inexact as it was.
+/// Ends the history with the accuracy of the results. Where the work was stopped, receivers that
+/// were not reached keep the error at that time.
 fn conclude(simulation: &mut Simulation) {
     let error = simulation.accuracy().largest_error();
     let is_stopped = simulation.stopped;

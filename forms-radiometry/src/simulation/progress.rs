@@ -1,14 +1,16 @@
-//! Progress: the stages of the work become the part of the whole that is done, which never
-//! decreases, and the time that is left, where that can be foreseen.
+//! Progress: the stages of the work become the fraction of the whole that is done, which never
+//! decreases, and the remaining time, where it can be predicted.
 //!
 //! ```text
-//! a stage began after b seconds; its part f is done after t  ─▶ it ends after b + (t − b)/f
-//! the whole ends after the later of that and what is foreseen ─▶ times what follows ─▶ done: t/end, left: end − t
+//! a stage began after b seconds; its fraction f is done after t  ─▶ it ends after b + (t − b)/f
+//! the whole ends after the later of that and the prediction      ─▶ times the stages that follow
+//!                                                                ─▶ done: t/end, left: end − t
 //! ```
-//! So the part that is done is a part of the time, as well as that is known: what a tolerance takes
-//! shows only on the way. Where the end turns out to be later, the part stays for a while as it is.
-//! How many rounds of refinement there are shows at their end: until then no time is told. The rest
-//! is told where [`Forecast`] trusts it.
+//! So the fraction that is done is a fraction of the time, as far as the time is known: the time
+//! that a tolerance takes shows only during the work. Where the end turns out to be later, the
+//! fraction does not change for a while. The number of refinement rounds is known only at their
+//! end, and until then no remaining time is reported. Otherwise it is reported where [`Forecast`]
+//! trusts it.
 
 use super::answer::Moment;
 use super::forecast::Forecast;
@@ -16,43 +18,43 @@ use super::watch::Watch;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-/// The end of the whole, relative to that of its first stage, as long as nothing is known of the
-/// others.
+/// End of the whole, relative to the end of its first stage, as long as nothing is known of the
+/// other stages.
 const UNKNOWN: f64 = 20.0;
-/// The end of the whole, relative to that of the present round: each takes about as long as all
-/// before, and one more may follow.
+/// End of the whole, relative to the end of the present round: each round takes about as long as
+/// all rounds before it, and one more may follow.
 const ONE_MORE: f64 = 2.0;
-/// The power of time by which errors fall, as long as no two of them are known, and the least and
-/// the largest that two show.
+/// Power of time by which errors fall as long as fewer than two errors are known, and the smallest
+/// and the largest power that is derived from two errors.
 const USUAL_POWER: f64 = 1.0;
 const POWERS: [f64; 2] = [0.25, 4.0];
-/// How many of the last errors show that power.
+/// Number of the last errors that determine that power.
 const SEEN: usize = 3;
 
-/// Tells the caller how much of the whole is done.
+/// Reports to the caller how much of the whole is done.
 pub(super) struct Progress<'w> {
     watch: &'w dyn Watch,
     start: Instant,
     state: Mutex<State>,
 }
 
-/// What is known of the work after a stage.
+/// Outlook on the work after the present stage.
 #[derive(Clone, Copy)]
 pub(super) enum Outlook {
-    /// Nothing.
+    /// Nothing is known.
     Unknown,
-    /// Rounds like this one follow, until so many seconds of the work at least.
+    /// Rounds like this one follow, until at least this many seconds of the work.
     Rounds { until: f64 },
-    /// There are this many stages with it, which take about as long.
+    /// This many stages remain, including the present one, and they take about as long as it.
     Stages(usize),
     /// It is the last one, but may take longer than it seems.
     Doubtful,
 }
 
 struct State {
-    /// The seconds that the work took before this run of it.
+    /// Seconds that the work took before this run.
     before: f64,
-    /// The part that was told last.
+    /// Fraction that was reported last.
     told: f64,
     begin: f64,
     outlook: Outlook,
@@ -60,14 +62,15 @@ struct State {
 }
 
 impl<'w> Progress<'w> {
-    /// The progress of work that begins now, of a single stage as long as no other one begins.
+    /// Returns the progress of work that begins now. It has a single stage until another one
+    /// begins.
     pub(super) fn new(watch: &'w dyn Watch) -> Self {
         let (outlook, forecast) = (Outlook::Stages(1), Forecast::default());
         let state = State { before: 0.0, told: 0.0, begin: 0.0, outlook, forecast };
         Self { watch, start: Instant::now(), state: Mutex::new(state) }
     }
 
-    /// The work took so many seconds more before this run of it.
+    /// Adds the seconds that the work took before this run.
     pub(super) fn resume(&self, before: f64) {
         self.state().before += before;
     }
@@ -79,12 +82,12 @@ impl<'w> Progress<'w> {
         state.outlook = outlook;
     }
 
-    /// What is known by now of the work after the present stage.
+    /// Updates the outlook on the work after the present stage.
     pub(super) fn look(&self, outlook: Outlook) {
         self.state().outlook = outlook;
     }
 
-    /// The seconds of the work so far, with those before this run.
+    /// Returns the seconds of the work so far, including those before this run.
     pub(super) fn seconds(&self) -> f64 {
         self.seconds_with(self.state().before)
     }
@@ -103,7 +106,7 @@ impl Watch for Progress<'_> {
         let mut state = self.state();
         let now = self.seconds_with(state.before);
         let (done, left) = state.note(now, fraction);
-        // the lock is held, so that no other thread tells more before
+        // the lock is held, so that no other thread reports a larger fraction first
         self.watch.time_left(left);
         self.watch.progress(stage, done);
     }
@@ -114,8 +117,8 @@ impl Watch for Progress<'_> {
 }
 
 impl State {
-    /// The part of the whole that is done at a time at which this part of the stage is, and the
-    /// seconds that are left, if that is known.
+    /// Returns the fraction of the whole that is done at a time at which this fraction of the stage
+    /// is done, and the remaining seconds, if they are known.
     fn note(&mut self, now: f64, fraction: f64) -> (f64, Option<f64>) {
         let of_stage = self.begin + (now - self.begin) / fraction.clamp(0.0, 1.0);
         let end = match self.outlook {
@@ -139,8 +142,8 @@ impl State {
     }
 }
 
-/// When errors will have fallen to a tolerance, of which a history since this time is known: they
-/// fall by a power of time. None as long as no error is known.
+/// Predicts when errors will have fallen to a tolerance, from the history since `begin`: they fall
+/// as a power of time. `None` as long as no error is known.
 pub(super) fn foreseen(history: &[Moment], begin: f64, tolerance: f64) -> Option<f64> {
     let known: Vec<&Moment> = history.iter().filter(|moment| moment.error.is_finite()).collect();
     let last = known.last()?;
@@ -166,7 +169,7 @@ mod tests {
         assert_eq!(state.note(1.0, 0.5).0, 1.0 / 40.0);
         state.outlook = Outlook::Rounds { until: 10.0 };
         assert_eq!(state.note(2.0, 0.5).0, 2.0 / 20.0);
-        // the round takes longer than was foreseen
+        // the round takes longer than predicted
         assert_eq!(state.note(4.0, 0.1).0, 2.0 / 20.0);
         (state.begin, state.outlook) = (10.0, Outlook::Stages(2));
         assert_eq!(state.note(12.0, 0.5).0, 12.0 / 18.0);
@@ -198,9 +201,9 @@ mod tests {
         let end = foreseen(&history, 1.0, 1e-2).expect("errors are known");
         assert!((end - 11.0).abs() < 1e-9, "{end}");
         assert_eq!(foreseen(&history[..1], 1.0, 1e-2), None);
-        // with a single error it falls as time passes
+        // with a single error, the error is taken to fall as the inverse of time
         assert_eq!(foreseen(&history[..2], 1.0, 0.1), Some(11.0));
-        // it is reached
+        // the tolerance is met
         assert_eq!(foreseen(&history, 1.0, 0.1), Some(5.0));
     }
 }

@@ -1,5 +1,5 @@
-//! Readings: a receiver becomes the numbers that it asks for, each a measure at a point, a mean over a surface, or the
-//! radiance of what a ray meets.
+//! Readings: a receiver becomes the numbers that it asks for. Each is a measure at a point, a mean
+//! over a surface, or the radiance of the surface that a ray meets.
 
 use super::answer::Quantity;
 use crate::faces::is_bright;
@@ -9,27 +9,27 @@ use crate::scene::{Receiver, ReceiverKind, Scene};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-/// What a few products and quotients of numbers of the scene round a value by.
+/// Relative rounding error of a few products and quotients of numbers of the scene.
 pub(super) const OF_PRODUCT: f64 = 4.0 * f64::EPSILON;
 
-/// One number that is asked for, in each band.
+/// One requested number, in each band.
 #[derive(Clone, Debug)]
 pub(super) struct Reading {
-    /// The index of the receiver.
+    /// Index of the receiver.
     pub(super) receiver: usize,
     pub(super) quantity: Quantity,
     what: What,
 }
 
-/// Where light arrives.
+/// Place where light arrives.
 pub(super) struct Place {
     pub(super) outline: Vec<Vector>,
-    /// Where it looks to, if not everywhere.
+    /// Direction that it faces; `None` if it receives light from all sides.
     pub(super) normal: Option<Vector>,
 }
 
 impl Place {
-    /// All of a face.
+    /// Returns the place that is all of a face.
     pub(super) fn of_face(face: &Face) -> Self {
         Self { outline: face.vertices.clone(), normal: Some(face.normal) }
     }
@@ -42,8 +42,9 @@ enum What {
     Ray { origin: Vector, direction: Vector },
 }
 
-/// Readings in groups, each named by the first in it: the components of vector irradiance and the fluence rate of one receiver,
-/// and the watched cells of one map. Any other reading is alone.
+/// Returns the group of each reading, named by the first reading in it. The components of vector
+/// irradiance and the fluence rate of one receiver are a group, and so are the watched cells of one
+/// map. Any other reading is alone.
 pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
     let mut first = HashMap::new();
     let group = |(index, reading): (usize, &Reading)| {
@@ -54,7 +55,7 @@ pub(super) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
 }
 
 impl Reading {
-    /// What a receiver asks for, in the order of its answers.
+    /// Returns the readings that a receiver asks for, in the order of its answers.
     pub(super) fn of(index: usize, receiver: &Receiver) -> Vec<Self> {
         let reading = |quantity, what| Self { receiver: index, quantity, what };
         match receiver.kind {
@@ -78,19 +79,19 @@ impl Reading {
         }
     }
 
-    /// The irradiance at a point.
+    /// Returns the irradiance at a point.
     pub(super) fn irradiance(receiver: usize, position: Vector, normal: Vector) -> Self {
         let what = What::At { position, measure: Measure::Plane(normal) };
         Self { receiver, quantity: Quantity::Irradiance, what }
     }
 
-    /// The radiance that arrives along a ray.
+    /// Returns the radiance that arrives along a ray.
     pub(super) fn radiance(receiver: usize, origin: Vector, direction: Vector) -> Self {
         Self { receiver, quantity: Quantity::Radiance, what: What::Ray { origin, direction } }
     }
 
-    /// The error of what comes straight from lights by rules of integration, and by rounding where that is a closed form; nothing where it is
-    /// summed over nodes.
+    /// Returns the error of direct light by quadrature, and by rounding where it is a closed form;
+    /// `None` where it is summed over nodes.
     pub(super) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<[f64; 2]> {
         let What::Mean { surface, is_flux } = self.what else { return Some([0.0; 2]) };
         let errors = radiosity.straight_error(surface, band)?;
@@ -98,7 +99,7 @@ impl Reading {
         Some(errors.map(|error| error / unit))
     }
 
-    /// Its value in each band.
+    /// Returns its value in each band.
     pub(super) fn value(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
         match self.what {
             What::At { position, measure } => at(position, measure, radiosity, scratch),
@@ -111,19 +112,20 @@ impl Reading {
         }
     }
 
-    /// Whether it is a mean over a surface, or that times its area.
+    /// Whether it is a mean over a surface, or a mean times the area of the surface.
     pub(super) fn is_mean(&self) -> bool {
         matches!(self.what, What::Mean { .. })
     }
 
-    /// The point at which it is a measure, if it is one, and what a radiance of 1 from everywhere makes of it.
+    /// Returns the point at which it is a measure, if it is one, and its value under a radiance of
+    /// 1 from everywhere.
     pub(super) fn at_point(&self) -> Option<(Vector, f64)> {
         let What::At { position, measure } = self.what else { return None };
         Some((position, PI * measure.whole().max(1.0)))
     }
 
-    /// What comes straight from lights to the last digit; nothing where it is summed over nodes, or arrives along a ray. Of one that is
-    /// `watched`, for what it tells of others, shapes are seen as they are from those.
+    /// Returns the direct light in double-double; `None` where it is summed over nodes, or arrives
+    /// along a ray. A `watched` reading represents others, so shapes are seen as from those others.
     pub(super) fn precise(
         &self,
         is_watched: bool,
@@ -143,7 +145,7 @@ impl Reading {
         }
     }
 
-    /// A bound on the rounding of its values where they come straight from lights.
+    /// Returns a bound on the rounding error of its values where they are direct light.
     pub(super) fn rounding(&self, values: &[f64], scene: &Scene, radiosity: &Radiosity) -> Vec<f64> {
         let transport = radiosity.transport();
         let at = |position, measure| radiosity.lights().rounding((position, measure), transport);
@@ -163,7 +165,7 @@ impl Reading {
         }
     }
 
-    /// What it asks of a solution, if it asks for anything.
+    /// Returns the goal that it sets for a solution, if any.
     pub(super) fn goal(&self, scene: &Scene, transport: &Transport) -> Option<GoalKind> {
         match self.what {
             What::At { position, measure } => Some(GoalKind::At { position, measure }),
@@ -175,7 +177,7 @@ impl Reading {
         }
     }
 
-    /// What its goal is multiplied by: a mean is an integral over a surface and its area.
+    /// Returns the factor of its goal: a mean is an integral over a surface, divided by its area.
     pub(super) fn of_goal(&self, transport: &Transport) -> f64 {
         match self.what {
             What::Mean { surface, is_flux: false } => 1.0 / transport.front_area(surface),
@@ -183,7 +185,8 @@ impl Reading {
         }
     }
 
-    /// What makes its value of the number that it asks for, for each band: an offset and a factor.
+    /// Returns, for each band, the offset and the factor that turn the number of its goal into its
+    /// value.
     pub(super) fn made_of(&self, scene: &Scene, transport: &Transport) -> Vec<[f64; 2]> {
         let unchanged = |factor| vec![[0.0, factor]; scene.band_count()];
         match self.what {
@@ -200,8 +203,8 @@ impl Reading {
         }
     }
 
-    /// What it may be off by, for each band, because of where shadows of lights without extent end on elements, and of what
-    /// their nodes miss.
+    /// Returns, for each band, its possible error because of the shadow boundaries of point and
+    /// distant lights on elements, and because of the light that their nodes miss.
     pub(super) fn doubts(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
         let transport = radiosity.transport();
         let mut doubts = match self.goal(scene, transport) {
@@ -217,7 +220,7 @@ impl Reading {
         doubts
     }
 
-    /// Where the light arrives that it tells of.
+    /// Returns the places whose arriving light it measures.
     pub(super) fn places(&self, scene: &Scene, transport: &Transport) -> Vec<Place> {
         match self.what {
             What::At { position, measure } => {
@@ -235,7 +238,7 @@ impl Reading {
         }
     }
 
-    /// What an irradiance of 1 at these places makes of it at most.
+    /// Returns its largest value under an irradiance of 1 at these places.
     pub(super) fn of_irradiance(&self, scene: &Scene, transport: &Transport) -> f64 {
         match self.what {
             What::At { .. } | What::Mean { is_flux: false, .. } => 1.0,
@@ -248,7 +251,7 @@ impl Reading {
         }
     }
 
-    /// The most that an incident radiance of 1 from everywhere makes of it.
+    /// Returns its largest value under an incident radiance of 1 from everywhere.
     pub(super) fn largest(&self, transport: &Transport) -> f64 {
         match self.what {
             What::At { measure: Measure::Sphere, .. } => 4.0 * PI,
@@ -265,8 +268,8 @@ fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut S
     radiosity.reaching(group, scratch).swap_remove(0)
 }
 
-/// The radiance that a ray meets: L = Lₑ + ρ E/π on a face that it sees from its front, zero on a black back, and the light
-/// from outside where it meets nothing.
+/// Returns the radiance along a ray: L = Lₑ + ρ E/π on a face that it sees from its front, zero on
+/// a black back, and the light from outside where it meets nothing.
 fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
     let Some(met) = met(scene, ray, radiosity.transport()) else { return scene.ambient.radiance.clone() };
     let Met { surface: index, position, normal, is_bright } = met;
@@ -276,21 +279,21 @@ fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut S
     let surface = &scene.surfaces[index];
     let arriving = at(position, Measure::Plane(normal), radiosity, scratch);
     let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
-    // E/π is the radiance of what sends the same into all directions
+    // E/π is the radiance of a surface that sends E equally in all directions
     bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / PI).collect()
 }
 
-/// What a ray meets first.
+/// First surface along a ray.
 struct Met {
     surface: usize,
     position: Vector,
-    /// The unit normal of the side that the ray sees.
+    /// Unit normal of the side that the ray sees.
     normal: Vector,
     /// Whether that side sends light at all.
     is_bright: bool,
 }
 
-/// The same if it sends light to where the ray comes from.
+/// Returns the first surface along a ray, if it sends light to the ray's origin.
 fn met_bright(scene: &Scene, ray: [Vector; 2], transport: &Transport) -> Option<Met> {
     met(scene, ray, transport).filter(|met| met.is_bright)
 }

@@ -1,5 +1,5 @@
-//! Answers by rays: readings become probes, and those that are not exact enough get more rays and paths, until all are or none may
-//! have more.
+//! Sampled answers: readings become probes. Probes that are not accurate enough get more rays and
+//! paths, until all are, or none is allowed more.
 
 use super::answer::{ErrorKind, Map, Moment};
 use super::estimate::{Estimate, Found};
@@ -13,28 +13,31 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-/// What the shape of round surfaces leaves of the tolerance for rays.
+/// Part of the tolerance that the tessellation of curved shapes leaves for rays.
 const BESIDE_SHAPE: f64 = 0.5;
 
-/// The part of the mean of all cells that is taken for the scale of a map where it is less than the watched cells told.
+/// Part of the mean of all cells that becomes the scale of a map, where this mean is less than the
+/// watched cells indicated.
 const BELOW: f64 = 0.97;
 
-/// The part of the most rays after which it is foreseen how many it takes.
+/// Part of the largest number of rays after which the required number is predicted.
 const SEEN: f64 = 0.02;
 
-/// A reading and its probe, if anything has to be sampled for it.
+/// A reading, and its probe if anything has to be sampled for it.
 struct Sampled {
     probe: Option<Probe>,
-    /// The reading whose probe it has: itself, or for a flux the mean irradiance before it.
+    /// Index of the reading whose probe it uses: its own, or for a flux that of the mean irradiance
+    /// before it.
     of: usize,
-    /// For each band the offset and the factor that make the reading of the probe.
+    /// For each band, the offset and the factor that turn the value of the probe into the reading.
     made_of: Vec<[f64; 2]>,
-    /// The seconds that it took in the last loop.
+    /// Seconds that it took in the last loop.
     seconds: f64,
 }
 
 impl Work<'_> {
-    /// The readings, as exact as they are asked for or can be made; less exact if that would take more than so many rays.
+    /// Returns the readings, as accurate as requested or as possible; less accurate if that would
+    /// take more than `most` rays.
     pub(super) fn sampled(
         &self,
         paths: &Paths,
@@ -87,7 +90,8 @@ impl Work<'_> {
         }
     }
 
-    /// How many rays there were, and how many it will have taken: errors fall like the root of their number.
+    /// Returns the number of rays so far, and the predicted number at the end: errors fall as the
+    /// inverse square root of that number.
     fn rays(&self, sampled: &[Sampled], found: &[Found]) -> [f64; 2] {
         let spent = |sampled: &Sampled| sampled.probe.as_ref().map_or(0.0, Probe::spent);
         let all: f64 = sampled.iter().map(spent).sum();
@@ -99,14 +103,15 @@ impl Work<'_> {
         [all, sampled.iter().zip(found).zip(self.targets(found)).map(needed).sum()]
     }
 
-    /// Adds what a loop over readings, which began at this time, took of their receivers.
+    /// Adds to the times of receivers a loop over their readings that began at this time.
     fn took(&self, begin: Instant, sampled: &mut [Sampled]) {
         let receivers = self.readings.iter().map(|reading| reading.receiver);
         self.times.add(begin, receivers.zip(sampled.iter().map(|sampled| sampled.seconds)));
         sampled.iter_mut().for_each(|sampled| sampled.seconds = 0.0);
     }
 
-    /// More rays for the readings that are not exact enough; whether there are any that may have more.
+    /// Adds rays to the readings that are not accurate enough. Returns whether any is
+    /// allowed more.
     fn improve(&self, paths: &Paths, sampled: &mut [Sampled], found: &[Found], tolerance: f64) -> bool {
         let scales = self.targets(found);
         let one = |((sampled, found), scales): ((&mut Sampled, &Found), Vec<f64>)| {
@@ -146,8 +151,8 @@ impl Work<'_> {
         sampled.iter().map(one).collect()
     }
 
-    /// The maps: each cell is sampled until it is exact enough beside the mean of those that were watched, and where the mean of all cells is
-    /// less, beside that.
+    /// Returns the maps. Each cell is sampled until it is accurate enough relative to the mean of
+    /// the watched cells, or relative to the mean of all cells where that is less.
     pub(super) fn sampled_maps(
         &self,
         paths: &Paths,
@@ -164,7 +169,7 @@ impl Work<'_> {
         grids.iter().map(map).collect()
     }
 
-    /// The map of a receiver; what is darker than this is dark.
+    /// Returns the map of a receiver. Scales below `dark` are raised to it.
     fn scaled_map(&self, paths: &Paths, (receiver, grid): (usize, &Grid), found: &[Found], dark: f64) -> Map {
         let told = self.watched(receiver, found).into_iter().flatten().map(|watched| watched.scale);
         let mut scales: Vec<f64> = told.collect();
@@ -183,7 +188,7 @@ impl Work<'_> {
         }
     }
 
-    /// The probes of all cells of a map.
+    /// Returns the probes of all cells of a map.
     fn sampled_cells(&self, paths: &Paths, receiver: usize, grid: &Grid) -> Vec<Option<Probe>> {
         let cell = |(index, position): (usize, &Option<crate::geometry::Vector>)| {
             let position = position.filter(|_| !self.watch.is_stopped())?;
@@ -193,8 +198,8 @@ impl Work<'_> {
         grid.cells().par_iter().enumerate().map(cell).collect()
     }
 
-    /// More rays for the cells that are not exact enough beside the scales of their map; nothing is known of those that are not when the work is
-    /// stopped.
+    /// Adds rays to the cells that are not accurate enough relative to the scales of their map.
+    /// Cells that are still not accurate enough when the work is stopped become unknown.
     fn improve_cells(&self, paths: &Paths, cells: &mut [Option<Probe>], of_map: &[f64]) {
         let tolerance = self.scene.solve.tolerance;
         let (count, done) = (cells.len(), AtomicUsize::new(0));

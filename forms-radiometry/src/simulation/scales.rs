@@ -1,36 +1,40 @@
-//! Scales: what the tolerance of each reading, and of the cells of each map, is relative to.
+//! Scales: the values that the tolerances of readings, and of the cells of maps, are relative to.
 //!
 //! ```text
-//! answers          |value|, of the components of a vector the largest of them
+//! answers          |value|; for the components of a vector, the largest of them
 //! cells            max(mean of all cells, |value|)
-//! pixels           max(mean of those in which no emitter is seen directly, |value|)
-//! watched ones     the same, from below, by the mean of those that are watched, and |value − Lₑ|
+//! pixels           max(mean of the pixels in which no emitter is seen directly, |value|)
+//! watched cells    the same with a lower estimate: the mean of watched cells, and |value − Lₑ|
 //! ```
-//! While elements become finer a mean is known from watched cells alone. The mean of all cells is known at the end, and where it is so much
-//! less that errors miss the tolerance, the work is done once more with it. Emission is exact: watched pixels have errors of the light that
-//! is reflected.
+//! While elements are refined, a mean is known from watched cells alone. The mean of all cells is
+//! known at the end. Where it is so much less that errors miss the tolerance, the work is done once
+//! more with it. Emission is exact: the errors of watched pixels are those of the reflected light.
 
 use super::answer::Map;
 use super::estimate::{Estimate, Found};
 use super::images::Image;
 use super::solver::{DARK, Work};
 
-/// The part of the mean of watched cells that is taken for a scale: the mean of all cells may be less than theirs.
+/// Part of the mean of watched cells that serves as scale: the mean of all cells may be less than
+/// their mean.
 const BELOW: f64 = 0.9;
-/// The same of a mean of all cells, which may change a little when elements become finer.
+/// The same part for a mean of all cells, which may change a little when elements are refined.
 const BELOW_KNOWN: f64 = 0.97;
-/// The part of the tolerance of cells that elements may take; the rest is for rules of pixels and for interpolation.
+/// Part of the tolerance of cells left for elements; the rest is for the quadrature of pixels and
+/// for interpolation.
 const OF_ELEMENTS: f64 = 0.75;
 
-/// The scale of cells with these values, of each of which it is known whether an emitter is seen in it directly.
+/// Returns the scale of cells, each given by its value and whether an emitter is seen in it
+/// directly.
 pub(super) fn mean_scale(cells: impl Iterator<Item = (f64, bool)>) -> f64 {
     Mean::of(cells).value
 }
 
-/// The mean of the cells in which no emitter is seen directly, or of all where the others are dark or missing.
+/// Mean of the cells in which no emitter is seen directly, or of all cells where those are dark or
+/// missing.
 pub(super) struct Mean {
     pub(super) value: f64,
-    /// Whether it is of all cells.
+    /// Whether it is the mean of all cells.
     pub(super) is_of_all: bool,
 }
 
@@ -48,28 +52,28 @@ impl Mean {
     }
 }
 
-/// What the watched cells of a map tell of the errors of all its cells in one band: these are as large as the largest of theirs, relative to
-/// the scale of each cell.
+/// Errors of all cells of a map in one band, as estimated from its watched cells. They equal the
+/// largest error of a watched cell, relative to the scale of each cell.
 pub(super) struct Watched {
-    /// The scale of the map, as far as it was known.
+    /// Scale of the map, as known while elements were refined.
     pub(super) scale: f64,
     relative: f64,
-    /// The largest error, where there is no scale.
+    /// Largest error, where there is no scale.
     absolute: f64,
 }
 
 impl Watched {
-    /// The error of a cell that gets so much light.
+    /// Returns the error of a cell that gets this much light.
     pub(super) fn error(&self, value: f64) -> f64 {
         if self.scale > 0.0 { self.relative * self.scale.max(value.abs()) } else { self.absolute }
     }
 }
 
-/// The maps and images of a simulation, with the numbers of their receivers.
+/// Maps and images of a simulation, with the indices of their receivers.
 pub(super) struct Pictures {
     pub(super) maps: Vec<(usize, Map)>,
     pub(super) images: Vec<Image>,
-    /// Whether cells are sampled, each until it is exact enough.
+    /// Whether cells are sampled, each until it is accurate enough.
     pub(super) is_sampled: bool,
 }
 
@@ -85,7 +89,7 @@ impl Pictures {
 }
 
 impl Work<'_> {
-    /// What the tolerance of each reading is relative to in each band.
+    /// Returns the scale of the tolerance of each reading in each band.
     pub(super) fn scales(&self, found: &[Found]) -> Vec<Vec<f64>> {
         let bands = self.scene.band_count();
         let mut largest = vec![vec![0.0_f64; bands]; self.answers];
@@ -106,8 +110,9 @@ impl Work<'_> {
         scales
     }
 
-    /// What the errors of readings are to stay within the tolerance of: their scales, or the part of these that elements may take. Of an answer
-    /// that is nothing beside the largest of all, such as that of a receiver in the dark, only the error beside that one counts.
+    /// Returns the targets whose tolerance bounds the errors of readings: their scales, or the part
+    /// of the scales left for elements. Answers below 1e-9 of the largest, such as those of a
+    /// receiver in the dark, are judged by their error relative to the largest.
     pub(super) fn targets(&self, found: &[Found]) -> Vec<Vec<f64>> {
         let mut targets = self.scales(found);
         let watched: Vec<usize> = (self.answers..found.len()).collect();
@@ -122,8 +127,9 @@ impl Work<'_> {
         targets
     }
 
-    /// The part of the scales of pixels that leaves their mean within the tolerance of its own value: scales are no less than a mean, and their mean
-    /// may be more. The mean of a map is an answer of its own.
+    /// Returns the part of the scales of pixels that keeps the mean of an image within the
+    /// tolerance of its own value. Scales are no less than a mean, and their mean may be more. The
+    /// mean of a map is an answer of its own.
     fn of_mean(&self, own: &[usize], band: usize, (found, scales): (&[Found], &[Vec<f64>])) -> f64 {
         let is_image = own.iter().any(|&cell| !self.emitted(cell).is_empty());
         let value = |&cell: &usize| found[cell].bands.get(band).map_or(0.0, |estimate| estimate.value.abs());
@@ -132,7 +138,8 @@ impl Work<'_> {
         if is_image && values > 0.0 { f64::min(1.0, values / scales) } else { 1.0 }
     }
 
-    /// For each band what the watched cells of a map tell; nothing where none is watched.
+    /// Returns the errors indicated by the watched cells of a map for each band; `None` where no
+    /// cell is watched.
     pub(super) fn watched(&self, receiver: usize, found: &[Found]) -> Option<Vec<Watched>> {
         let is_own = |&reading: &usize| self.readings[reading].receiver == receiver;
         let own: Vec<usize> = (self.answers..found.len()).filter(is_own).collect();
@@ -149,8 +156,8 @@ impl Work<'_> {
         (!own.is_empty()).then(|| scales.map(of_band).collect())
     }
 
-    /// Takes the scales of maps and images that are done for known, where they are so much less than the watched cells told that errors miss
-    /// the tolerance; whether there are any.
+    /// Stores the scales of finished maps and images where they are so much less than the watched
+    /// cells indicated that errors miss the tolerance. Returns whether there are any.
     pub(super) fn rescale(&mut self, pictures: &Pictures, found: &[Found]) -> bool {
         if pictures.is_sampled || self.watch.is_stopped() {
             return false;
@@ -169,7 +176,7 @@ impl Work<'_> {
         is_any
     }
 
-    /// For each band the scale of the map that these readings watch.
+    /// Returns, for each band, the scale of the map that these readings watch.
     fn scales_of_map(&self, own: &[usize], found: &[Found]) -> Vec<f64> {
         let receiver = own.first().map(|&cell| self.readings[cell].receiver);
         if let Some(known) = receiver.and_then(|receiver| self.known_scales[receiver].clone()) {
@@ -185,19 +192,20 @@ impl Work<'_> {
         (0..self.scene.band_count()).map(of_band).collect()
     }
 
-    /// What a watched cell gets of light that is not emitted straight into it.
+    /// Returns the light in a watched cell without the light emitted directly into it.
     fn reflected(&self, cell: usize, found: &[Found], band: usize) -> f64 {
         let emitted = self.emitted(cell).get(band).copied().unwrap_or(0.0);
         found[cell].bands.get(band).map_or(0.0, |estimate| (estimate.value - emitted).abs())
     }
 
-    /// The radiance that is emitted straight into a watched cell, for each band; nothing where none can be.
+    /// Returns, for each band, the radiance emitted directly into a watched cell; empty where there
+    /// can be none.
     fn emitted(&self, cell: usize) -> &[f64] {
         &self.emitted[cell - self.answers]
     }
 }
 
-/// Whether the error of a cell is larger than the tolerance allows.
+/// Whether the error of any cell exceeds the tolerance.
 fn misses(map: &Map, tolerance: f64) -> bool {
     let of_band = |((values, errors), scale): ((&Vec<f64>, &Vec<f64>), &f64)| {
         values.iter().zip(errors).any(|(value, error)| *error > tolerance * scale.max(value.abs()))

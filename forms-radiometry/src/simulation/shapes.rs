@@ -1,11 +1,14 @@
-//! Shapes: readings with finer and finer flat pieces in the place of round shapes become an estimate of what finer ones still change.
+//! Tessellation: readings with finer and finer flat faces in place of curved shapes become an
+//! estimate of the remaining change.
 //!
 //! ```text
-//! values with each fineness ─▶ the last changes c₁, c₂ ─▶ what is left: S max(c₂, r₀ c₁) r/(1 − r),  r = c₂/c₁
+//! values at each fineness ─▶ the last changes c₁, c₂
+//!                         ─▶ remaining change: S max(c₂, r₀ c₁) r/(1 − r),  r = c₂/c₁
 //! ```
-//! r₀ is the factor by which each step lessens the error where the shape is far: 1/16 for disks, 1/4 for spheres, whose silhouettes are polygons. A change
-//! may be small by chance: it counts as no less than r₀ times the one before. Where light is reflected, or goes from spheres to surfaces, fine shapes take
-//! long: there one change is the estimate.
+//! r₀ is the factor by which each step lessens the error where the shape is far: 1/16 for disks,
+//! 1/4 for spheres, whose silhouettes are polygons. A change may be small by chance, so it counts
+//! as no less than r₀ times the change before. Where light is reflected, or passes from spheres to
+//! surfaces, fine tessellations take long: there, one change is the estimate.
 
 use super::estimate::{Estimate, Found};
 use super::readings::Reading;
@@ -13,28 +16,30 @@ use crate::faces::{is_round, round_surfaces};
 use crate::geometry::{Round, Vector};
 use crate::scene::{Scene, Shape};
 
-/// The safety of the estimate.
+/// Safety factor of the estimate.
 const SAFETY: f64 = 3.0;
-/// The least that a step lessens errors by is taken to be.
+/// Slowest convergence that is assumed: the largest ratio of successive errors.
 const SLOWEST: f64 = 0.75;
-/// Points that are nearer to the border of a shape than so many times what pieces are off it may be on the wrong side of them.
+/// Points nearer to the boundary of a shape than this many times the deviation of its faces may be
+/// on the wrong side of them.
 const NEAR: f64 = 4.0;
-/// Points lie on the border if they are no farther from it than so many roundings.
+/// Points count as lying on the boundary if they are no farther from it than this many rounding
+/// errors.
 const ON: f64 = 8.0;
 
-/// The readings with shapes that were coarser, from the coarsest on.
+/// Readings with coarser tessellations, from the coarsest on.
 pub(super) struct Shapes<'s> {
     scene: &'s Scene,
     has_spheres: bool,
-    /// What the rounding of their pieces' corners changes of an answer, relative to it.
+    /// Change of an answer by the rounding of the faces' corners, relative to the answer.
     rounding: f64,
-    /// Whether finer shapes take little.
+    /// Whether finer tessellations are cheap.
     is_quick: bool,
     coarser: Vec<Vec<Found>>,
 }
 
 impl<'s> Shapes<'s> {
-    /// Nothing is found yet of the readings of a scene, whose light comes straight from lights or is reflected.
+    /// Begins without any reading of a scene, whose light is direct (`is_straight`) or reflected.
     pub(super) fn new(scene: &'s Scene, is_straight: bool, readings: &[Reading]) -> Self {
         let has_spheres = scene.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Sphere(_)));
         let has_means = readings.iter().any(Reading::is_mean);
@@ -47,8 +52,8 @@ impl<'s> Shapes<'s> {
         is_round(self.scene)
     }
 
-    /// Compares what was found with what coarser shapes gave, or takes that back if not everything was reached; whether the errors then tell what the
-    /// shape changes.
+    /// Compares the readings with those of coarser tessellations, or returns to those if not
+    /// everything was reached. Returns whether the errors then include the error by tessellation.
     pub(super) fn compare(&mut self, found: &mut Vec<Found>, readings: &[Reading]) -> bool {
         let fineness = self.coarser.len();
         let Some(last) = self.coarser.last() else { return false };
@@ -73,7 +78,7 @@ impl<'s> Shapes<'s> {
         self.coarser.push(found);
     }
 
-    /// What finer shapes still change, by the values that the last ones gave.
+    /// Returns the remaining change by finer tessellations, from the values of the last ones.
     fn left(&self, before: [Option<f64>; 2], value: f64) -> f64 {
         let [before, Some(last)] = before else { return 0.0 };
         let change = (value - last).abs();
@@ -85,7 +90,8 @@ impl<'s> Shapes<'s> {
         SAFETY * change * ratio / (1.0 - ratio)
     }
 
-    /// Adds what the light of a shape may be of which it is not known whether a point is before it.
+    /// Adds the largest possible light of every shape for which it is not known whether the point
+    /// is in front of it.
     fn add_unseen(&self, estimate: &mut Estimate, reading: &Reading, fineness: usize, band: usize) {
         let Some((position, largest)) = reading.at_point() else { return };
         let near = self.scene.surfaces.iter().filter(|surface| is_near(&surface.shape, position, fineness));
@@ -94,7 +100,8 @@ impl<'s> Shapes<'s> {
     }
 }
 
-/// Whether a point is so near to the border of a shape that its pieces may have it on the wrong side; points that lie on it are on the right one.
+/// Whether a point is so near to the boundary of a shape that its faces may have it on the wrong
+/// side. Points that lie on the boundary are on the right side.
 fn is_near(shape: &Shape, point: Vector, fineness: usize) -> bool {
     let is_within = |shape: &dyn Round| {
         let [distance, deviation] = [shape.distance(point), shape.deviation(fineness)];
@@ -108,7 +115,8 @@ mod tests {
     use super::*;
     use crate::scene::read;
 
-    /// What is left of a quantity whose error is this part of the one before at each step.
+    /// Returns the remaining change of a quantity whose error falls by this ratio at each step, and
+    /// its error.
     fn left(shape: &str, ratio: f64) -> [f64; 2] {
         let text = format!(
             "[[material]]\nname = \"m\"\nkind = \"diffuse\"\nreflectance = 0\n[[surface]]\nname = \"s\"\nmaterial = \"m\"\n{shape}\n"
@@ -129,7 +137,7 @@ mod tests {
                 let [left, error] = left(shape, ratio);
                 assert!(error <= left && left <= 3.1 * error, "{shape}, {ratio}: {left} for {error}");
             }
-            // faster than it is meant to be, or by chance
+            // faster than assumed, or small by chance
             let [left, error] = left(shape, 1e-3);
             assert!(error <= left, "{shape}: {left}");
         }

@@ -1,11 +1,12 @@
 //! The solver: a scene and its plan become answers.
 //!
 //! ```text
-//! elements ─▶ readings ─▶ finer elements ─▶ readings ─▶ … until they change no more than the tolerance ─▶ maps
+//! elements ─▶ readings ─▶ finer elements ─▶ readings ─▶ … ─▶ maps
+//!             until the readings change no more than the tolerance
 //! ```
-//! The error of a reading is estimated from how it changed (see [`estimate`](super::estimate)), with what the solution of the
-//! equations left, and rounding. Where shapes are curved, all is done with two polyhedra, one finer than the other, and what that
-//! changes is added.
+//! The error of a reading is estimated from its changes (see [`estimate`](super::estimate)); the
+//! error of the solution of the equations and rounding are added. For curved shapes, everything is
+//! done with two polyhedra, one finer than the other, and the change between them is added too.
 
 use super::answer::{Answer, Moment, Simulation};
 use super::digits::{Digits, Value};
@@ -29,23 +30,26 @@ use crate::scene::{Scene, WorkingScene};
 use crate::sharing::Sharing;
 use std::time::Instant;
 
-/// The part of the tolerance that rules of integration may take.
+/// Part of the tolerance left for rules of integration.
 pub(super) const RULES: f64 = 0.02;
-/// The part that integrals of direct light may take where nothing is reflected: nothing else has an error there.
+/// Part of the tolerance left for integrals of direct light where nothing is reflected: nothing
+/// else has an error there.
 const STRAIGHT: f64 = 0.25;
-/// Rounding of an answer, relative to it.
+/// Rounding error of an answer, relative to it.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Answers below this part of the largest one are dark.
 pub(super) const DARK: f64 = 1e-9;
-/// The finest polyhedra.
+/// Fineness of the finest polyhedra.
 pub(super) const FINEST: usize = 4;
-/// How often maps and images are made at most: again only where their means are less than watched cells told.
+/// Largest number of times that maps and images are computed: again only where their means are less
+/// than the watched cells indicated.
 const ATTEMPTS: usize = 2;
-/// What is to come at least after each change, relative to it, where surfaces may hide each other: shadows that fall between the
-/// nodes appear when they are closer, and their borders settle no faster than elements shrink.
+/// Least future change after each refinement, relative to its change, where surfaces may occlude
+/// each other. Shadows that fall between the nodes appear when the nodes are closer, and the
+/// boundaries of shadows converge no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
 
-/// What is found of a scene that is solved as a whole, in working units, with light that is gathered as `choose` says.
+/// Solves a scene as a whole, in working units. `choose` decides how light is gathered.
 pub(super) fn solved(
     choose: Choose,
     prepared: &Prepared,
@@ -55,10 +59,10 @@ pub(super) fn solved(
     Work::new(&working.scene, prepared.effects, choose, progress).run()
 }
 
-/// How light is gathered in a scene with these faces, of which it is known what they hide.
+/// Function that chooses how light is gathered in a scene with these faces and this occlusion.
 type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 
-/// What a simulation works on.
+/// State of the solver.
 pub(super) struct Work<'s> {
     pub(super) scene: &'s Scene,
     effects: Effects,
@@ -67,17 +71,18 @@ pub(super) struct Work<'s> {
     pub(super) progress: &'s Progress<'s>,
     pub(super) times: Times,
     pub(super) readings: Vec<Reading>,
-    /// How many readings are answers; those after them are watched cells of maps.
+    /// Number of readings that are answers; the readings after them are watched cells of maps.
     pub(super) answers: usize,
-    /// The group of each reading.
+    /// Group of each reading.
     pub(super) groups: Vec<usize>,
-    /// For each watched cell the radiance that is emitted straight into it, in each band; nothing for cells of maps.
+    /// For each watched cell, the radiance emitted directly into it in each band; empty for cells
+    /// of maps.
     pub(super) emitted: Vec<Vec<f64>>,
-    /// For each receiver the scales of its map or image in all bands, once they are known.
+    /// For each receiver, the scales of its map or image in all bands, once they are known.
     pub(super) known_scales: Vec<Option<Vec<f64>>>,
 }
 
-/// What readings and maps are taken from.
+/// Solution that readings and maps are evaluated from.
 enum Solution<'t> {
     Elements(Box<Radiosity<'t>>),
     Paths(Box<Paths<'t>>),
@@ -124,7 +129,8 @@ impl<'s> Work<'s> {
             let sharing = self.sharing(gathering, &lights, &transport, &grids);
             let (found, pictures) = sharing.enter(|| {
                 let straight = || self.straight(&grids, &lights, &transport);
-                // these are the last faces, and maps are not sampled: what comes straight to cells waits for no solution
+                // these are the last faces, and maps are not sampled: the direct light of cells
+                // waits for no solution
                 let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
                 let ((solution, mut found), known) = self.both(
                     sharing,
@@ -132,7 +138,7 @@ impl<'s> Work<'s> {
                     || is_known_before.then(straight),
                 );
                 let is_compared = self.compare(&mut shapes, &mut found);
-                // readings that settled, and what the shape changes
+                // includes readings that were settled, and the error by tessellation
                 if let Some(now) = history.last_mut() {
                     now.error = self.relative_errors(&found).fold(0.0, f64::max);
                 }
@@ -175,7 +181,8 @@ impl<'s> Work<'s> {
         unreachable!("the finest polyhedra are the last")
     }
 
-    /// What two works find that do not wait for each other. Where they run at the same time, receivers take their parts of it.
+    /// Returns the results of two tasks that do not depend on each other. Where they run at the
+    /// same time, their receivers divide the elapsed time.
     fn both<A: Send, B: Send>(
         &self,
         sharing: Sharing,
@@ -188,7 +195,7 @@ impl<'s> Work<'s> {
         (one, other)
     }
 
-    /// Adds what the shape of round surfaces changes; whether that is known.
+    /// Adds the error by tessellation of curved shapes. Returns whether it is known.
     fn compare(&self, shapes: &mut Shapes, found: &mut Vec<Found>) -> bool {
         let is_compared = shapes.compare(found, &self.readings);
         if shapes.are_round() && self.watch.is_stopped() && !is_compared {
@@ -199,12 +206,12 @@ impl<'s> Work<'s> {
         is_compared
     }
 
-    /// Whether all that points get comes straight from lights, in closed forms.
+    /// Whether all light at points is direct light, in closed forms.
     fn is_straight(&self, gathering: Gathering) -> bool {
         self.effects.orders == Some(0) && gathering == Gathering::Pieces
     }
 
-    /// Whether the loops over readings and cells are worth more than one thread.
+    /// Returns whether the loops over readings and cells are worth more than one thread.
     fn sharing(
         &self,
         gathering: Gathering,
@@ -229,7 +236,8 @@ impl<'s> Work<'s> {
         Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
     }
 
-    /// A solution and the readings, by what is expected to take less; by exact pieces where rays were not enough.
+    /// Returns a solution and the readings by the cheaper method; by exact visibility where rays
+    /// were not enough.
     fn solved<'t>(
         &self,
         gathering: Gathering,
@@ -255,7 +263,7 @@ impl<'s> Work<'s> {
         self.effects.question(self.scene)
     }
 
-    /// The solution on elements that are fine enough for all readings, and the readings.
+    /// Returns the solution on elements that are fine enough for all readings, and the readings.
     fn refined<'t>(
         &self,
         transport: &'t Transport,
@@ -295,19 +303,19 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// Readings that no element reaches, or that ask for none, have no error by elements.
+    /// Removes the error by elements from readings that no element reaches, or that have no goal.
     fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
         for (reading, found) in self.readings.iter().zip(found) {
             let goal = reading.goal(self.scene, radiosity.transport());
             let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
-            // what reaches it is not known where the work was stopped
+            // where the work was stopped, it is not known which elements reach the reading
             if !is_reached && !self.watch.is_stopped() {
                 found.bands.iter_mut().for_each(Estimate::settle);
             }
         }
     }
 
-    /// All readings in all bands; in none where the work was stopped before.
+    /// Evaluates all readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, earlier: Option<&Earlier>) -> Vec<Found> {
         let is_straight = self.effects.orders == Some(0);
         let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
@@ -357,7 +365,7 @@ impl<'s> Work<'s> {
         found
     }
 
-    /// What was found, in the order of the receivers.
+    /// Returns the results, in the order of the receivers.
     fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
         let Pictures { mut maps, images, .. } = pictures;
         let mut answers = self.answered(found);
@@ -377,7 +385,7 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// The answers that are readings, each with the number of its receiver.
+    /// Returns the answers that are readings, each with the index of its receiver.
     fn answered(&self, found: &[Found]) -> Vec<(usize, Answer)> {
         let mut answers = Vec::new();
         let is_round = is_round(self.scene);

@@ -1,8 +1,9 @@
-//! States: what is done of a simulation, which the same work goes on from, and shares are put together from.
+//! Checkpoints: the state of a simulation, from which the same work continues, and from which
+//! shards are merged.
 //!
 //! ```text
-//! light along paths   sums and numbers of samples
-//! solved as a whole   what was found, or nothing, in a share that has none of it
+//! path tracing        sums and numbers of samples
+//! solved as a whole   the result, or nothing in a shard without it
 //! ```
 
 use super::answer::Simulation;
@@ -11,17 +12,17 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::{self, Write};
 
-/// The state of a simulation at some time, to be written down.
+/// State of a simulation at some time, to be written.
 pub struct Snapshot<'w>(pub(super) Of<'w>);
 
-/// What a snapshot is of.
+/// Content of a snapshot.
 pub(super) enum Of<'w> {
     Paths(&'w Work<'w>),
-    /// At its end.
+    /// At the end of the work.
     Whole(Option<&'w Simulation>),
 }
 
-/// A state that was written down.
+/// State that was written before.
 #[derive(Clone, Debug, Deserialize)]
 pub struct State(Kept);
 
@@ -31,14 +32,14 @@ enum Kept {
     Whole(Option<Simulation>),
 }
 
-/// What a [`Kept`] is read from.
+/// Serialised form of a [`Kept`].
 #[derive(Serialize)]
 enum Written<'w> {
     Paths(WrittenOfPaths<'w>),
     Whole(Option<&'w Simulation>),
 }
 
-/// A state that is of another simulation.
+/// Error: the state belongs to another simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Misfit;
 
@@ -51,7 +52,7 @@ impl fmt::Display for Misfit {
 impl std::error::Error for Misfit {}
 
 impl Snapshot<'_> {
-    /// Whether nothing is left to do.
+    /// Whether all work is done.
     pub fn is_done(&self) -> bool {
         match &self.0 {
             Of::Paths(work) => work.is_done(),
@@ -59,8 +60,8 @@ impl Snapshot<'_> {
         }
     }
 
-    /// How many units of work the share has, and how many there are in all shares: numbers, cells and pixels, with a budget their
-    /// replicates; of work as a whole a single one.
+    /// Returns the number of units of work in the shard, and in all shards. Units are numbers,
+    /// cells and pixels, or with a budget their replicates. Work as a whole is a single unit.
     pub fn units(&self) -> [usize; 2] {
         match &self.0 {
             Of::Paths(work) => work.units(),
@@ -68,7 +69,7 @@ impl Snapshot<'_> {
         }
     }
 
-    /// Writes the state down, every number with all its bits.
+    /// Writes the state, every number with all its bits.
     pub fn write(&self, output: &mut dyn Write) -> io::Result<()> {
         let written = match &self.0 {
             Of::Paths(work) => Written::Paths(work.written()),
@@ -79,12 +80,12 @@ impl Snapshot<'_> {
 }
 
 impl State {
-    /// The state that was written down; none if it cannot be understood.
+    /// Reads a state that was written; `None` if the bytes are not a state.
     pub fn read(bytes: &[u8]) -> Option<Self> {
         postcard::take_from_bytes(bytes).ok().filter(|(_, rest)| rest.is_empty()).map(|(kept, _)| Self(kept))
     }
 
-    /// Whether nothing is left to do.
+    /// Whether all work is done.
     pub fn is_done(&self) -> bool {
         match &self.0 {
             Kept::Paths(state) => state.is_done(),
@@ -92,7 +93,7 @@ impl State {
         }
     }
 
-    /// Whether two states say the same, except for the time that it took.
+    /// Whether two states are equal, except for times.
     pub fn is_same_as(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (Kept::Paths(own), Kept::Paths(other)) => own.is_same_as(other),
@@ -101,7 +102,7 @@ impl State {
         }
     }
 
-    /// That of work by paths, if it is one.
+    /// Returns the state of the path driver, if it is one.
     pub(super) fn of_paths(self) -> Option<OfPaths> {
         match self.0 {
             Kept::Paths(state) => Some(state),
@@ -109,7 +110,7 @@ impl State {
         }
     }
 
-    /// What was found by work as a whole, if it is of that.
+    /// Returns the result of a scene that is solved as a whole, if it is the state of one.
     pub(super) fn of_whole(self) -> Option<Option<Simulation>> {
         match self.0 {
             Kept::Paths(_) => None,
@@ -118,8 +119,8 @@ impl State {
     }
 }
 
-/// The bytes of what was found, without the time that it took: of cells outside of their surface the values are no numbers, which
-/// equal nothing.
+/// Returns the bytes of a result without its times. Bytes are compared because cells outside their
+/// surface hold NaN, which equals nothing.
 fn timeless(found: &Option<Simulation>) -> Option<Vec<u8>> {
     let mut found = found.clone()?;
     found.history.clear();

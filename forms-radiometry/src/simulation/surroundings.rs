@@ -1,54 +1,57 @@
-//! Surroundings: faces that reflect see each other, and what they see at some points tells how much of the light a reflection leaves.
+//! Reflection bound: the reflecting faces visible from some points determine how much of the light
+//! a reflection leaves.
 //!
 //! ```text
-//! faces that reflect ─ all pairs: what may come between ─▶ points of each: Σ F, Σ ρ F ─▶ the largest and the least
-//! large scenes       ─ rays from their middles ──────────▶ Σ F, Σ ρ F
+//! reflecting faces ─ all pairs: possible occluders ─▶ points of each: Σ F, Σ ρ F ─▶ largest, least
+//! large scenes     ─ rays from their centres ───────▶ Σ F, Σ ρ F
 //! ```
-//! What may come between two faces is the same for both.
+//! The possible occluders of two faces are the same for both.
 
 use crate::geometry::{Between, Face, Vector};
 use crate::radiosity::{Group, Measure, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::Scene;
 use crate::sharing::Sharing;
 
-/// How many faces are asked at most what they see.
+/// Largest number of faces whose surroundings are evaluated.
 const ASKED: usize = 64;
-/// Rays from each of them in large scenes.
+/// Number of rays from each of these faces in large scenes.
 const RAYS: u32 = 256;
-/// How far out the points near the corners of a face are, from its middle.
+/// Position of the points near the corners of a face, as part of the way from its centre to the
+/// corner.
 const NEAR_CORNERS: f64 = 0.9;
 
-/// The reflecting surroundings at some points.
+/// Reflecting surroundings at some points.
 pub(super) struct Surroundings {
-    /// The largest Σ ρ F.
+    /// Largest Σ ρ F.
     pub(super) contraction: f64,
-    /// The least Σ F.
+    /// Least Σ F.
     pub(super) closure: f64,
     /// Whether some faces may see each other, if only from other points.
     pub(super) may_see: bool,
 }
 
-/// How much of a face may be hidden from another one, and by what.
+/// Occlusion between two faces: how much may be hidden, and the possible occluders.
 type Hidden = (Between, Vec<u32>);
 
-/// The faces that reflect, and those of them that are asked what they see.
+/// The reflecting faces, some of which are evaluated.
 struct Asked<'s> {
     scene: &'s Scene,
     transport: &'s Transport,
     reflecting: Vec<usize>,
-    /// One in so many is asked.
+    /// One in this many faces is evaluated.
     step: usize,
 }
 
 impl Surroundings {
     const NOTHING: Self = Self { contraction: 0.0, closure: f64::INFINITY, may_see: false };
 
-    /// The same where it is not asked what faces see: no reflection leaves more than this albedo, the largest.
+    /// Returns the surroundings where no visibility is evaluated: no reflection leaves more than
+    /// `albedo`, the largest albedo.
     pub(super) fn unseen(albedo: f64) -> Self {
         Self { contraction: albedo, closure: 0.0, may_see: true }
     }
 
-    /// What some faces see from points near their corners and in their middles.
+    /// Evaluates the surroundings of some faces at points near their corners and at their centres.
     pub(super) fn of(scene: &Scene, transport: &Transport) -> Self {
         let asked = Asked::of(scene, transport);
         let places = || asked.places().collect::<Vec<_>>();
@@ -56,11 +59,12 @@ impl Surroundings {
         let hidden = sharing.map(places(), |_: &mut (), place| asked.hidden(place));
         let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, scratch);
         let found = sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside);
-        // of those that are not asked nothing is known
+        // nothing is known of the faces that are not evaluated
         Self { may_see: found.may_see || asked.step > 1, ..found }
     }
 
-    /// What some faces see from their middles, by the ends of rays; nothing of direct light.
+    /// Estimates the surroundings of some faces at their centres from the faces that rays meet,
+    /// without direct light.
     pub(super) fn by_rays(scene: &Scene, transport: &Transport) -> Self {
         let asked = Asked::of(scene, transport);
         let of_face = |(number, place): (usize, usize)| {
@@ -80,7 +84,7 @@ impl Surroundings {
         asked.places().enumerate().map(of_face).fold(Self::NOTHING, Self::beside)
     }
 
-    /// What these points and others together tell.
+    /// Combines the surroundings at these points with those at others.
     fn beside(self, other: Self) -> Self {
         Self {
             contraction: self.contraction.max(other.contraction),
@@ -98,7 +102,7 @@ impl<'s> Asked<'s> {
         Self { scene, transport, reflecting, step }
     }
 
-    /// The places of those that are asked among those that reflect.
+    /// Returns the places of the evaluated faces among those that reflect.
     fn places(&self) -> impl Iterator<Item = usize> {
         (0..self.reflecting.len()).step_by(self.step)
     }
@@ -113,13 +117,14 @@ impl<'s> Asked<'s> {
         self.transport.operations(self.places().map(corners).sum(), edges)
     }
 
-    /// Of two faces, of which the first is asked, the one that looks for what may come between them, and the other: the first of those
-    /// that are asked.
+    /// Orders two faces, of which the first is evaluated: the one that searches for occluders
+    /// between them, then the other. The search belongs to the first evaluated face of the pair.
     fn in_order(&self, place: usize, other: usize) -> [usize; 2] {
         if other < place && other.is_multiple_of(self.step) { [other, place] } else { [place, other] }
     }
 
-    /// What may come between a face and each of those for which it looks.
+    /// Returns the possible occluders between a face and each face for which it performs the
+    /// search.
     fn hidden(&self, place: usize) -> Vec<Hidden> {
         let between = |other: usize| {
             let mut found = Vec::new();
@@ -134,7 +139,7 @@ impl<'s> Asked<'s> {
         (0..self.reflecting.len()).map(between).collect()
     }
 
-    /// What one of the faces sees.
+    /// Evaluates the surroundings of one of the faces.
     fn at(&self, place: usize, hidden: &[Vec<Hidden>], scratch: &mut Scratch) -> Surroundings {
         let Self { scene, transport, reflecting, step } = self;
         let here = self.face(place);
@@ -172,14 +177,15 @@ impl<'s> Asked<'s> {
         }
     }
 
-    /// The points of one of the faces, by which it is asked.
+    /// Returns the points of one of the faces as a group.
     fn group<'p>(&self, place: usize, points: &'p [Vector]) -> Group<'p> {
         let Face { vertices, normal, .. } = self.face(place);
         Group { points, outline: &points[..vertices.len()], measure: Measure::Plane(*normal) }
     }
 }
 
-/// The points of a face from which is seen what it sees: one near each corner, and its middle.
+/// Returns the points at which the surroundings of a face are evaluated: one near each corner, and
+/// its centre.
 fn points(face: &Face) -> Vec<Vector> {
     let middle = Vector::mean(&face.vertices);
     let near = |&corner: &Vector| middle + NEAR_CORNERS * (corner - middle);
@@ -194,7 +200,7 @@ mod tests {
     use crate::scene::read;
     use crate::scene_text::{CUBE, material, polygon, surface};
 
-    /// So many cubes in a row, seen from outside.
+    /// Returns a row of this many cubes, seen from outside.
     fn cubes(count: usize) -> Scene {
         let cube = |number: usize| {
             let moved = |corner: [f64; 3]| [corner[0] + 1.5 * number as f64, corner[1], corner[2]];
@@ -232,7 +238,7 @@ mod tests {
         }
     }
 
-    /// The largest Σ ρ F of a face that looks for what comes in between itself.
+    /// Returns the largest Σ ρ F of a face that searches for all occluders itself.
     fn alone(asked: &Asked, place: usize, scratch: &mut Scratch) -> f64 {
         let face = asked.face(place);
         let mut largest: f64 = 0.0;

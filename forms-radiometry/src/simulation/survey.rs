@@ -1,4 +1,5 @@
-//! The survey of a scene: what is there, and how much light passes from surface to surface, at points of the coarsest elements.
+//! The survey of a scene: its contents, and how much light passes from surface to surface, at
+//! points of the coarsest elements.
 
 use super::answer::Quantity;
 use super::effects::forced;
@@ -17,30 +18,35 @@ use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
 use std::f64::consts::PI;
 
-/// Scenes with more faces than this are surveyed by rays: bounds are not found then, nor whether anything stands in between.
+/// Scenes with more faces than this are surveyed by rays: neither bounds nor occluders are found
+/// then.
 pub(super) const MANY: usize = 256;
-/// The part of the way from what was found to the largest that is possible by which a norm is raised: it was found at points.
+/// Margin for a norm that was found at points: the part of the way to its largest possible value by
+/// which it is raised.
 const MARGIN: f64 = 0.25;
-/// What closes a scene up to rounding.
+/// Rounding error of a closed scene.
 const CLOSED: f64 = 1e-9;
 
-/// What was found.
+/// Findings of the survey.
 pub(super) struct Survey {
     /// Whether anything emits light.
     pub(super) emits: bool,
     /// Whether any surface reflects.
     pub(super) reflects: bool,
-    /// An estimate, with a margin, of how much of the light a reflection leaves at most.
+    /// Estimate, with a margin, of the largest part of the light that a reflection leaves.
     pub(super) contraction: f64,
-    /// What stands between surfaces, lights and receivers, if anything.
+    /// Description of the occluders between surfaces, lights and receivers, if there are any.
     pub(super) in_between: Option<String>,
-    /// What would be added at most if nothing stood there, in the units of the answers and relative to them.
+    /// Largest increase if these occluders were omitted, in the units of the answers and relative
+    /// to them.
     pub(super) occlusion: Option<[f64; 2]>,
-    /// What all reflections together add at most, likewise.
+    /// Largest increase by all reflections together, in the units of the answers and relative to
+    /// them.
     pub(super) interreflection: Option<[f64; 2]>,
-    /// What taking the middle of all bands can change, likewise; none where nothing differs.
+    /// Largest change by replacing all bands with their middle, in the units of the answers and
+    /// relative to them; `None` where nothing differs between bands.
     pub(super) band_spread: Option<[f64; 2]>,
-    /// Whether all light that is reflected meets surfaces, and all of them reflect everything.
+    /// Whether all reflected light meets surfaces, and all of them reflect everything.
     closed_and_white: bool,
 }
 
@@ -51,7 +57,8 @@ impl Survey {
         let screens = Screens::of(&faces);
         let is_large = faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        // what the file turns off is not looked at any closer, nor what hides some of it; a trap of light is refused all the same
+        // effects that the file turns off are not examined further, nor are their occluders; a
+        // light trap is refused all the same
         let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
@@ -81,14 +88,15 @@ impl Survey {
         if !is_large {
             survey.bound(working, &transport, &lights, bulges.is_some());
         } else {
-            // bounds take exact direct light, of every surface that is a receiver
+            // bounds need exact direct light, at every surface that is a receiver
             survey.band_spread =
                 spreads(scene).iter().any(|&spread| spread > 0.0).then_some([f64::INFINITY; 2]);
         }
         survey
     }
 
-    /// What is in a scene whose light is followed along paths, of which no bound is known.
+    /// Surveys the contents of a scene that is simulated by path tracing, for which no bound is
+    /// known.
     pub(super) fn without_bounds(scene: &Scene) -> Self {
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
         let outside = scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
@@ -105,12 +113,13 @@ impl Survey {
         }
     }
 
-    /// The bounds by what straight light makes of every answer. Where round shapes take more than their pieces, that has none.
+    /// Sets the bounds relative to the direct light of every answer. Occlusion has no bound where
+    /// curved shapes hide more than their faces.
     fn bound(&mut self, working: &WorkingScene, transport: &Transport, lights: &Lights, bulges: bool) {
         let scene = working.scene.as_ref();
         let direct = most_direct(scene, transport);
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
-        // ‖E‖ ≤ ‖D‖/(1 − k), and what is reflected is ρ E/π from everywhere
+        // ‖E‖ ≤ ‖D‖/(1 − k), and reflected light is at most ρ E/π from everywhere
         let everywhere = direct / (1.0 - self.contraction);
         let reflected = largest_albedo * everywhere / PI;
         let [of_albedo, of_light] = spreads(scene);
@@ -130,27 +139,29 @@ impl Survey {
         let [interreflection, bands, occlusion] = bounds;
         self.interreflection = is_bound.then_some(interreflection);
         self.occlusion = obstacles.is_some().then_some(occlusion);
-        // of a light that is a point, an irradiance has no bound by its intensity alone
+        // the irradiance by a point light has no bound in terms of its intensity alone
         let spreads_points = scene.lights.iter().any(|light| half_spread_of_light(light) > 0.0);
         let differs = of_light > 0.0 || of_albedo > 0.0;
         self.band_spread =
             differs.then_some(if is_bound && !spreads_points { bands } else { [f64::INFINITY; 2] });
     }
 
-    /// What reflections after this many leave out at most, in the units of the answers: kⁿ of all of them.
+    /// Returns a bound on the light omitted after this many reflections, in the units of the
+    /// answers: kⁿ times the bound on all reflections.
     pub(super) fn after_orders(&self, count: u32) -> Option<f64> {
         self.interreflection.map(|[absolute, _]| absolute * self.contraction.powf(f64::from(count)))
     }
 
-    /// A surface that light never leaves, if there is light and everything around it is closed and white.
+    /// Returns a surface that light never leaves, if there is light, and everything around it is
+    /// closed and white.
     pub(super) fn trap(&self, scene: &Scene) -> Option<usize> {
         let reflecting = |&surface: &usize| reflectance(scene, surface).iter().any(|&rho| rho >= 1.0);
         (self.emits && self.closed_and_white).then(|| (0..scene.surfaces.len()).find(reflecting)).flatten()
     }
 }
 
-/// What each of these radiances from everywhere makes of an answer at most, and what obstacles take of it: in its unit, and beside
-/// what straight light makes of it.
+/// Returns bounds on the change of an answer by each of these radiances from everywhere, and by
+/// occluders: in the unit of the answer, and relative to its direct light.
 fn bounds(
     working: &WorkingScene,
     transport: &Transport,
@@ -163,7 +174,7 @@ fn bounds(
         return NOTHING;
     }
     let scene = working.scene.as_ref();
-    // what the file decides needs no bound beside the answers, and these are not cheap
+    // effects that the file decides need no bound relative to the answers, which are not cheap
     let is_free = |effect| forced(scene, effect).is_none();
     let matters = [radiances[0] > 0.0, radiances[1] > 0.0, obstacles.is_some()];
     let is_decided = [Effect::Interreflection, Effect::Bands, Effect::Occlusion]
@@ -201,7 +212,8 @@ fn bounds(
     Sharing::of(operations).map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
 }
 
-/// What a radiance from everywhere adds to an image: all of itself to each pixel, of which the darkest may be black without it.
+/// Returns the change of an image by a radiance from everywhere: each pixel gets all of it, and the
+/// darkest pixel may be black without it.
 fn of_image(radiance: f64, working: &WorkingScene) -> [f64; 2] {
     if radiance == 0.0 { [0.0; 2] } else { [Quantity::Radiance.in_unit(radiance, working), f64::INFINITY] }
 }
@@ -211,7 +223,7 @@ pub(super) fn reflects_nothing(scene: &Scene) -> bool {
     matches!(forced(scene, Effect::Interreflection), Some(Force::Off | Force::Orders(0)))
 }
 
-/// Whether each surface is a receiver.
+/// Returns for each surface whether it is a receiver.
 pub(super) fn receiving(scene: &Scene) -> Vec<bool> {
     let mut receives = vec![false; scene.surfaces.len()];
     for receiver in &scene.receivers {
@@ -232,7 +244,7 @@ fn half_spread(values: &[f64]) -> f64 {
     if values.is_empty() { 0.0 } else { 0.5 * (high - low) }
 }
 
-/// The largest half spread over the bands of a reflectance, and of a light.
+/// Returns the largest half spread over the bands of a reflectance, and of a light.
 fn spreads(scene: &Scene) -> [f64; 2] {
     let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
         (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
@@ -271,8 +283,8 @@ fn all_white(scene: &Scene) -> bool {
         .any(|band| (0..scene.surfaces.len()).all(|surface| reflectance(scene, surface)[band] >= 1.0))
 }
 
-/// Whether all surfaces, lights and receivers are on one side of every face: then these are parts of the border of a convex room, and
-/// none stands between anything in it.
+/// Whether all surfaces, lights and receivers are on one side of every face. Then the surfaces are
+/// parts of the boundary of a convex room, and none occludes anything in it.
 fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
     let mut inside: Vec<Vector> = faces.iter().flat_map(|face| &face.vertices).copied().collect();
     for light in &scene.lights {
@@ -292,8 +304,8 @@ fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
     })
 }
 
-/// Whether a round shape may stand before something that a receiver at a point sees, and before what: its pieces may not tell, as it is larger than they
-/// are.
+/// Describes a face that a curved shape may partly hide from a point receiver, if there is one. The
+/// tessellation of the shape may not show this, as the shape is larger than its faces.
 fn bulge_before(scene: &Scene, faces: &[Face]) -> Option<String> {
     let round: Vec<_> = round_surfaces(scene).collect();
     if round.is_empty() {
@@ -316,7 +328,7 @@ fn bulge_before(scene: &Scene, faces: &[Face]) -> Option<String> {
     Some(format!("something may stand before the surface `{}`", scene.surfaces[behind.surface].name))
 }
 
-/// Whether anything can come between two faces, or between a receiver and a face; and if so, what.
+/// Describes an occluder between two faces, or between a receiver and a face, if there can be any.
 fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     let faces = &transport.faces;
     let counts = |index: usize| {

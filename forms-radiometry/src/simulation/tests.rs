@@ -1,4 +1,4 @@
-//! Light that is gathered by rays and by exact pieces is the same light.
+//! Light gathered by rays and light gathered by exact visibility are the same.
 
 use super::prepared::Prepared;
 use super::progress::Progress;
@@ -12,10 +12,10 @@ use crate::scene_text::{
     CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
 };
 
-/// Whether numeric code is optimised; where it is not, fewer cases have to do.
+/// Whether numeric code is optimised; otherwise fewer cases are run.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
 
-/// A room of 3 by 3 by 2 with a table on one leg and a lamp; bands as the text says.
+/// A room of 3 by 3 by 2 with a table on one leg, without lights.
 const ROOM: &str = r#"
 [[material]]
 name = "wall"
@@ -132,7 +132,8 @@ fn rays_and_exact_pieces_find_the_same_light() {
     }
 }
 
-/// A closed room without obstacles: nothing stands between anything, so that rays meet what pieces see.
+/// A closed room without occluders: nothing is hidden, so rays meet all surfaces that exact
+/// visibility sees.
 #[test]
 fn where_nothing_is_hidden_rays_and_exact_pieces_find_the_same_light_too() {
     let faces = CUBE.map(|(name, corners)| surface(name, "wall", &polygon(&corners)));
@@ -147,7 +148,8 @@ fn where_nothing_is_hidden_rays_and_exact_pieces_find_the_same_light_too() {
     }
 }
 
-/// Many faces and one rough number: rays are taken, unless they would meet what the file leaves out.
+/// Many faces and one number at low accuracy: rays are chosen, unless they would meet occluders
+/// that the file omits.
 #[test]
 fn what_is_left_out_is_not_met_by_rays() {
     let sphere = "sphere = { center = [0, 0, 0], radius = 1, inward = true }";
@@ -162,7 +164,7 @@ fn what_is_left_out_is_not_met_by_rays() {
     assert_eq!(gathering(Some(0), Hiding::Nothing), Gathering::Pieces);
 }
 
-/// Receivers that ask the same many times: each gets rays of its own.
+/// Many receivers with the same question: each gets rays of its own.
 #[test]
 fn answers_to_one_question_differ_less_than_their_errors_and_not_much_less() {
     const COPIES: usize = 40;
@@ -177,7 +179,8 @@ fn answers_to_one_question_differ_less_than_their_errors_and_not_much_less() {
             |of: fn(&Answer, f64) -> f64| found.iter().map(|answer| of(answer, mean).powi(2)).sum::<f64>();
         let exceeded = found.iter().filter(|answer| (answer.value - mean).abs() > answer.error).count();
         assert_eq!(exceeded, 0, "{name}");
-        // by Student's quantile and the doubling that is not trusted, errors are some four deviations
+        // by Student's quantile and the distrusted doubling, errors are some four standard
+        // deviations
         let ratio = (squares(|answer, _| answer.error) / squares(|answer, mean| answer.value - mean)).sqrt();
         assert!((2.5..15.0).contains(&ratio), "{name}: errors are {ratio} deviations");
     }

@@ -1,17 +1,17 @@
-//! Times: the time of the work is attributed to receivers; what is left is the time of the solution
-//! that all of them share.
+//! Times: the time of the work is attributed to receivers; the remainder is the time of the
+//! solution that all of them share.
 //!
 //! ```text
 //! time of a receiver += its time in a loop × time of the loop / Σ of all times in it
 //! shared              = time of the work − Σ times of receivers
 //! ```
-//! Threads that run receivers at the same time divide the time that passes meanwhile, with what
-//! they wait for each other, so that all times add up to that of the work.
+//! Threads that process receivers at the same time divide the elapsed time, including the time that
+//! they wait for each other. All times therefore add up to the time of the work.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-/// The seconds that each receiver took so far.
+/// Seconds that each receiver took so far.
 pub(super) struct Times(Mutex<Vec<f64>>);
 
 impl Times {
@@ -19,17 +19,17 @@ impl Times {
         Self(Mutex::new(vec![0.0; receivers]))
     }
 
-    /// The seconds of a receiver.
+    /// Returns the seconds of a receiver.
     pub(super) fn of(&self, receiver: usize) -> f64 {
         self.lock()[receiver]
     }
 
-    /// The seconds of each receiver.
+    /// Returns the seconds of each receiver.
     pub(super) fn all(&self) -> Vec<f64> {
         self.lock().clone()
     }
 
-    /// Adds a loop that began at this time and has just ended: the receivers in it, each with its
+    /// Adds a loop that began at this time and has just ended: its receivers, each with its
     /// seconds.
     pub(super) fn add(&self, begin: Instant, parts: impl Iterator<Item = (usize, f64)> + Clone) {
         let scale = scale(begin, parts.clone().map(|(_, seconds)| seconds).sum());
@@ -37,14 +37,14 @@ impl Times {
         parts.for_each(|(receiver, seconds)| times[receiver] += scale * seconds);
     }
 
-    /// Adds what a receiver alone took since this time.
+    /// Adds the time that a receiver alone took since this time.
     pub(super) fn add_since(&self, begin: Instant, receiver: usize) {
         self.add(begin, std::iter::once((receiver, begin.elapsed().as_secs_f64())));
     }
 
-    /// Two works that began at this time, when receivers had these times, have just ended, after so
-    /// many seconds each: if they ran at the same time, what they took of receivers is scaled to
-    /// the time that passed.
+    /// Joins two tasks that began at this time, when receivers had the times `before`, and have
+    /// just ended, each after its `seconds`. If they ran at the same time, the times that they
+    /// added to receivers are scaled to the elapsed time.
     pub(super) fn rejoin(&self, begin: Instant, before: &[f64], seconds: [f64; 2]) {
         let scale = scale(begin, seconds.iter().sum());
         self.lock()
@@ -58,14 +58,14 @@ impl Times {
     }
 }
 
-/// The factor by which parts of work that began at this time, and took so many seconds together,
-/// become parts of the time since.
+/// Returns the factor that scales parts of a work to parts of the elapsed time. The work began at
+/// this time, and all its parts took this many seconds.
 pub(super) fn scale(begin: Instant, seconds: f64) -> f64 {
     let passed = begin.elapsed().as_secs_f64();
     if seconds > 0.0 { passed / seconds } else { 0.0 }
 }
 
-/// What some work finds, and its seconds.
+/// Returns the result of some work, and its seconds.
 pub(super) fn timed<T>(work: impl FnOnce() -> T) -> (T, f64) {
     let begin = Instant::now();
     let found = work();

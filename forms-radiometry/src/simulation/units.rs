@@ -1,11 +1,11 @@
-//! Units: numbers in working units become numbers in those of their quantities.
+//! Units: numbers in working units are converted to the units of their quantities.
 
 use super::answer::{Answer, Quantity, Simulation};
 use super::parts::ErrorParts;
 use crate::scene::WorkingScene;
 
 impl Simulation {
-    /// All numbers in the units of their quantities.
+    /// Converts all numbers to the units of their quantities.
     pub(super) fn leave_working_units(&mut self, working: &WorkingScene) {
         for answer in &mut self.answers {
             answer.multiply(working.light);
@@ -23,7 +23,7 @@ impl Simulation {
 }
 
 impl Quantity {
-    /// A number of working units in the unit of this quantity.
+    /// Converts a number in working units to the unit of this quantity.
     pub(super) fn in_unit(self, number: f64, working: &WorkingScene) -> f64 {
         let area = if self == Self::Flux { working.square_metres } else { 1.0 };
         number * working.light * area
@@ -31,7 +31,8 @@ impl Quantity {
 }
 
 impl Answer {
-    /// Multiplies by a factor above zero. Where the product is beyond the range of `f64`, the error says so.
+    /// Multiplies by a factor above zero. Where the product is beyond the range of `f64`, the error
+    /// shows it.
     pub(super) fn multiply(&mut self, factor: f64) {
         if factor == 1.0 {
             return;

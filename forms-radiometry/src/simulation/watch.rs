@@ -1,18 +1,21 @@
-//! Who watches a simulation.
+//! Observers of a simulation.
 
-/// Is told how far the work is, and says whether to go on. Called from several threads.
+/// Observer that receives the progress of the work, and decides whether it continues. Called from
+/// several threads.
 pub trait Watch: Sync {
-    /// What is being done, and which fraction of the whole work is done, which is never less than before.
+    /// Receives the present stage, and the fraction of the whole work that is done, which is never
+    /// less than before.
     fn progress(&self, stage: &str, fraction: f64);
 
-    /// The seconds that are left, where that can be foreseen; called before each [`progress`](Watch::progress).
+    /// Receives the remaining seconds, where they can be predicted; called before each
+    /// [`progress`](Watch::progress).
     fn time_left(&self, _seconds: Option<f64>) {}
 
-    /// Whether to stop, with what there is by then. Once it says so it does not change its mind.
+    /// Whether to stop and return the results so far. Once it is true it stays true.
     fn is_stopped(&self) -> bool;
 }
 
-/// Nobody watches, and nothing is stopped.
+/// Observer that ignores progress and never stops the work.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Unwatched;
 

@@ -1,4 +1,4 @@
-//! Numbers of a simulation beside means of paths.
+//! Numbers of a simulation, compared with means of paths.
 
 use crate::sequence::Sampler;
 use crate::tracer::Tracer;
@@ -8,22 +8,22 @@ use forms_radiometry::simulation::{ErrorKind, Quantity, Unwatched, plan, simulat
 use rayon::prelude::*;
 use std::fmt;
 
-/// How many times the sequence is shifted.
+/// Number of random shifts of the sequence.
 const SHIFTS: u64 = 16;
-/// The fewest and the most paths of a shift.
+/// Smallest and largest number of paths of a shift.
 const FEWEST: usize = 1 << 6;
 const MOST: usize = if cfg!(debug_assertions) { 1 << 9 } else { 1 << 14 };
-/// The standard error of paths, beside the error that is judged, that is exact enough.
+/// Standard error of paths that is small enough, relative to the error that is judged.
 const EXACT: f64 = 0.1;
-/// Standard errors of paths that are allowed for.
+/// Allowed deviation, in standard errors of paths.
 const SURE: f64 = 4.0;
-/// What n paths have never met is rarer than this over n.
+/// An event that n paths have never met is rarer than this over n.
 const UNSEEN: f64 = 9.2;
 
-/// A number that was compared.
+/// Result of one comparison.
 pub(crate) struct Judged {
     pub(crate) kind: ErrorKind,
-    /// By how many errors it is off, at least.
+    /// Lower bound on its deviation, in units of its error.
     times: f64,
     pub(crate) what: String,
 }
@@ -35,7 +35,7 @@ impl Judged {
     }
 }
 
-/// A number of the simulation.
+/// Number of the simulation.
 pub(crate) struct Number {
     pub(crate) receiver: usize,
     pub(crate) quantity: Quantity,
@@ -52,7 +52,7 @@ pub(crate) fn judge(world: &World, numbers: &[Number], seed: u64) -> Vec<Judged>
     numbers.iter().map(|number| compared(world, &tracer, number, seed)).collect()
 }
 
-/// The numbers that are asked for in a world.
+/// Returns the numbers that a world asks for.
 pub(crate) fn numbers(world: &World, tolerance: f64) -> Vec<Number> {
     let (text, files) = world.text(tolerance);
     let file = |name: &str| Ok(files[name].clone().into_bytes());
@@ -86,7 +86,7 @@ pub(crate) fn numbers(world: &World, tolerance: f64) -> Vec<Number> {
     of_answers.filter(|number| !is_image(&number.receiver)).chain(of_maps).collect()
 }
 
-/// A number beside paths: as many as tell whether it is right.
+/// Compares a number with paths: as many as are needed to decide whether it is right.
 fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judged {
     let Number { value, error, kind, .. } = *number;
     let mut samplers: Vec<Sampler> = (0..SHIFTS).map(|shift| Sampler::new(seed * SHIFTS + shift)).collect();
@@ -110,7 +110,7 @@ fn compared(world: &World, tracer: &Tracer, number: &Number, seed: u64) -> Judge
         let noise = SURE * sigma + 1e-12 * mean.abs();
         let is_clear = off + noise <= error || sigma <= EXACT * error;
         if is_clear || paths >= MOST {
-            // what no path has met is rare, and may be bright
+            // light that no path has met is rare, and may be bright
             let unseen = UNSEEN * world.brightest() / (SHIFTS as f64 * paths as f64);
             let (allowed, sure) = match kind {
                 ErrorKind::Sigma => ((error * error + sigma * sigma).sqrt(), unseen),
@@ -150,18 +150,20 @@ fn sample(world: &World, tracer: &Tracer, number: &Number, sampler: &mut Sampler
     sum
 }
 
-/// What a kind of error promises: for a number of errors, the part of numbers that may be off by more.
+/// Returns the promises of a kind of error: for a number of errors, the part of numbers that may be
+/// off by more.
 fn promises(kind: ErrorKind) -> &'static [(f64, f64)] {
     match kind {
         ErrorKind::Bound => &[(1.0, 0.0)],
         ErrorKind::Estimate => &[(1.0, 0.02), (3.0, 0.0)],
         ErrorKind::Confidence => &[(1.0, 1.0 - ErrorKind::LEVEL)],
-        // 68.27 % of a normal distribution lie within one standard error; what few of the paths find, as through mirrors, makes the tail longer
+        // 68.27 % of a normal distribution lie within one standard error; light found by few of the
+        // paths, as through mirrors, makes the tail longer
         ErrorKind::Sigma => &[(1.0, 0.3173), (3.0, 0.05)],
     }
 }
 
-/// For each kind by how many errors its numbers are off.
+/// For each kind of error, the deviations of its numbers in units of their errors.
 #[derive(Default)]
 pub(crate) struct Tally(Vec<(ErrorKind, Vec<f64>)>);
 
@@ -176,7 +178,8 @@ impl Tally {
         }
     }
 
-    /// The kinds that are off more often, or by more, than they promise: three deviations of a binomial distribution are chance.
+    /// Returns the kinds that are off more often, or by more, than they promise. Three standard
+    /// deviations of a binomial distribution are attributed to chance.
     pub(crate) fn broken(&self) -> Vec<ErrorKind> {
         let is_broken = |&&(kind, ref all): &&(ErrorKind, Vec<f64>)| {
             promises(kind).iter().any(|&(times, part)| {
@@ -188,7 +191,7 @@ impl Tally {
     }
 }
 
-/// How many numbers are off by more errors than this.
+/// Counts the numbers that are off by more errors than this.
 fn beyond(all: &[f64], times: f64) -> usize {
     all.iter().filter(|&&one| one > times).count()
 }

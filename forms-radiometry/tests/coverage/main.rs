@@ -1,11 +1,12 @@
-//! What errors promise: random scenes of the kinds that people make, against paths that are followed by code of its own.
+//! The promises of errors: random scenes of the kinds that people make, compared with an
+//! independent path tracer.
 //!
 //! ```text
 //! random scene ─┬─▶ scene file ─▶ simulation ─▶ numbers with errors ─┐
-//!               └─▶ paths ─▶ means with standard errors ─────────────┴─▶ how many lie outside, by kind of error
+//!               └─▶ paths ─▶ means with standard errors ─────────────┴─▶ misses by kind of error
 //! ```
-//! `FORMS_COVERAGE` is the number of scenes, and `FORMS_COVERAGE_FROM` the first of them.
-//! Scenes of which numbers lie outside are written to the folder `FORMS_COVERAGE_OUT`.
+//! `FORMS_COVERAGE` is the number of scenes, and `FORMS_COVERAGE_FROM` the first of them. Scenes
+//! with numbers outside their errors are written to the folder `FORMS_COVERAGE_OUT`.
 
 mod judge;
 mod pieces;
@@ -39,7 +40,7 @@ fn written(world: &World, tolerance: f64, folder: &Path) {
     }
 }
 
-/// The kind of the scene of this number, and what is said of its numbers.
+/// Returns the kind of the scene with this number, and the comparisons of its numbers.
 fn judged(number: usize) -> (&'static str, Vec<Judged>) {
     let (name, family) = FAMILIES[number % FAMILIES.len()];
     let world = scenes::world(family, number as u64);
@@ -62,7 +63,7 @@ fn numbers_lie_within_their_errors_as_their_kind_says() {
     for number in from..from + count() {
         let (name, judged) = judged(number);
         for Judged { what, .. } in judged.iter().filter(|judged| judged.is_outside()) {
-            // whoever watches thousands of scenes is told at once
+            // printed at once, for runs of thousands of scenes
             println!("{number} {name}: {what}");
             outside.push(format!("{number} {name}: {what}"));
         }
@@ -76,7 +77,7 @@ fn numbers_lie_within_their_errors_as_their_kind_says() {
     );
 }
 
-/// A world with one receiver, and what that gets.
+/// Returns worlds with one receiver, and its exact value.
 fn known() -> [(&'static str, World, Quantity, f64); 5] {
     let at = |x: f64, y: f64, z: f64| Vector::new(x, y, z);
     let flat = |corner: Vector, along: Vector, across: Vector, reflectance: f64, radiance: f64| Surface {

@@ -1,24 +1,25 @@
-//! Pieces: shapes become parallelograms, triangles and spheres, with where rays meet them and where points of them are.
+//! Pieces: shapes become parallelograms, triangles and spheres, which provide intersections with
+//! rays and points on their surface.
 
 use crate::world::Shape;
 use forms_radiometry::geometry::Vector;
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// Distances below this are none.
+/// Distances below this count as zero.
 pub(crate) const NEAR: f64 = 1e-7;
 
-/// What is met: a piece of a surface.
+/// Piece of a surface that rays meet.
 pub(crate) struct Piece {
     pub(crate) surface: usize,
     shape: PieceShape,
     pub(crate) area: f64,
-    /// A sphere around it.
+    /// Bounding sphere.
     pub(crate) middle: Vector,
     pub(crate) reach: f64,
 }
 
 enum PieceShape {
-    /// A corner, two edges, the unit normal, and whether it is a triangle.
+    /// Corner, two edges, the unit normal, and whether it is a triangle.
     Flat {
         corner: Vector,
         edges: [Vector; 2],
@@ -46,7 +47,8 @@ impl Piece {
         Self { surface, shape, area, middle, reach }
     }
 
-    /// The place of two numbers from 0 to 1, evenly by area, and its normal.
+    /// Returns the point of the piece for two numbers from 0 to 1, uniformly by area, and its
+    /// normal.
     pub(crate) fn place(&self, u: f64, v: f64) -> (Vector, Vector) {
         match self.shape {
             PieceShape::Flat { corner, edges: [a, b], normal, is_triangle } => {
@@ -95,7 +97,7 @@ impl Piece {
     }
 }
 
-/// The pieces of a surface that has a shape.
+/// Returns the pieces of a surface that has a shape.
 pub(crate) fn pieces(surface: usize, shape: &Shape) -> Vec<Piece> {
     match shape {
         Shape::Rectangle([corner, a, b]) => vec![Piece::flat(surface, *corner, [*a, *b], false)],
@@ -110,7 +112,7 @@ pub(crate) fn pieces(surface: usize, shape: &Shape) -> Vec<Piece> {
     }
 }
 
-/// The direction at this cosine from an axis, turned around it by a part of a turn.
+/// Returns the direction at this cosine from an axis, rotated around it by a part of a turn.
 pub(crate) fn around(axis: Vector, cosine: f64, turn: f64) -> Vector {
     let least = if axis.x.abs() < 0.6 { Vector::new(1.0, 0.0, 0.0) } else { Vector::new(0.0, 1.0, 0.0) };
     let a = axis.cross(least).unit().expect("across");
@@ -120,7 +122,7 @@ pub(crate) fn around(axis: Vector, cosine: f64, turn: f64) -> Vector {
     cosine * axis + (sine * cos) * a + (sine * sin) * b
 }
 
-/// A direction by its cosine, and its density.
+/// Returns a direction distributed like its cosine, and its density.
 pub(crate) fn cosine_direction(normal: Vector, u: f64, v: f64) -> (Vector, f64) {
     let cosine = (1.0 - u).sqrt();
     (around(normal, cosine, v), cosine * FRAC_1_PI)

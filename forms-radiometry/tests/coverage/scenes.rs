@@ -1,14 +1,15 @@
-//! Random scenes of the kinds that people make: furnished rooms, windows, rows of panels, streets, spheres, meshes.
+//! Random scenes of the kinds that people make: furnished rooms, windows, rows of panels, streets,
+//! spheres, meshes, mirrors.
 
 use crate::world::{Bins, Kind, LIGHT, Light, Receiver, Shape, Surface, World};
 use forms_radiometry::geometry::Vector;
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
-/// Makes a scene of a kind.
+/// Function that makes a scene of a kind.
 type Family = fn(&mut Maker);
 
-/// The kinds of scenes.
+/// Kinds of scenes.
 pub(crate) const FAMILIES: [(&str, Family); 7] = [
     ("furnished room", furnished_room),
     ("window", window),
@@ -19,7 +20,7 @@ pub(crate) const FAMILIES: [(&str, Family); 7] = [
     ("mirror", mirror),
 ];
 
-/// Makes a world at random.
+/// Maker of a random world.
 pub(crate) struct Maker {
     random: SplitMix,
     pub(crate) world: World,
@@ -31,7 +32,7 @@ fn vector(x: f64, y: f64, z: f64) -> Vector {
 
 const UP: Vector = Vector { x: 0.0, y: 0.0, z: 1.0 };
 
-/// The world of a kind and a number.
+/// Returns the world of a kind and a number.
 pub(crate) fn world(family: Family, number: u64) -> World {
     let mut maker = Maker { random: SplitMix(number), world: World::default() };
     family(&mut maker);
@@ -47,7 +48,7 @@ impl Maker {
         self.random.unit() < probability
     }
 
-    /// A point of a box.
+    /// Returns a point of a box.
     fn within(&mut self, low: [f64; 3], high: [f64; 3]) -> Vector {
         let [x, y, z] = std::array::from_fn(|axis| self.between(low[axis], high[axis]));
         vector(x, y, z)
@@ -69,7 +70,8 @@ impl Maker {
         self.add(Shape::Rectangle([corner, along, across]), reflectance)
     }
 
-    /// Boards of a box that is turned about the vertical, outwards; with a bottom where it floats.
+    /// Adds the faces of a box that is rotated about the vertical, facing outwards; with a bottom
+    /// where the box floats.
     fn block(&mut self, middle: Vector, size: [f64; 3], turn: f64, reflectance: f64) {
         let (sin, cos) = turn.sin_cos();
         let a = size[0] * vector(cos, sin, 0.0);
@@ -88,7 +90,8 @@ impl Maker {
         }
     }
 
-    /// The six sides of a room from the origin, inwards; with a hole in the side y = 0 from a corner to another, if one is asked for.
+    /// Adds the six sides of a room from the origin, facing inwards; if requested, with a hole in
+    /// the side y = 0 from one corner to another.
     fn room(&mut self, [w, d, h]: [f64; 3], hole: Option<[[f64; 2]; 2]>) {
         let [x, y, z] = [vector(w, 0.0, 0.0), vector(0.0, d, 0.0), vector(0.0, 0.0, h)];
         let zero = vector(0.0, 0.0, 0.0);
@@ -114,7 +117,7 @@ impl Maker {
         self.world.lights.push(light);
     }
 
-    /// A square that shines downwards.
+    /// Adds a square that shines downwards.
     fn panel_lamp(&mut self, middle: Vector, side: f64, radiance: f64) {
         let half = 0.5 * side;
         let corner = middle - vector(half, half, 0.0);
@@ -126,7 +129,7 @@ impl Maker {
         self.world.receivers.push(Receiver { kind, time: None });
     }
 
-    /// A receiver of any kind in a box where nothing else is, and one on a surface.
+    /// Adds a receiver of any kind in an otherwise empty box, and one on a surface.
     fn ask_anything(&mut self, [low, high]: [[f64; 3]; 2], surface: usize) {
         let position = self.within(low, high);
         let direction = self.direction();
@@ -146,7 +149,8 @@ impl Maker {
         self.ask(Kind::Surface { surface, grid });
     }
 
-    /// Resolves the first receiver in time: bins of a size as light takes to cross the scene.
+    /// Resolves the first receiver in time. The bins have the width that light takes to travel this
+    /// distance.
     fn ask_for_time(&mut self, size: f64) {
         if matches!(self.world.receivers[0].kind, Kind::Point { .. } | Kind::Sphere { .. } | Kind::Ray { .. })
         {
@@ -166,7 +170,7 @@ fn furnished_room(maker: &mut Maker) {
         maker.block(middle, block, turn, reflectance);
     }
     if maker.happens(0.5) {
-        // a shelf that floats before a wall
+        // a shelf that floats in front of a wall
         let corner = vector(0.02, 0.5, 1.5);
         let shelf = maker.rectangle(corner, vector(0.3, 0.0, 0.0), vector(0.0, 1.5, 0.0), 0.6);
         shelf.is_two_sided = true;
@@ -268,7 +272,7 @@ fn street(maker: &mut Maker) {
     maker.ask_anything([[-10.0, -2.5, 0.2], [10.0, 2.5, 2.5]], surface);
 }
 
-/// A ground with a lamp, a sun or a sky above it.
+/// Adds a ground with a lamp, a sun or a sky above it.
 fn ground(maker: &mut Maker) {
     let reflectance = maker.between(0.0, 0.7);
     maker.rectangle(vector(-3.0, -3.0, 0.0), vector(6.0, 0.0, 0.0), vector(0.0, 6.0, 0.0), reflectance);
@@ -296,7 +300,7 @@ fn spheres(maker: &mut Maker) {
         let center =
             vector(1.5 * place as f64 - 1.5, maker.between(-1.0, 1.0), radius + maker.between(0.01, 0.8));
         let reflectance = maker.between(0.0, 0.8);
-        // mirrors that are curved are refused beside lights without extent
+        // curved mirrors are refused next to point and distant lights
         let is_mirror = maker.happens(0.15) && maker.world.lights.is_empty();
         maker.add(Shape::Sphere { center, radius }, reflectance).is_mirror = is_mirror;
     }
@@ -305,7 +309,7 @@ fn spheres(maker: &mut Maker) {
     maker.ask_anything([[-2.5, -2.5, 2.4], [2.5, 2.5, 2.8]], surface);
 }
 
-/// A bumpy ball of triangles.
+/// Adds a bumpy ball of triangles.
 fn mesh(maker: &mut Maker) {
     ground(maker);
     let [rings, sectors] = [3 + maker.random.below(4), 5 + maker.random.below(6)];
@@ -337,7 +341,8 @@ fn mesh(maker: &mut Maker) {
     maker.ask_anything([[-2.5, -2.5, 2.4], [2.5, 2.5, 2.8]], surface);
 }
 
-/// A floor, a board, a mirror on a wall, and a lamp that may be very small and face the mirror.
+/// Adds a floor, a board, a mirror on a wall, and a lamp that may be very small and face the
+/// mirror.
 fn mirror(maker: &mut Maker) {
     let reflectance = maker.between(0.0, 0.7);
     maker.rectangle(vector(-2.0, -3.0, 0.0), vector(4.0, 0.0, 0.0), vector(0.0, 3.0, 0.0), reflectance);

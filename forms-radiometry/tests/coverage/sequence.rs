@@ -1,11 +1,11 @@
-//! Points that fill a cube evenly: multiples of the roots of primes, shifted at random.
+//! Low-discrepancy points of a cube: multiples of the roots of primes, shifted at random.
 
 use forms_testing::SplitMix;
 
 /// The roots of these have irrational parts that are independent of each other.
 const PRIMES: [u32; 20] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71];
 
-/// Gives the coordinates of one point after the other; those after the last prime are random.
+/// Sequence of points, coordinate by coordinate; the coordinates after the last prime are random.
 pub(crate) struct Sampler {
     shifts: [f64; PRIMES.len()],
     random: SplitMix,
@@ -20,13 +20,13 @@ impl Sampler {
         Self { shifts, random, index: 0.0, dimension: 0 }
     }
 
-    /// Goes on to the next point.
+    /// Advances to the next point.
     pub(crate) fn advance(&mut self) {
         self.index += 1.0;
         self.dimension = 0;
     }
 
-    /// The next coordinate of the point.
+    /// Returns the next coordinate of the point.
     pub(crate) fn next(&mut self) -> f64 {
         let dimension = self.dimension;
         self.dimension += 1;

@@ -1,12 +1,15 @@
-//! Light by paths: a scene and a receiver become values with standard errors.
+//! Path tracer: a scene and a receiver become values with standard errors.
 //!
 //! ```text
-//! receiver ─▶ way of sight ─▶ hit ─┬─▶ emitted light, weighted against next-event estimation
-//!                                  ├─▶ next-event estimation: a point of an emitter, lights without extent
-//!                                  └─▶ diffuse or mirror reflection ─▶ next hit …   (Russian roulette)
+//! receiver ─▶ direction of sight ─▶ hit ─┬─▶ emitted light, MIS with next-event estimation
+//!                                        ├─▶ next-event estimation: a point of an emitter,
+//!                                        │   point and distant lights
+//!                                        └─▶ diffuse or mirror reflection ─▶ next hit …
+//!                                            (Russian roulette)
 //! ```
-//! Nothing but vectors is shared with what it judges: every surface is met by going through all of them. Points of a sequence that fills the
-//! cube evenly, shifted at random sixteen times, take the place of random numbers; the shifts tell the standard error.
+//! The tracer shares only vectors with the code that it judges: rays are intersected with every
+//! surface in turn. The points of a low-discrepancy sequence, shifted at random sixteen times,
+//! replace random numbers; the shifts provide the standard error.
 
 use crate::pieces::{NEAR, Piece, around, cosine_direction, pieces};
 use crate::sequence::Sampler;
@@ -14,32 +17,32 @@ use crate::world::{Kind, Light, World};
 use forms_radiometry::geometry::Vector;
 use std::f64::consts::{FRAC_1_PI, PI};
 
-/// Reflections before paths end at random.
+/// Number of reflections before Russian roulette starts.
 const SURE: usize = 4;
 
 struct Hit {
     piece: usize,
     distance: f64,
     place: Vector,
-    /// Towards where the ray comes from.
+    /// Normal on the side of the ray's origin.
     normal: Vector,
     is_front: bool,
 }
 
-/// A world that paths can be followed in.
+/// World for path tracing.
 pub(crate) struct Tracer<'w> {
     world: &'w World,
     pieces: Vec<Piece>,
-    /// The pieces that emit, with the probability of each up to it.
+    /// Pieces that emit, with the cumulative probability of each.
     emitters: Vec<(usize, f64)>,
 }
 
-/// Which directions light is taken from at the receiver.
+/// Directions of the light that counts at the receiver.
 #[derive(Clone, Copy)]
 enum Sight {
-    /// Those before a normal, by their cosines.
+    /// Directions of the hemisphere around a normal, weighted by their cosines.
     Hemisphere(Vector),
-    /// All.
+    /// All directions.
     Sphere,
 }
 
@@ -62,7 +65,8 @@ impl<'w> Tracer<'w> {
         Self { world, pieces, emitters }
     }
 
-    /// One sample of what a receiver gets: each part with the direction it comes from and the length of its path.
+    /// Takes one sample of a receiver's light: each contribution with the direction that it comes
+    /// from and the length of its path.
     pub(crate) fn sample(
         &self,
         kind: &Kind,
@@ -98,7 +102,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// A place on a surface, or the middle of a cell of its map, with the normal there.
+    /// Returns a point on a surface, or the centre of a cell of its map, with the normal there.
     fn place_on(
         &self,
         surface: usize,
@@ -124,7 +128,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What arrives at a place from the directions of sight.
+    /// Samples the light that arrives at a place from the directions of sight.
     fn arriving(
         &self,
         place: Vector,
@@ -151,7 +155,8 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The radiance that arrives along a way, which was chosen with a density, or surely.
+    /// Samples the radiance that arrives along a direction, which was sampled with a density, or is
+    /// given.
     fn along(
         &self,
         from: Vector,
@@ -162,7 +167,8 @@ impl<'w> Tracer<'w> {
     ) {
         let (mut origin, mut way, mut density) = (from, first, density);
         let (mut throughput, mut length) = (1.0, 0.0);
-        // flat mirrors since the last place where emitters were looked for, and the way from there
+        // number of flat mirrors since the last next-event estimation, and the path length from
+        // there
         let (mut mirrors, mut since) = (0, 0.0);
         for reflections in 0.. {
             let Some(hit) = self.hit(origin, way, f64::INFINITY, false) else {
@@ -208,7 +214,8 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What arrives at a place straight from lights without extent and from a point of an emitter, weighted against directions.
+    /// Next-event estimation: samples the light at a place from point and distant lights, and from
+    /// a point of an emitter, with MIS weights against sampled directions.
     fn next_event(
         &self,
         place: Vector,
@@ -269,7 +276,8 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// What a flat mirror leaves of light that comes along a way by it, if nothing else is before a distance.
+    /// Returns the part of light that a flat mirror leaves along a direction, unless another
+    /// surface is hit before a distance.
     fn left_by(&self, mirror: usize, place: Vector, way: Vector, distance: f64) -> Option<f64> {
         let met = self.hit(place, way, distance, false).filter(|met| met.piece == mirror && met.is_front)?;
         let turned = way - (2.0 * way.dot(met.normal)) * met.normal;
@@ -277,13 +285,14 @@ impl<'w> Tracer<'w> {
         is_free.then(|| self.world.surfaces[self.pieces[mirror].surface].reflectance)
     }
 
-    /// A point of a flat mirror, and its normal.
+    /// Returns a point of a flat mirror, and its normal.
     fn mirror(&self, mirror: usize) -> [Vector; 2] {
         let middle = self.pieces[mirror].middle;
         [middle, self.pieces[mirror].normal(middle)]
     }
 
-    /// The direction of a light without extent, its distance, and the irradiance that it makes across.
+    /// Returns the direction of a point or distant light, its distance, and its irradiance at
+    /// normal incidence.
     fn reaching(&self, light: Light, place: Vector) -> (Vector, f64, f64) {
         match light {
             Light::Sun { direction, irradiance } => {
@@ -298,7 +307,7 @@ impl<'w> Tracer<'w> {
         }
     }
 
-    /// The flat mirrors.
+    /// Returns the flat mirrors.
     fn mirrors(&self) -> impl Iterator<Item = usize> {
         let is_mirror = |&index: &usize| {
             let piece = &self.pieces[index];
@@ -307,8 +316,9 @@ impl<'w> Tracer<'w> {
         (0..self.pieces.len()).filter(is_mirror)
     }
 
-    /// The same of the image of a light in a flat mirror, if that is seen: no sampled direction finds it. Images of images are left out, as no world
-    /// has a second flat mirror.
+    /// Returns the same for the image of a light in a flat mirror, if the image is visible: no
+    /// sampled direction finds it. Images of images are omitted, as no world has a second flat
+    /// mirror.
     fn mirrored(&self, light: Light, mirror: usize, place: Vector) -> Option<(Vector, f64, f64)> {
         let [at, normal] = self.mirror(mirror);
         let across = |way: Vector| way - (2.0 * way.dot(normal)) * normal;
@@ -323,7 +333,7 @@ impl<'w> Tracer<'w> {
         Some((way, distance, left * irradiance))
     }
 
-    /// The density, by area, with which next-event estimation chooses points of a piece.
+    /// Returns the density, by area, with which next-event estimation samples points of a piece.
     fn density(&self, piece: usize) -> f64 {
         let radiance = |piece: &Piece| self.world.surfaces[piece.surface].radiance;
         let all: f64 = self
@@ -334,7 +344,7 @@ impl<'w> Tracer<'w> {
         radiance(&self.pieces[piece]) / all
     }
 
-    /// The first piece along a way before a distance, with holes or through them.
+    /// Returns the first piece along a direction before a distance, with holes as pieces or open.
     fn hit(&self, origin: Vector, way: Vector, before: f64, is_through: bool) -> Option<Hit> {
         let mut nearest = None;
         let mut limit = before;

@@ -1,4 +1,4 @@
-//! A scene in two ways: as what paths are followed in, and as the text of a scene file.
+//! A scene in two forms: as a world for path tracing, and as the text of a scene file.
 
 use crate::scene_text;
 use forms_radiometry::geometry::Vector;
@@ -6,12 +6,13 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-/// The speed of light in m/s.
+/// Speed of light in m/s.
 pub(crate) const LIGHT: f64 = 299_792_458.0;
 
-/// What a surface looks like.
+/// Shape of a surface.
 pub(crate) enum Shape {
-    /// A parallelogram by a corner and two edges; its front is where they turn counter-clockwise.
+    /// Parallelogram given by a corner and two edges; its front is the side from which they turn
+    /// counter-clockwise.
     Rectangle([Vector; 3]),
     /// Triangles, counter-clockwise from the front.
     Mesh(Vec<[Vector; 3]>),
@@ -28,7 +29,8 @@ pub(crate) struct Surface {
     pub(crate) radiance: f64,
     pub(crate) is_two_sided: bool,
     pub(crate) is_mirror: bool,
-    /// Whether it is a hole, through which light from outside comes: paths look for it as for an emitter, and scenes have nothing there.
+    /// Whether it is a hole that lets in light from outside. Path tracing samples it like an
+    /// emitter, and the scene file has nothing there.
     pub(crate) is_hole: bool,
 }
 
@@ -38,7 +40,7 @@ pub(crate) enum Light {
     Lamp { position: Vector, intensity: f64 },
 }
 
-/// What is asked for.
+/// Kind of a receiver.
 pub(crate) enum Kind {
     Point { position: Vector, normal: Vector },
     Sphere { position: Vector },
@@ -47,7 +49,7 @@ pub(crate) enum Kind {
     Camera { origin: Vector, target: Vector, fov: f64, resolution: [usize; 2] },
 }
 
-/// Bins of time of one width from the pulse on, in seconds.
+/// Time bins of one width, starting at the pulse, in seconds.
 #[derive(Clone, Copy)]
 pub(crate) struct Bins {
     pub(crate) width: f64,
@@ -65,7 +67,7 @@ pub(crate) struct World {
     pub(crate) lights: Vec<Light>,
     /// Radiance from outside.
     pub(crate) sky: f64,
-    /// The absorption of what fills the scene.
+    /// Absorption coefficient of the medium that fills the scene.
     pub(crate) absorption: f64,
     pub(crate) receivers: Vec<Receiver>,
 }
@@ -75,14 +77,15 @@ fn array(Vector { x, y, z }: Vector) -> [f64; 3] {
 }
 
 impl Shape {
-    /// The corners of a parallelogram.
+    /// Returns the corners of a parallelogram.
     pub(crate) fn corners([corner, along, across]: [Vector; 3]) -> [Vector; 4] {
         [corner, corner + along, corner + along + across, corner + across]
     }
 }
 
 impl World {
-    /// The irradiance of a place that sees nothing but the brightest light: a lamp at the distance 1.
+    /// Returns the irradiance of a place that sees nothing but the brightest light; a lamp is at
+    /// the distance 1.
     pub(crate) fn brightest(&self) -> f64 {
         let of_lights = self.lights.iter().map(|light| match light {
             Light::Sun { irradiance: brightness, .. } | Light::Lamp { intensity: brightness, .. } => {
@@ -93,7 +96,7 @@ impl World {
         of_lights.chain(of_surfaces).fold(PI * self.sky, f64::max)
     }
 
-    /// The text of the scene file, and the meshes that it names.
+    /// Returns the text of the scene file, and the meshes that it names.
     pub(crate) fn text(&self, tolerance: f64) -> (String, HashMap<String, String>) {
         let mut text = String::new();
         let mut files = HashMap::new();
@@ -152,7 +155,7 @@ impl World {
 }
 
 impl Surface {
-    /// A surface that reflects diffusely from its front.
+    /// Returns a surface that reflects diffusely from its front.
     pub(crate) fn new(name: String, shape: Shape, reflectance: f64) -> Self {
         Self {
             name,

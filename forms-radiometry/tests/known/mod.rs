@@ -1,4 +1,5 @@
-//! What is known of the scenes of the gallery: sums of answers and their values, with which tests and figures compare what is found.
+//! Known answers of the scenes of the gallery: sums of answers and their values, with which tests
+//! and figures compare the results.
 
 use forms_radiometry::simulation::Quantity::{
     self, FluenceRate, Flux, Irradiance, Radiance, VectorIrradiance,
@@ -6,24 +7,26 @@ use forms_radiometry::simulation::Quantity::{
 use forms_radiometry::simulation::{Answer, ErrorKind};
 use std::f64::consts::PI;
 
-/// A scene of the gallery and what is known of it.
+/// A scene of the gallery and its known answers.
 pub(crate) struct Exhibit {
     pub(crate) file: &'static str,
-    /// The tolerance to test with, where that of the file would take long in a program that is not optimised.
+    /// Tolerance of the test, where the tolerance of the file would take long in a program that is
+    /// not optimised.
     pub(crate) tolerance: Option<f64>,
-    /// Whether reflected light is left out, because it would take long.
+    /// Whether reflected light is omitted, because it would take long.
     pub(crate) straight: bool,
-    /// Whether it takes minutes where the numeric code is not optimised, so that only tests of the release build simulate it.
+    /// Whether it takes minutes where the numeric code is not optimised, so that only tests of the
+    /// release build simulate it.
     pub(crate) long: bool,
     pub(crate) known: &'static [Known],
 }
 
-/// A sum of answers whose value is known.
+/// Sum of answers whose value is known.
 pub(crate) struct Known {
-    /// Each with its factor.
+    /// The answers, each with its factor.
     pub(crate) sum: &'static [(f64, &'static str, Quantity)],
     pub(crate) value: f64,
-    /// By how much the scene itself differs from what the value holds for.
+    /// Difference between the scene itself and the idealised scene of the value.
     pub(crate) idealised: f64,
 }
 
@@ -89,7 +92,8 @@ pub(crate) const GALLERY: [Exhibit; 17] = [
         tolerance: None,
         straight: false,
         long: false,
-        // both in a groove without ends; what is missing beyond the ends of this one is below ⅔ x L/(π 20³)
+        // both in an infinite groove; the part missing beyond the ends of this one is below ⅔ x
+        // L/(π 20³)
         known: &[
             Known { sum: &[(1.0, "near the apex", Irradiance)], value: 0.663_515_491_999, idealised: 1e-7 },
             Known { sum: &[(1.0, "half way up", Irradiance)], value: 0.324_095_475_331, idealised: 2e-5 },
@@ -186,13 +190,13 @@ pub(crate) const GALLERY: [Exhibit; 17] = [
         tolerance: None,
         straight: false,
         long: false,
-        // all bins together are what arrives of steady light
+        // all bins together hold the steady light
         known: &[known(&[(1.0, "in time", Irradiance), (-1.0, "steady", Irradiance)], 0.0)],
     },
 ];
 
 impl Known {
-    /// The sum as it was found, and its error.
+    /// Returns the sum of the found answers, and its error.
     pub(crate) fn found(&self, answers: &[Answer]) -> [f64; 2] {
         let [mut value, mut error] = [0.0, self.idealised];
         for &(factor, receiver, quantity) in self.sum {
@@ -204,7 +208,8 @@ impl Known {
     }
 }
 
-/// A number in all bands and bins together, and its error: of standard errors four, so that a right answer fails once in 10⁴.
+/// Returns a number in all bands and bins together, and its error. A standard error counts four
+/// times, so that a right answer fails once in 10⁴.
 fn total(answers: &[Answer], receiver: &str, quantity: Quantity) -> [f64; 2] {
     let is_meant = |answer: &&Answer| answer.receiver == receiver && answer.quantity == quantity;
     let meant = answers.iter().filter(is_meant);

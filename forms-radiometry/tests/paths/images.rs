@@ -1,4 +1,5 @@
-//! Images: each pixel is the mean over its part of the film, and the image's own answer is the mean of its pixels.
+//! Images: each pixel is the mean over its part of the film, and the image's own answer is the mean
+//! of its pixels.
 
 use crate::claims::floor_in_haze;
 use forms_radiometry::scene::{ReceiverKind, Scene};
@@ -12,7 +13,8 @@ fn simulated(mut scene: Scene) -> Simulation {
     simulate(&scene, &plan, &Unwatched)
 }
 
-/// What a pixel of the camera sees of a floor that shines in haze, at points of the pixel: Gauss–Legendre of three by three points.
+/// Returns the radiance that a pixel of the camera sees of a floor that shines in haze, averaged
+/// over points of the pixel: Gauss–Legendre with three by three points.
 fn seen(scene: &Scene, [column, row]: [usize; 2]) -> f64 {
     const NODES: [[f64; 2]; 3] =
         [[0.112_701_665_379_258, 5.0 / 18.0], [0.5, 8.0 / 18.0], [0.887_298_334_620_742, 5.0 / 18.0]];
@@ -45,7 +47,7 @@ fn each_pixel_is_the_mean_over_its_part_of_the_film() {
     }
 }
 
-/// The part of the errors of pixels that does not average out.
+/// Part of the errors of pixels that does not average out.
 const COMMON: f64 = 0.5;
 
 #[test]

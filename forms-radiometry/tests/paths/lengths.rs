@@ -1,4 +1,4 @@
-//! The same scene in any size, place and unit of length has the same answers.
+//! A scene has the same answers at any size, in any place and in any unit of length.
 
 use crate::claims::{self, Claim, Compared, answers};
 use crate::{DEVIATIONS, SEED};
@@ -6,10 +6,11 @@ use forms_radiometry::geometry::{Disk, Polygon, Sphere, Vector};
 use forms_radiometry::scene::{LengthUnit, LightKind, ReceiverKind, Scene, Shape};
 use forms_radiometry::simulation::Quantity;
 
-/// The tolerance of all scenes: lengths that are used wrongly make answers wrong by more.
+/// Tolerance of all scenes: a wrong use of lengths makes answers wrong by more.
 const TOLERANCE: f64 = 0.2;
 
-/// How a scene is changed: its numbers are multiplied and moved, and a length of 1 in it becomes so many metres.
+/// Change of a scene: its coordinates are multiplied and moved, and a length of 1 in it becomes
+/// `metres`.
 #[derive(Clone, Copy)]
 struct Change {
     lengths: f64,
@@ -51,7 +52,8 @@ impl Change {
         }
     }
 
-    /// The scene after the change, with lights and times that leave its answers as they are but for fluxes.
+    /// Returns the scene after the change, with lights and times that leave its answers unchanged
+    /// except for fluxes.
     fn of(&self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
         scene.unit = self.unit;
@@ -85,7 +87,7 @@ impl Change {
         scene
     }
 
-    /// What is wrong with the answers of a claim after the change.
+    /// Returns the wrong answers of a claim after the change.
     fn wrong(&self, what: &str, claim: &Claim) -> Vec<String> {
         let mut scene = self.of(&claim.scene());
         (scene.solve.seed, scene.solve.tolerance) = (SEED, TOLERANCE);
@@ -103,7 +105,7 @@ impl Change {
 
 fn check(what: &str, change: Change) {
     let claims = claims::all();
-    // not those that take long
+    // without the claims that take long
     let short = claims.iter().filter(|claim| claim.tolerance <= 0.05);
     let wrong: Vec<String> = short.flat_map(|claim| change.wrong(what, claim)).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));

@@ -1,5 +1,5 @@
-//! Scenes that are followed along paths: known answers, refused traps, the same scene in any size, place and unit, images, and how often the
-//! truth lies within the standard errors that are told.
+//! Scenes that are path traced: known answers, refused light traps, the same scene at any size and
+//! place and in any unit, images, and how often the truth lies within the reported standard errors.
 
 mod claims;
 mod images;
@@ -13,10 +13,11 @@ mod unfolded;
 use claims::{Claim, Compared};
 use forms_radiometry::simulation::{ErrorKind, Quantity};
 
-/// The seed of all known answers.
+/// Seed of all known answers.
 const SEED: u64 = 1;
-/// So many standard errors an answer may be off. Of as many answers as there are here one is beyond once in some ten seeds, so that
-/// a seed that fails is no reason to take another one before the scene is looked into with many.
+/// Number of standard errors that an answer may be off. With the number of answers here, one of
+/// them exceeds it once in some ten seeds. A seed that fails is therefore no reason to choose
+/// another one before the scene is examined with many seeds.
 const DEVIATIONS: f64 = 4.0;
 
 fn check(claim: &Claim) -> Vec<String> {
@@ -25,13 +26,13 @@ fn check(claim: &Claim) -> Vec<String> {
     compared.iter().filter_map(|compared| wrong(claim, compared)).collect()
 }
 
-/// What is wrong with an answer, if anything.
+/// Describes the fault of an answer, if there is one.
 fn wrong(claim: &Claim, compared: &Compared) -> Option<String> {
     let Compared { answer, truth, largest } = compared;
     let is_near = compared.deviations(1e-12).is_none_or(|deviations| deviations <= DEVIATIONS);
     // an answer that is 0 for certain has no scale
     let is_narrow = answer.error <= claim.tolerance * largest * (1.0 + 1e-9) || *largest == 0.0;
-    // rays that are not spread anywhere need no samples
+    // rays that are not scattered anywhere need no samples
     let is_sampled = answer.quantity != Quantity::Radiance || answer.bin.is_some();
     let is_kind = answer.kind == ErrorKind::Sigma || !is_sampled;
     (!(is_near && is_narrow && is_kind))

@@ -1,4 +1,5 @@
-//! Many lights of all strengths: what a point gets of them is the sum of what it gets of each, a closed form.
+//! Many lights of all strengths: their light at a point is the sum of the light of each, a closed
+//! form.
 
 use crate::claims::answers;
 use crate::claims::elements::{distant_light, mirror_aside, point_light, shining, sphere};
@@ -8,10 +9,11 @@ use forms_radiometry::scene::read;
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
-/// Standard errors that an answer may be off.
+/// Number of standard errors that an answer may be off.
 const DEVIATIONS: f64 = 4.0;
 
-/// Suns, points and spheres around the origin, and the irradiance that each brings there from above.
+/// Returns suns, point lights and spheres around the origin, and the irradiance there of those
+/// above.
 fn lights(random: &mut SplitMix) -> (String, f64) {
     let most = random.of(&[4, 40]);
     let count = 2 + random.below(most);

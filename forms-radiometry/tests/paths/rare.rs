@@ -1,7 +1,9 @@
-//! Rare light: pixels and cells of which few samples have met what is bright say how far they are off.
+//! Rare light: pixels and cells where few samples have met something bright report how far they are
+//! off.
 //!
-//! The judge is the same scene with so many samples that what is rare is met, of another seed. A number of samples that is given leaves their mean
-//! right, whatever they find. `FORMS_RARE` is the number of scenes.
+//! They are compared with the same scene under another seed, with enough samples to meet rare
+//! light. A fixed number of samples keeps their mean unbiased, whatever they find. `FORMS_RARE` is
+//! the number of scenes.
 
 use crate::claims::elements::{camera, distant_light, gas, point_light, sky, sphere, square, two_sided};
 use crate::claims::scene_text::{material, polygon, surface};
@@ -11,10 +13,11 @@ use forms_radiometry::simulation::{
 };
 use forms_testing::SplitMix;
 
-/// The samples of each pixel and cell that meet what is rare.
+/// Number of samples of each pixel and cell that is enough to meet rare light.
 const MANY: u64 = 1 << 13;
 const TOLERANCE: f64 = 5e-2;
-/// The parts of all pixels and cells that may be off by more than three errors, and by more than ten.
+/// Largest parts of all pixels and cells that may be off by more than three errors, and by more
+/// than ten.
 const BEYOND: [(f64, f64); 2] = [(3.0, 0.05), (10.0, 0.002)];
 
 fn read_or_panic(tables: &[String]) -> Scene {
@@ -24,7 +27,7 @@ fn read_or_panic(tables: &[String]) -> Scene {
     scene
 }
 
-/// A ball of droplets in the sun that few paths are led to through it.
+/// Returns a ball of droplets in the sun. Few paths find the sun through it.
 fn cloud(scattering: f64, g: f64) -> Scene {
     read_or_panic(&[
         gas("droplets", 0, scattering, g),
@@ -35,7 +38,8 @@ fn cloud(scattering: f64, g: f64) -> Scene {
     ])
 }
 
-/// A ball of droplets and a board above a floor that reflects, in the sun or beside a point light; an image and a map of the floor.
+/// Returns a ball of droplets and a board above a floor that reflects, in the sun or next to a
+/// point light; an image, and a map of the floor.
 fn of(seed: u64) -> Scene {
     let mut random = SplitMix(seed);
     let mut between = |low: f64, high: f64| low + (high - low) * random.unit();
@@ -60,7 +64,7 @@ fn of(seed: u64) -> Scene {
     ])
 }
 
-/// What is found, and what so many samples of each pixel and cell find.
+/// Returns the results, and those with `MANY` samples of each pixel and cell.
 fn both(mut scene: Scene) -> [Simulation; 2] {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let found = simulate(&scene, &plan, &Unwatched);
@@ -70,7 +74,8 @@ fn both(mut scene: Scene) -> [Simulation; 2] {
     [found, many.unwrap_or_else(|error| panic!("{error}"))]
 }
 
-/// How far the pixels or cells of two maps are apart, in errors of both.
+/// Returns the differences between the pixels or cells of two maps, in units of their combined
+/// errors.
 fn deviations(one: &Map, other: &Map) -> Vec<f64> {
     let of_one = |map: &Map, cell: usize| (map.values[0][cell], map.errors[0][cell]);
     let deviation = |cell| {
@@ -80,7 +85,7 @@ fn deviations(one: &Map, other: &Map) -> Vec<f64> {
     (0..one.values[0].len()).map(deviation).filter(|deviation| !deviation.is_nan()).collect()
 }
 
-/// Asserts how many of all pixels and cells are off by how much.
+/// Asserts the parts of all pixels and cells that are off by more than some numbers of errors.
 fn assert_honest(off: &[f64]) {
     for (errors, most) in BEYOND {
         let beyond = off.iter().filter(|&&off| off > errors).count() as f64 / off.len() as f64;

@@ -1,4 +1,5 @@
-//! Standard errors over many seeds: the truth lies within them as often as it should, and they fall as samples become more.
+//! Standard errors over many seeds: the truth lies within them as often as it should, and they fall
+//! with more samples.
 
 use crate::claims::coverage::Coverage;
 use crate::claims::{self, Claim, Compared};
@@ -28,7 +29,8 @@ fn the_truth_lies_within_standard_errors_as_often_as_it_should() {
     }
 }
 
-/// Errors of many runs of a furnace with a mirror in it: in standard errors, and relative to the truth.
+/// Returns the errors of many runs of a furnace with a mirror in it: the largest in standard
+/// errors, and the root mean square relative to the truth.
 fn furnace(tolerance: f64) -> (f64, f64) {
     const SEEDS: u64 = 16;
     let claim = claims::furnace_of(0.5);
@@ -47,7 +49,7 @@ fn furnace(tolerance: f64) -> (f64, f64) {
 #[test]
 fn errors_of_a_furnace_fall_with_the_number_of_samples_and_none_is_far_off() {
     let mut last = f64::INFINITY;
-    // the first one takes the fewest samples that there are
+    // the first tolerance takes the smallest number of samples that is possible
     for tolerance in [0.1, 2e-3, 1e-3] {
         let (worst, deviation) = furnace(tolerance);
         assert!(worst <= 5.0, "{tolerance}: {worst} standard errors");
@@ -57,7 +59,8 @@ fn errors_of_a_furnace_fall_with_the_number_of_samples_and_none_is_far_off() {
     }
 }
 
-/// The root mean square error of all that a claim says, over seeds, with so many samples.
+/// Returns the root mean square error of all answers of a claim over seeds, with this number of
+/// samples.
 fn error_over_seeds(claim: &Claim, seeds: u64, samples: u64) -> f64 {
     let budget = Budget::new(samples).unwrap_or_else(|error| panic!("{error}"));
     let all = (1..=seeds).into_par_iter().flat_map_iter(|seed| claim.sampled(seed, budget));
@@ -69,7 +72,8 @@ fn error_over_seeds(claim: &Claim, seeds: u64, samples: u64) -> f64 {
 #[test]
 fn errors_over_seeds_never_rise_with_the_number_of_samples() {
     const SEEDS: u64 = 32;
-    // the root of a mean square of n numbers spreads by 1/√(2n), and the ratio of two by √2 times that; three times so much
+    // the root of a mean square of n numbers spreads by 1/√(2n), and the ratio of two by √2 times
+    // that; three times as much is allowed
     let spread = 3.0 / (SEEDS as f64).sqrt();
     for claim in [named("a slab of albedo 0.9 and thickness 1"), claims::furnace_of(0.5)] {
         let errors: Vec<f64> = (6..=11).map(|power| error_over_seeds(&claim, SEEDS, 1 << power)).collect();
@@ -78,7 +82,7 @@ fn errors_over_seeds_never_rise_with_the_number_of_samples() {
             "{}: {errors:?}",
             claim.name
         );
-        // with four times as many samples half of it is left, or less
+        // four times as many samples halve the error, or reduce it further
         assert!(errors.windows(3).all(|three| three[2] < three[0]), "{}: {errors:?}", claim.name);
     }
 }

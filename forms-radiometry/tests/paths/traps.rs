@@ -1,4 +1,5 @@
-//! Traps: a scene whose light can never leave and is never absorbed is refused, with the surface and its place; what only looks like one is not.
+//! Light traps: a scene whose light can never leave and is never absorbed is refused, with the
+//! surface and its place. A scene that only looks like one is not.
 
 use crate::claims::elements::{
     basin, cuboid, filled_with, gas, glass, medium, mirror, point_light, probe, shining, sky, sphere, square,
@@ -21,7 +22,7 @@ fn facing(reflectance: f64) -> String {
         + &surface("upper mirror", "silver", &polygons[1])
 }
 
-/// A small lamp of no body: a point would be refused beside mirrors.
+/// Returns a small flat lamp: a point light would be refused next to mirrors.
 fn spark() -> String {
     material("grey", 1) + &surface("spark", "grey", &shining(&square(0.5, 0.01, true), 1))
 }

@@ -1,7 +1,8 @@
-//! Unfolding: before a plane mirror that takes nothing, a scene gets what it gets beside its mirror image, where there is no mirror.
+//! Unfolding: the light in a scene in front of a plane mirror that absorbs nothing equals the light
+//! in the scene next to its mirror image, without the mirror.
 //!
-//! Without a medium the unfolded scene is diffuse, and its light is found on elements: by no path. In fog both are followed along paths,
-//! and lights are looked for from each place of a way through it.
+//! Without a medium the unfolded scene is diffuse, and its light is found on elements, by no path.
+//! In fog both scenes are path traced, with next-event estimation at each scattering along a path.
 
 use crate::claims::answers;
 use crate::claims::elements::{filled_with, medium, mirror, probe, shining, two_sided};
@@ -11,7 +12,7 @@ use forms_radiometry::simulation::{Answer, ErrorKind};
 use forms_testing::SplitMix;
 
 const FAR: f64 = 1e4;
-/// Standard errors that two numbers may be apart.
+/// Number of standard errors by which two numbers may differ.
 const DEVIATIONS: f64 = 4.0;
 
 struct Case {
@@ -25,7 +26,7 @@ impl Case {
         std::array::from_fn(|axis| low[axis] + (high[axis] - low[axis]) * self.random.unit())
     }
 
-    /// A parallelogram about a point and its image.
+    /// Adds a parallelogram about a point, and its image.
     fn add(&mut self, name: &str, [middle, a, b]: [Point; 3], more: &str) {
         let corner = |u: f64, v: f64| std::array::from_fn(|axis| middle[axis] + u * a[axis] + v * b[axis]);
         let corners: [Point; 4] =
@@ -39,7 +40,8 @@ impl Case {
         self.images += &(material(&image_name, reflectance) + &table(&image_name, &image));
     }
 
-    /// A lamp of any size that shines to both sides, a floor and a board that reflect, a point and a probe.
+    /// Returns a lamp of any size that shines to both sides, a floor and a board that reflect, a
+    /// point and a probe.
     fn of(seed: u64) -> Self {
         let mut case = Self { random: SplitMix(seed), tables: String::new(), images: String::new() };
         let size = case.random.of(&[0.01, 0.03, 0.1, 0.4]);
@@ -62,7 +64,8 @@ fn of(text: &str) -> Vec<Answer> {
     answers("unfolded", &read(text, "unfolded.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0])))
 }
 
-/// Compares the light before a mirror with that beside an image, with more tables in both.
+/// Compares the light in front of a mirror with the light next to an image, with more tables in
+/// both scenes.
 fn compare(seed: u64, more: &str) {
     let case = Case::of(seed);
     let plane = polygon(&[[0.0, -FAR, -FAR], [0.0, FAR, -FAR], [0.0, FAR, FAR], [0.0, -FAR, FAR]]);

@@ -1,8 +1,10 @@
-//! Rows of the reference as scenes: what a row states of a solid angle, a form factor, a view factor, or a closed room becomes a scene with
-//! one receiver, whose answer times a factor is the value of the row.
+//! Rows of the reference as scenes: the statement of a row about a solid angle, a form factor, a
+//! view factor, or a closed room becomes a scene with one receiver. The answer times a factor is
+//! the value of the row.
 //!
 //! ```text
-//! row of JSON ─ kernel or group, inputs ─▶ Posed ─▶ scene ─ tolerance ─▶ answer beside the value, exactly
+//! row of JSON ─ kernel or group, inputs ─▶ Posed ─▶ scene ─ tolerance ─▶ answer
+//!                                                   answer and value are compared exactly
 //! ```
 
 #[path = "../paths/claims/elements.rs"]
@@ -36,23 +38,23 @@ pub(crate) struct Row {
     posed: Posed,
 }
 
-/// A scene, and how the value of a row is had from its answer.
+/// A scene, and the conversion of its answer to the value of a row.
 struct Posed {
     text: String,
     quantity: Quantity,
     factor: f64,
 }
 
-/// What was found for a row.
+/// Result for a row.
 #[derive(Debug)]
 pub(crate) struct Compared {
     pub(crate) value: f64,
-    /// How far it is from the value of the row, and how far it is said to be at most.
+    /// Its distance from the value of the row, and the reported error.
     pub(crate) off: f64,
     pub(crate) bound: f64,
 }
 
-/// The rows of a file that say something of a scene whose answer has a bound.
+/// Returns the rows of a file that describe a scene whose answer has a bound.
 pub(crate) fn visible() -> Vec<Row> {
     rows(VISIBLE)
 }
@@ -73,7 +75,7 @@ impl Row {
         Some(Self { id: text("id"), value: exact(&text("value")).abs(), posed })
     }
 
-    /// What is found with a tolerance, if it is not sampled.
+    /// Simulates the row with a tolerance and returns the comparison, if the answer is not sampled.
     pub(crate) fn compared(&self, asked: f64) -> Option<Compared> {
         let Posed { text, quantity, factor } = &self.posed;
         let text = text.clone() + &tolerance(asked);
@@ -91,18 +93,18 @@ impl Row {
         Some(Compared { value, off: off.to_f64().expect("a number"), bound: factor * answer.error })
     }
 
-    /// Whether spheres are in the scene, whose pieces are many.
+    /// Whether the scene contains spheres, whose tessellations have many faces.
     pub(crate) fn has_spheres(&self) -> bool {
         self.posed.text.contains("sphere = {")
     }
 
-    /// The value of the row.
+    /// Returns the value of the row.
     pub(crate) fn value(&self) -> f64 {
         self.value.to_f64().expect("a number")
     }
 }
 
-/// The inputs of a row by their names.
+/// Inputs of a row by their names.
 struct Inputs<'r>(&'r Value);
 
 impl Inputs<'_> {
@@ -116,7 +118,7 @@ impl Inputs<'_> {
         names.map(|name| self.number(name))
     }
 
-    /// The point or direction whose coordinates are named by a letter and `x`, `y`, `z`.
+    /// Returns the point or direction whose coordinates are named by a letter and `x`, `y`, `z`.
     fn point(&self, letter: &str) -> Point {
         ["x", "y", "z"].map(|axis| self.number(&format!("{letter}{axis}")))
     }
@@ -127,7 +129,7 @@ impl Inputs<'_> {
     }
 }
 
-/// The scene of a row, where it can be had.
+/// Returns the scene of a row, where there is one.
 fn posed(row: &Value) -> Option<Posed> {
     match row["kernel"].as_str() {
         Some(kernel) => of_kernel(kernel, &Inputs(&row["args"])),
@@ -170,12 +172,13 @@ fn of_kernel(kernel: &str, inputs: &Inputs) -> Option<Posed> {
     }
 }
 
-/// A distance, if a scene can tell it from none beside lengths near 1.
+/// Returns a distance, if a scene with lengths near 1 can distinguish it from zero.
 fn apart(distance: f64) -> Option<f64> {
     (distance > 1e-14).then_some(distance)
 }
 
-/// The view factor of two surfaces: the mean irradiance of the first from an exitance of 1 of the second.
+/// Returns the scene of the view factor of two surfaces: the mean irradiance of the first from an
+/// exitance of 1 of the second.
 fn between(kernel: &str, inputs: &Inputs) -> Option<Posed> {
     let rectangle_of = |sides| Light::Polygon(rectangle(sides, 0.0, true));
     let posed = match kernel {
@@ -217,7 +220,7 @@ fn between(kernel: &str, inputs: &Inputs) -> Option<Posed> {
     Some(posed)
 }
 
-/// Radiance 1 behind so much of a medium that only absorbs.
+/// Returns the scene of radiance 1 behind a medium of this thickness that only absorbs.
 fn absorbed(sigma: f64, t: f64) -> Posed {
     let far = [[t, -1.0, -1.0], [t, -1.0, 1.0], [t, 1.0, 1.0], [t, 1.0, -1.0]];
     let text = elements::medium("gas", [&sigma, &0, &0, &1])
@@ -228,7 +231,8 @@ fn absorbed(sigma: f64, t: f64) -> Posed {
     Posed { text, quantity: Radiance, factor: 1.0 }
 }
 
-/// A rectangle by a corner and two sides, if the other corners are no rounded numbers.
+/// Returns the corners of a rectangle given by a corner and two sides, if the other corners are not
+/// rounded.
 fn corners(inputs: &Inputs) -> Option<Vec<Point>> {
     let [corner, u, v] = ["o", "u", "v"].map(|letter| inputs.point(letter));
     let beside = shapes::sum(corner, u)?;
@@ -293,7 +297,7 @@ impl Inputs<'_> {
     }
 }
 
-/// The floor of a closed box whose other faces have an exitance of 1.
+/// Returns the scene of the floor of a closed box whose other faces have an exitance of 1.
 fn closed_box(sides: [f64; 3]) -> Posed {
     let face = |(name, corners): &(&str, [Point; 4])| {
         let corners = corners.map(|corner| [0, 1, 2].map(|axis| sides[axis] * corner[axis]));

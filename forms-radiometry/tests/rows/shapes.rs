@@ -1,11 +1,12 @@
-//! Shapes of rows: lights and what they shine on, as texts of scenes.
+//! Shapes of rows: lights and the surfaces that they illuminate, as texts of scenes.
 
 use super::Posed;
 use super::elements::{disk, probe, sphere};
 use super::scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
 use forms_radiometry::simulation::Quantity::{FluenceRate, Irradiance};
 
-/// A shape that shines, or that something shines on: disks look down unless they are said to look up.
+/// Shape that emits light, or that is illuminated. Disks face down unless they are of the kind that
+/// faces up.
 pub(super) enum Light {
     Polygon(Vec<Point>),
     Disk(Point, f64),
@@ -27,19 +28,20 @@ impl Light {
         material("black", 0) + &surface("light", "black", &format!("{}\n{emitted}", self.shape()))
     }
 
-    /// Its solid angle at a point: the fluence rate of a radiance of 1.
+    /// Returns the scene of its solid angle at a point: the fluence rate of a radiance of 1.
     pub(super) fn seen(&self, from: Point) -> Posed {
         let text = self.table("radiance = 1") + &probe("here", from);
         Posed { text, quantity: FluenceRate, factor: 1.0 }
     }
 
-    /// Its form factor at a point: the irradiance of an exitance of 1.
+    /// Returns the scene of its form factor at a point: the irradiance of an exitance of 1.
     pub(super) fn received(&self, at: Point, normal: Point) -> Posed {
         let text = self.table("exitance = 1") + &point_receiver("here", at, normal);
         Posed { text, quantity: Irradiance, factor: 1.0 }
     }
 
-    /// The mean irradiance of another surface of an exitance of 1, times a factor.
+    /// Returns the scene of the mean irradiance of another surface by an exitance of 1, times a
+    /// factor.
     pub(super) fn onto(&self, other: &Self, factor: f64) -> Posed {
         let text = self.table("exitance = 1")
             + &surface("here", "black", &other.shape())
@@ -48,7 +50,7 @@ impl Light {
     }
 }
 
-/// A horizontal rectangle with a corner on the axis z.
+/// Returns a horizontal rectangle with a corner on the axis z.
 pub(super) fn rectangle([a, b]: [f64; 2], height: f64, is_up: bool) -> Vec<Point> {
     let mut corners = vec![[0.0, 0.0, height], [a, 0.0, height], [a, b, height], [0.0, b, height]];
     if !is_up {
@@ -57,12 +59,12 @@ pub(super) fn rectangle([a, b]: [f64; 2], height: f64, is_up: bool) -> Vec<Point
     corners
 }
 
-/// A rectangle above the axis y that looks along x.
+/// Returns a rectangle above the axis y that faces along x.
 pub(super) fn upright(length: f64, height: f64) -> Vec<Point> {
     vec![[0.0; 3], [0.0, length, 0.0], [0.0, length, height], [0.0, 0.0, height]]
 }
 
-/// A sum of points, if it is a point of such numbers.
+/// Returns the sum of points, if all its coordinates are exact in `f64`.
 pub(super) fn sum(a: Point, b: Point) -> Option<Point> {
     let sum = [0, 1, 2].map(|axis| a[axis] + b[axis]);
     let is_exact = |axis: usize| {
@@ -77,7 +79,8 @@ pub(super) fn middle(corners: &[Point]) -> Point {
     [0, 1, 2].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / corners.len() as f64)
 }
 
-/// The polygon that a point sees from its front, if it sees more than an edge.
+/// Returns the polygon oriented so that a point sees its front, if the point sees more than an
+/// edge.
 pub(super) fn facing(mut corners: Vec<Point>, point: Point) -> Option<Vec<Point>> {
     let relative: Vec<Point> =
         corners.iter().map(|corner| [0, 1, 2].map(|axis| corner[axis] - point[axis])).collect();

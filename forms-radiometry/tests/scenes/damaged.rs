@@ -1,4 +1,5 @@
-//! No text whatever makes the readers of scenes and meshes panic, and every error they give has a place.
+//! No text makes the readers of scenes and meshes panic, and every error that they report has a
+//! place.
 
 use crate::{EVERYTHING, PART_OBJ, media, mitsuba, read};
 use forms_radiometry::scene::{ReceiverKind, Scene, SceneError, read_with_files};
@@ -22,7 +23,7 @@ impl Sequence {
     }
 }
 
-/// What a number or a bracket may be replaced by.
+/// Replacements for a number or a bracket.
 const FRAGMENTS: [&str; 28] = [
     "nan",
     "-inf",
@@ -54,7 +55,7 @@ const FRAGMENTS: [&str; 28] = [
     "&amp;",
 ];
 
-/// The text with a few characters, lines or numbers removed, doubled or replaced.
+/// Returns the text with a few characters, lines or numbers removed, doubled or replaced.
 fn mutate(text: &str, sequence: &mut Sequence) -> String {
     let mut characters: Vec<char> = text.chars().collect();
     for _ in 0..=sequence.below(3) {
@@ -78,7 +79,7 @@ fn mutate(text: &str, sequence: &mut Sequence) -> String {
     characters.into_iter().collect()
 }
 
-/// The bytes with a few of them replaced, and perhaps cut short.
+/// Returns the bytes with a few of them replaced, and sometimes truncated.
 fn damage(bytes: &[u8], sequence: &mut Sequence) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     for _ in 0..=sequence.below(3) {
@@ -128,7 +129,7 @@ fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
     assert!(right > 200 && wrong > 2000, "{right} right, {wrong} wrong");
 }
 
-/// Whether numeric code is optimised; where it is not, fewer mutants have to do.
+/// Whether numeric code is optimised; otherwise fewer mutants are run.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);
 
 /// Diffuse surfaces of every shape, lights and receivers of every kind.
@@ -187,7 +188,7 @@ tolerance = 0.5
 effects = { interreflection = 2 }
 "#;
 
-/// Stops the work after it has asked so often whether to go on.
+/// Observer that stops the work after a fixed number of queries.
 struct Impatient(AtomicUsize);
 
 impl Watch for Impatient {
@@ -198,7 +199,8 @@ impl Watch for Impatient {
     }
 }
 
-/// Simulates a scene roughly, and not for long; whether it can be simulated at all.
+/// Simulates a scene with a loose tolerance and a limited time. Returns whether it can be simulated
+/// at all.
 fn is_simulated(mut scene: Scene, text: &str) -> bool {
     scene.solve.tolerance = scene.solve.tolerance.max(0.5);
     for receiver in &mut scene.receivers {
@@ -243,7 +245,7 @@ fn mutations_of_diffuse_scenes_that_are_still_scenes_have_answers_or_errors() {
     assert!(simulated > count / 10, "{simulated} simulated, {refused} refused");
 }
 
-/// The places of the numbers in a text.
+/// Returns the places of the numbers in a text.
 fn numbers(text: &str) -> Vec<std::ops::Range<usize>> {
     let is_part = |c: char| c.is_ascii_digit() || "-.".contains(c);
     let mut found = Vec::new();
@@ -276,7 +278,7 @@ fn a_scene_with_one_number_at_the_end_of_its_range_has_answers_or_errors() {
     assert!(simulated * every > 200 && wrong > 0, "{simulated} simulated, {wrong} refused");
 }
 
-/// A square of two triangles, as PLY: text, and bytes in both orders.
+/// Returns a square of two triangles, as PLY: text, and binary in both byte orders.
 fn squares() -> [Vec<u8>; 3] {
     let head = |format: &str| {
         format!(

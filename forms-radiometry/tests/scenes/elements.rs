@@ -1,5 +1,5 @@
-//! Everything that a scene file may say comes to the model as it was said; and what is not simulated yet is
-//! refused with its place, by the solvers and not by the reader.
+//! Every element of a scene file is read into the model unchanged. Elements that are not simulated
+//! yet are refused with their place, by the solvers and not by the reader.
 
 use crate::{EVERYTHING, scene, shown};
 use forms_radiometry::geometry::{Disk, Sphere, Vector};
@@ -122,14 +122,14 @@ fn every_element_knows_where_it_was_said() {
     assert_eq!(line(&scene.receivers[4].place), Some(90));
 }
 
-/// What is not simulated, each with its line.
+/// Elements that are not simulated, each with its line.
 const REFUSED: &[(usize, &str)] =
     &[(47, "light of a point or from far away that the curved surface `ball` turns is not simulated yet")];
 
-/// The lines of what is not in pictures.
+/// Lines of the elements that pictures do not support.
 const NOT_PICTURED: &[usize] = &[22, 26, 30, 43, 47, 51, 56, 61, 94, 94, 101];
 
-/// Effects as a file may force them.
+/// Effects as a file can force them.
 const FORCED: &[&str] = &[
     "direct = \"on\", occlusion = \"on\", bands = \"on\", mirror = \"on\", scattering = 2",
     "mirror = \"off\", absorption = \"off\", refraction = \"off\", dispersion = \"off\", time = \"off\"",

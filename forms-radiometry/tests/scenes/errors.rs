@@ -1,4 +1,4 @@
-//! What is wrong with a scene file is said, all of it, with its place.
+//! All errors of a scene file are reported, with their places.
 
 use crate::{EVERYTHING, check_each, errors};
 use forms_radiometry::scene;
@@ -18,7 +18,7 @@ fn an_error_names_the_file_and_the_place_quotes_the_line_and_says_what_was_expec
     assert_eq!(found[0].to_string(), shown);
 }
 
-/// What is replaced in the scene, by what, and the message that follows.
+/// Text that is replaced in the scene, its replacement, and the message that follows.
 const OF_THE_SCENE: &[(&str, &str, &str)] = &[
     ("unit = \"m\"", "unit = \"km\"", "the unit `km` is unknown"),
     ("unit = \"m\"", "unti = \"m\"", "unknown key `unti` in a scene"),
@@ -41,7 +41,7 @@ const OF_THE_SCENE: &[(&str, &str, &str)] = &[
     ("[ambient]", "[[ambient]]", "`ambient` is not a table"),
 ];
 
-/// Media, materials and lights.
+/// The same for media, materials and lights.
 const OF_OPTICS: &[(&str, &str, &str)] = &[
     ("sigma_a = 0.1", "sigma_a = -0.1", "`sigma_a` is out of range"),
     ("sigma_a = 0.1", "sigma = 0.1", "unknown key `sigma` in a medium"),
@@ -76,7 +76,7 @@ const OF_OPTICS: &[(&str, &str, &str)] = &[
     ("[1000, 900]", "[1000, \"bright\"]", "`irradiance` is of the wrong kind: found a value of type string"),
 ];
 
-/// Surfaces.
+/// The same for surfaces.
 const OF_SHAPES: &[(&str, &str, &str)] = &[
     ("material = \"white\"", "material = \"wite\"", "no material is named `wite`"),
     ("radiance = [0.5, 1]", "radiance = -1", "`radiance` is out of range"),
@@ -117,7 +117,7 @@ const OF_SHAPES: &[(&str, &str, &str)] = &[
     ("name = \"lid\"", "name = \"ball\"", "the surface `ball` has the name of an earlier one, in line 45"),
 ];
 
-/// What is asked for.
+/// The same for receivers.
 const OF_RECEIVERS: &[(&str, &str, &str)] = &[
     ("normal = [0, 0, -2]", "normal = [0, 0, 0]", "`normal` has length zero"),
     (

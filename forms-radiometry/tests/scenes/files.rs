@@ -4,7 +4,7 @@ use crate::{EVERYTHING, PART_OBJ, mitsuba};
 use forms_radiometry::scene::{Scene, SceneError, Shape, open};
 use std::path::{Path, PathBuf};
 
-/// A folder of its own with these files.
+/// Creates a folder of its own with these files.
 fn folder(name: &str, files: &[(&str, &[u8])]) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).unwrap();

@@ -1,5 +1,5 @@
-//! Scenes: what is read of each format, and what is said of what is wrong. Here a scene with one of everything that
-//! the format has, and what the tests share.
+//! Scenes: how each format is read, and how its errors are reported. This module has a scene with
+//! one of everything in the format, and the helpers shared by the tests.
 
 mod damaged;
 mod elements;
@@ -17,7 +17,7 @@ mod subsurfaces;
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::io;
 
-/// One of everything, so that each test can spoil a part of it.
+/// One of everything, so that each test can damage a part of it.
 pub(crate) const EVERYTHING: &str = r#"
 name = "Box"
 unit = "m"
@@ -134,7 +134,7 @@ f 2 3 4
 f 3 1 4
 ";
 
-/// The files that scenes of the tests may name.
+/// Returns the files that scenes of the tests can name.
 pub(crate) fn files(name: &str) -> io::Result<Vec<u8>> {
     match name {
         "part.obj" => Ok(PART_OBJ.into()),
@@ -146,12 +146,12 @@ pub(crate) fn read(text: &str, name: &str) -> Result<Scene, Vec<SceneError>> {
     read_with_files(text, name, &files)
 }
 
-/// The scene of a text that is right.
+/// Reads the scene of a valid text.
 pub(crate) fn scene(text: &str, name: &str) -> Scene {
     read(text, name).unwrap_or_else(|errors| panic!("{}", shown(&errors)))
 }
 
-/// The errors of a text that is wrong.
+/// Returns the errors of an invalid text.
 pub(crate) fn errors(text: &str, name: &str) -> Vec<SceneError> {
     read(text, name).map(|_| ()).expect_err("the scene has an error")
 }
@@ -160,7 +160,8 @@ pub(crate) fn shown(errors: &[SceneError]) -> String {
     errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// Checks that each replacement in a text leads to one error, in the lines of the replacement or up to so many before.
+/// Checks that each replacement in a text leads to one error, in the lines of the replacement or in
+/// up to `before` lines before it.
 pub(crate) fn check_each(text: &str, name: &str, cases: &[(&str, &str, &str)], before: usize) {
     let mut wrong = Vec::new();
     for &(from, to, message) in cases {

@@ -1,13 +1,15 @@
-//! A medium that is entered through the surfaces of a scene is left through them too, and fills a space that nothing
-//! else fills. What is meant by that is told here by bodies, and by the same bodies spoilt.
+//! A medium that is entered through the surfaces of a scene is left through them too, and fills a
+//! space that no other medium fills. These tests define the rule by bodies, and by the same bodies
+//! with defects.
 
 use crate::{errors, read, shown};
 use forms_radiometry::geometry::Vector;
 
-/// A list of polygons, with the material of each.
+/// List of polygons, with the material of each.
 pub(crate) type Body = Vec<(String, &'static str, Vec<Vector>)>;
 
-/// The faces of a box, counter-clockwise seen from outside: bottom, top, front, back, left, right.
+/// Returns the faces of a box, counter-clockwise seen from outside: bottom, top, front, back, left,
+/// right.
 fn cuboid(name: &str, material: &'static str, low: [f64; 3], high: [f64; 3]) -> Body {
     let corner = |i: usize| {
         let at = |axis: usize| if i >> axis & 1 == 1 { high[axis] } else { low[axis] };
@@ -23,7 +25,7 @@ fn reversed(mut body: Body) -> Body {
     body
 }
 
-/// A scene of the bodies, and of what else is said.
+/// Returns a scene of the bodies, followed by the rest of its text.
 pub(crate) fn text(bodies: &[Body], rest: &str) -> String {
     let mut text = String::from(
         "[[medium]]\nname = \"glass\"\nn = 1.5\n[[medium]]\nname = \"water\"\nn = 1.33\n\
@@ -92,7 +94,8 @@ fn bodies_may_lie_in_each_other() {
     check("a hollow ball", &[], &shell);
 }
 
-/// Water up to z = 0.5 in a glass: walls from x = 0 to 1, water between 0.25 and 0.75, open at the top.
+/// Returns water up to z = 0.5 in a glass: walls from x = 0 to 1, water between 0.25 and 0.75, open
+/// at the top.
 pub(crate) fn glass_of_water() -> Vec<Body> {
     let corners = |x: [f64; 2], y: [f64; 2], z: f64| {
         [[x[0], y[0], z], [x[1], y[0], z], [x[1], y[1], z], [x[0], y[1], z]]

@@ -1,5 +1,5 @@
-//! Meshes: a mesh that is written and read is the same mesh, in every format; and what is wrong with a file is said
-//! with its place in that file.
+//! Meshes: a mesh that is written and read is the same mesh, in every format; and errors of a file
+//! are reported with their place in that file.
 
 use crate::shown;
 use forms_radiometry::geometry::{Mesh, Vector};
@@ -25,7 +25,7 @@ fn mesh(name: &str, bytes: &[u8]) -> Mesh {
     read(name, bytes).unwrap_or_else(|errors| panic!("{}", shown(&errors)))
 }
 
-/// A cube whose top is four triangles, and whose coordinates have many digits.
+/// Returns a cube whose top is four triangles, and whose coordinates have many digits.
 fn cube() -> Mesh {
     let (low, high) = (std::f64::consts::PI, 1e5 / 3.0);
     let corner = |i: u32| {
@@ -126,7 +126,7 @@ fn a_ply_may_say_more_than_the_shape_in_any_order() {
 
 const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-/// What is replaced in the OBJ file, by what, its place and the message.
+/// Text that is replaced in the OBJ file, its replacement, the place of the error, and the message.
 const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
     ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 values"),
     ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is no number"),
@@ -161,7 +161,7 @@ const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
 const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                    element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-/// The same of the PLY file.
+/// The same for the PLY file.
 const OF_PLY: &[(&str, &str, (usize, usize), &str)] = &[
     ("ply\n", "plx\n", (1, 1), "the file does not begin with `ply`"),
     ("format ascii 1.0", "format ascii 2.0", (2, 1), "this is no line of a PLY header"),
@@ -235,7 +235,7 @@ fn a_file_is_read_once_for_all_surfaces_that_name_it() {
         count.set(count.get() + 1);
         Ok(OBJ.into())
     });
-    // both lie where the other one does, and that is all that is wrong
+    // both lie in the same place, and that is the only error
     let found = found.expect_err("an overlap");
     assert!(found.len() == 1 && found[0].message.starts_with("`other` overlaps `part`"), "{}", shown(&found));
     assert_eq!(count.get(), 1);

@@ -1,4 +1,5 @@
-//! Scenes of Mitsuba 3: each element that can be said comes to the model as it is meant, and each that cannot is named.
+//! Scenes of Mitsuba 3: each element with an equivalent is read into the model as intended, and
+//! each element without one is named.
 
 use crate::{errors, read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
@@ -9,7 +10,7 @@ use forms_radiometry::scene::{
 
 const FILE: &str = "box.xml";
 
-/// One of everything that can be said.
+/// One of every supported element.
 pub(crate) const EVERYTHING: &str = r#"<scene version="3.5.0">
     <default name="width" value="8"/>
     <default name="n" value="1.5"/>
@@ -186,7 +187,7 @@ fn shapes_are_moved_to_where_their_transform_puts_them() {
     assert!((volume(part) + 1.0 / 6.0).abs() < 1e-15, "its faces are turned");
 }
 
-/// The front of a shape with a transform: the normal of Mitsuba goes with the inverse transpose.
+/// Front of a shape with a transform: Mitsuba transforms the normal by the inverse transpose.
 #[test]
 fn a_reflection_keeps_the_front_of_a_rectangle_and_flip_normals_turns_it() {
     let front = |transform: &str, flip: &str| {

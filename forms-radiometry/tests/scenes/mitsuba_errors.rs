@@ -1,11 +1,11 @@
-//! What a scene of Mitsuba 3 says and this library cannot is named with its line.
+//! Elements of a Mitsuba 3 scene without an equivalent in this library are named with their line.
 
 use crate::mitsuba::EVERYTHING;
 use crate::{check_each, errors};
 
 const FILE: &str = "box.xml";
 
-/// What is replaced, by what, and the message that follows.
+/// Text that is replaced, its replacement, and the message that follows.
 const CASES: &[(&str, &str, &str)] = &[
     ("version=\"3.5.0\"", "version=\"2.0.0\"", "the scene is of version `2.0.0`"),
     (
@@ -176,7 +176,7 @@ const CASES: &[(&str, &str, &str)] = &[
 
 #[test]
 fn what_cannot_be_said_is_named_with_its_line() {
-    // What is missing from an element, or wrong with it as a whole, is told at its head.
+    // An element that lacks something, or is wrong as a whole, is reported at its head.
     check_each(EVERYTHING, FILE, CASES, 6);
 }
 

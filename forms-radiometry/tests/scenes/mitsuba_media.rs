@@ -1,4 +1,5 @@
-//! Media of Mitsuba 3: what boundaries and sensors say of them is compared with the regions of space.
+//! Media of Mitsuba 3: the media that boundaries and sensors declare are compared with the regions
+//! of space.
 
 use crate::mitsuba::EVERYTHING;
 use crate::{check_each, errors, scene};

@@ -1,12 +1,13 @@
-//! Surfaces in one plane that get light from the same side are reported with both names, unless one lies `on` the other.
+//! Surfaces in one plane that get light from the same side are reported with both names, unless one
+//! lies `on` the other.
 
 use crate::{files, shown};
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 
-/// A surface of a scene: its name, its material, and the line of its shape with lines of more keys.
+/// Surface of a scene: its name, its material, and the line of its shape with lines of more keys.
 pub(crate) type Surface = (&'static str, &'static str, String);
 
-/// A message and an expectation.
+/// Message and expectation.
 type Problem = (String, String);
 
 /// A window in a wall of 4 by 3.
@@ -17,7 +18,7 @@ pub(crate) fn grey(name: &'static str, shape: impl Into<String>) -> Surface {
     (name, "grey", shape.into())
 }
 
-/// A square of this side in the plane z = 0 that looks up, with a corner at x, 0.
+/// Returns a square of this side in the plane z = 0 that faces up, with a corner at x, 0.
 fn square(x: f64, side: f64) -> String {
     let far = x + side;
     format!("polygon = [[{x:?},0,0], [{far:?},0,0], [{far:?},{side:?},0], [{x:?},{side:?},0]]")
@@ -47,7 +48,8 @@ pub(crate) fn scene(name: &str, surfaces: &[Surface]) -> Scene {
     read(surfaces).unwrap_or_else(|errors| panic!("{name}: {}", shown(&errors)))
 }
 
-/// Checks that the surfaces of a case are read, or that this message, with this expectation, is all that is wrong.
+/// Checks that the surfaces of a case are read without error, or that this message, with this
+/// expectation, is the only error.
 pub(crate) fn check(name: &str, surfaces: &[Surface], expected: Option<(&str, &str)>) {
     let found = read(surfaces).map_or_else(|errors| errors, |_| Vec::new());
     let problems: Vec<(&str, &str)> = found.iter().map(|error| (&*error.message, &*error.expected)).collect();

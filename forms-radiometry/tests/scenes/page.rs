@@ -1,18 +1,18 @@
-//! What the page on scenes shows is what is read, and what is said of it.
+//! The page on scenes shows valid scenes, and quotes the messages of invalid ones.
 //!
 //! ```text
-//! docs/scenes.md ─ fenced blocks ─┬─ toml, xml                       a scene without errors
-//!                                 ├─ toml,error xml,error …          exactly the errors quoted in the next block
-//!                                 └─ toml,refused                    exactly what is not simulated, likewise
+//! docs/scenes.md ─ fenced blocks ─┬─ toml, xml                a scene without errors
+//!                                 ├─ toml,error xml,error …   exactly the errors in the next block
+//!                                 └─ toml,refused             exactly the unsupported ones there
 //! ```
-//! With `FORMS_WRITE=1` quoted messages are written anew.
+//! With `FORMS_WRITE=1` quoted messages are rewritten.
 
 use crate::{files, shown};
 use forms_radiometry::scene::{SceneError, not_simulated, read_with_files};
 
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/scenes.md");
 
-/// A scene that names a mesh.
+/// Returns a scene that names a mesh.
 fn scene_of(mesh: &str) -> String {
     format!(
         "[[material]]\nname = \"white\"\nkind = \"diffuse\"\nreflectance = 0.5\n[[surface]]\nname = \"part\"\n\
@@ -20,7 +20,7 @@ fn scene_of(mesh: &str) -> String {
     )
 }
 
-/// What is said of a block of some kind.
+/// Returns the errors of a block of some kind.
 fn said(kind: &str, text: &str) -> Option<Vec<SceneError>> {
     let read = |text: &str, name: &str| read_with_files(text, name, &files);
     let mesh = |name: &str| read_with_files(&scene_of(name), "scene.toml", &|_| Ok(text.into()));
@@ -38,7 +38,7 @@ fn said(kind: &str, text: &str) -> Option<Vec<SceneError>> {
     })
 }
 
-/// The blocks of a page: what stands behind the fence, and the text.
+/// Returns the blocks of a page: the info string of the fence, and the text.
 fn blocks(page: &str) -> Vec<(&str, &str)> {
     let fenced = page.split("```").skip(1).step_by(2);
     fenced.map(|block| block.split_once('\n').expect("a block begins with a line of its own")).collect()

@@ -1,11 +1,12 @@
-//! A surface lies `on` another one only where it can replace a part of it, and the other one is its remainder then.
+//! A surface can lie `on` another one only where it can replace a part of it; the other surface is
+//! then the remainder.
 
 use crate::overlaps::{Surface, WALL, WINDOW, check, grey, read, scene};
 use crate::shown;
 use forms_radiometry::geometry::Polygon;
 use forms_radiometry::scene::{Scene, Shape};
 
-/// The area of a surface.
+/// Returns the area of a surface.
 fn area(scene: &Scene, name: &str) -> f64 {
     let surface = scene.surfaces.iter().find(|surface| surface.name == name).expect("a surface");
     match &surface.shape {
@@ -206,7 +207,7 @@ fn an_error_of_on_stands_where_the_key_does() {
 
 #[test]
 fn a_window_is_a_part_of_the_wall_around_a_medium() {
-    // a box of glass behind opaque walls, into which one window looks
+    // a box of glass behind opaque walls with one window
     let faces: [(&str, [[f64; 3]; 4]); 6] = [
         ("below", [[0., 0., 0.], [0., 3., 0.], [4., 3., 0.], [4., 0., 0.]]),
         ("above", [[0., 0., 3.], [4., 0., 3.], [4., 3., 3.], [0., 3., 3.]]),

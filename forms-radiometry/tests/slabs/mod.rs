@@ -1,15 +1,17 @@
-//! Slabs: a rectangle and convex polygons that cover parts of it become trapezoids of what is left, and so every integral over that.
+//! Slabs: a rectangle that convex polygons partly cover becomes the trapezoids of its uncovered
+//! part, so every integral over that part can be evaluated.
 //!
-//! Between neighbouring places of x, at corners and crossings of edges, the edges keep their order: what is left of a slab there are
-//! trapezoids between two of them. It is no clipping of polygons, and so an independent judge of one.
+//! Between neighbouring values of x, at corners and crossings of edges, the edges keep their order:
+//! the uncovered part of a slab there consists of trapezoids between two edges. The method does not
+//! clip polygons, so it checks polygon clipping independently.
 
-/// A point of the plane.
+/// Point of the plane.
 pub(crate) type Point = [f64; 2];
 
-/// The corners of a trapezoid, counter-clockwise.
+/// Corners of a trapezoid, counter-clockwise.
 pub(crate) type Trapezoid = [Point; 4];
 
-/// What is left of the rectangle between two corners without some convex polygons.
+/// Returns the part of the rectangle between two corners that some convex polygons do not cover.
 pub(crate) fn uncovered([low, high]: [Point; 2], covers: &[Vec<Point>]) -> Vec<Trapezoid> {
     let places = places([low, high], covers);
     let mut left = Vec::new();
@@ -42,12 +44,12 @@ pub(crate) fn uncovered([low, high]: [Point; 2], covers: &[Vec<Point>]) -> Vec<T
     left
 }
 
-/// The area of trapezoids.
+/// Returns the area of trapezoids.
 pub(crate) fn area(trapezoids: &[Trapezoid]) -> f64 {
     trapezoids.iter().map(|[a, b, c, d]| 0.5 * (b[0] - a[0]) * ((d[1] - a[1]) + (c[1] - b[1]))).sum()
 }
 
-/// Where corners are and edges cross, in order, within the rectangle.
+/// Returns the values of x at corners and crossings of edges, in order, within the rectangle.
 fn places([low, high]: [Point; 2], covers: &[Vec<Point>]) -> Vec<f64> {
     let rectangle = vec![low, [high[0], low[1]], high, [low[0], high[1]]];
     let all: Vec<[Point; 2]> = covers.iter().chain([&rectangle]).flat_map(|cover| edges(cover)).collect();
@@ -64,7 +66,7 @@ fn edges(polygon: &[Point]) -> Vec<[Point; 2]> {
     (0..polygon.len()).map(|i| [polygon[i], polygon[(i + 1) % polygon.len()]]).collect()
 }
 
-/// Where two lines through edges cross.
+/// Returns the value of x at which the lines through two edges cross.
 fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<f64> {
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
     let turn = u[0] * v[1] - u[1] * v[0];
@@ -72,12 +74,13 @@ fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<f64> {
     (turn != 0.0).then(|| a[0] + along * u[0]).filter(|x| x.is_finite())
 }
 
-/// The height of an edge at a place.
+/// Returns the height of an edge at a value of x.
 fn at([a, b]: [Point; 2], x: f64) -> f64 {
     a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1])
 }
 
-/// The lower and the upper edge of a convex polygon at a place, if it is there.
+/// Returns the lower and the upper edge of a convex polygon at a value of x, if the polygon extends
+/// there.
 fn span(polygon: &[Point], x: f64) -> Option<[[Point; 2]; 2]> {
     let is_there = |[a, b]: &[Point; 2]| (a[0] < x) != (b[0] < x);
     let found: Vec<[Point; 2]> = edges(polygon).into_iter().filter(is_there).collect();

@@ -1,4 +1,4 @@
-//! The same kernels as other generators emit them, by `generate.py`.
+//! The same kernels emitted by other generators, written by `generate.py`.
 
 #[rustfmt::skip]
 #[allow(clippy::all, non_snake_case, unused_parens, unreachable_pub, missing_docs)]

@@ -1,20 +1,20 @@
-//! From a formula of vectors to functions over slices, and the choice between them when the program runs.
+//! Turns a formula of vectors into functions over slices, and selects one of them at run time.
 
-/// What the processor has, from less to more.
+/// Instruction sets of processors, in increasing order.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) enum InstructionSet {
-    /// That of every processor this is compiled for.
+    /// The instruction set of every processor this is compiled for.
     Baseline,
     /// AVX2 and fused multiply-add.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// AVX-512, foundation and what goes with it.
+    /// AVX-512: the foundation and its companion extensions.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
 
 impl InstructionSet {
-    /// Those of this processor.
+    /// Returns the instruction sets of this processor.
     pub(crate) fn all() -> &'static [Self] {
         #[cfg(target_arch = "x86_64")]
         {
@@ -30,7 +30,7 @@ impl InstructionSet {
         &[Self::Baseline]
     }
 
-    /// As people call it.
+    /// Returns its usual name.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Baseline => "baseline instructions",
@@ -41,14 +41,15 @@ impl InstructionSet {
         }
     }
 
-    /// The last of them.
+    /// Returns the largest instruction set of this processor.
     pub(crate) fn detected() -> Self {
         Self::all().last().copied().unwrap_or(Self::Baseline)
     }
 }
 
-/// The functions over columns of a formula of that many arguments, `fn value<V: Vector>(arguments: [V; N]) -> V`: one
-/// for each instruction set, and one that takes what the processor has.
+/// Defines the functions over columns of a formula of that many arguments, `fn value<V:
+/// Vector>(arguments: [V; N]) -> V`: one for each instruction set, and one that takes the
+/// instruction set as an argument.
 macro_rules! batch {
     ($module:ident, $arguments:literal, $value:path) => {
         pub(crate) mod $module {
@@ -76,7 +77,7 @@ macro_rules! batch {
                     rest[..count - whole].copy_from_slice(&column[whole..]);
                 }
                 let mut values = [0.0; 8];
-                // SAFETY: eight are as many as a vector ever has.
+                // SAFETY: no vector has more than eight lanes.
                 unsafe {
                     $value(std::array::from_fn(|i| V::load(rest[i].as_ptr()))).store(values.as_mut_ptr())
                 };
@@ -99,7 +100,8 @@ macro_rules! batch {
                 over::<crate::expert::vector::F64x8>(columns, out);
             }
 
-            /// With the registers of that instruction set, which the processor must have.
+            /// Evaluates the columns with the registers of that instruction set, which the
+            /// processor must have.
             pub(crate) fn with(set: InstructionSet, columns: &[&[f64]; $arguments], out: &mut [f64]) {
                 assert!(set <= InstructionSet::detected());
                 match set {

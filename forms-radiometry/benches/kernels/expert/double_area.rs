@@ -1,6 +1,7 @@
-//! The integrand of the form factor between two surfaces, over both of their areas: cos θ₁ cos θ₂/(π r²) of two
-//! points with unit normals (Howell, Mengüç, Daun and Siegel, Thermal Radiation Heat Transfer, chapter 4). With
-//! d = y − x it is −(n·d)(m·d)/(π (d·d)²), which needs no root.
+//! The integrand of the form factor between two surfaces, over both of their areas: cos θ₁ cos
+//! θ₂/(π r²) of two points with unit normals (Howell, Mengüç, Daun and Siegel, Thermal Radiation
+//! Heat Transfer, chapter 4). With d = y − x it is −(n·d)(m·d)/(π (d·d)²), which needs no square
+//! root.
 
 use super::vector::Vector;
 use super::{batch, difference, dot};

@@ -1,9 +1,9 @@
-//! Functions in registers: argument reduction and a polynomial, without branches. The polynomials come from
-//! `coefficients.py`.
+//! Elementary functions of vector registers: argument reduction and a polynomial, without branches.
+//! The polynomials come from `coefficients.py`.
 
 use super::vector::Vector;
 
-/// Stands for zero below a fraction bar; its square is no zero.
+/// Replacement for a zero denominator; its square does not underflow to zero.
 pub(crate) const LEAST: f64 = 1e-150;
 
 /// (eʳ − 1 − r)/r² for |r| ≤ ln(2)/2. Relative error of eʳ − 1 below 0.0044 · 2⁻⁵³.
@@ -21,7 +21,8 @@ const EXPONENTIAL: [f64; 11] = [
     2.091467944897855e-09,
 ];
 
-/// (atan(t)/t − 1)/t² by t², for |t| ≤ tan(π/8). Relative error of atan below 0.049 · 2⁻⁵³.
+/// (atan(t)/t − 1)/t² as a polynomial in t², for |t| ≤ tan(π/8). Relative error of atan below 0.049
+/// · 2⁻⁵³.
 const ARC_TANGENT: [f64; 11] = [
     -0.3333333333333333,
     0.1999999999999552,
@@ -36,14 +37,15 @@ const ARC_TANGENT: [f64; 11] = [
     -0.019176872981101354,
 ];
 
-/// ln 2 = high + low; a whole number of three figures times the first has no rounding.
+/// ln 2 = high + low. The product of the high part and an integer k, |k| ≤ 1022, is exact.
 const LN_2_HIGH: f64 = 0.6931471803691238;
 const LN_2_LOW: f64 = 1.9082149292705877e-10;
 
 /// tan(π/8)
 const STEEP: f64 = std::f64::consts::SQRT_2 - 1.0;
 
-/// By Horner's rule: enough of the loop's next turns overlap for its latency not to count.
+/// Evaluates a polynomial by Horner's rule. Consecutive iterations of the loop over columns
+/// overlap, which hides its latency.
 #[inline(always)]
 fn polynomial<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut value = V::splat(coefficients[N - 1]);
@@ -53,7 +55,8 @@ fn polynomial<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     value
 }
 
-/// eˣ and eˣ − 1. With x = k ln 2 + r (Cody and Waite) and q = eʳ − 1 they are 2ᵏ(1 + q) and 2ᵏq + (2ᵏ − 1).
+/// Returns eˣ and eˣ − 1. With x = k ln 2 + r (Cody and Waite) and q = eʳ − 1 they are 2ᵏ(1 + q)
+/// and 2ᵏq + (2ᵏ − 1).
 #[inline(always)]
 pub(crate) fn exp_and_exp_m1<V: Vector>(
     x: V,
@@ -68,8 +71,9 @@ pub(crate) fn exp_and_exp_m1<V: Vector>(
     (scale.mul_add(q, scale), scale.mul_add(q, scale - V::splat(1.0)))
 }
 
-/// The angle of (larger, smaller) in the first octant, 0 ≤ smaller ≤ larger, as offset + t(1 + t²P(t²)) with
-/// t = numerator/denominator and |t| ≤ tan(π/8): above that, the angle from the diagonal.
+/// Angle of (larger, smaller) in the first octant, 0 ≤ smaller ≤ larger, as offset + t(1 + t²P(t²))
+/// with t = numerator/denominator and |t| ≤ tan(π/8). Steeper points are measured from the
+/// diagonal.
 struct Octant<V> {
     offset: V,
     numerator: V,
@@ -94,14 +98,14 @@ impl<V: Vector> Octant<V> {
     }
 }
 
-/// The angle in [0, π] of the point (x, y) with y ≥ 0, from its angle in the first octant.
+/// Returns the angle in [0, π] of the point (x, y) with y ≥ 0, from its angle in the first octant.
 #[inline(always)]
 fn unfolded<V: Vector>(octant: V, y: V, x: V) -> V {
     let quadrant = V::if_less(x.abs(), y, V::splat(std::f64::consts::FRAC_PI_2) - octant, octant);
     V::if_less(x, V::splat(0.0), V::splat(std::f64::consts::PI) - quadrant, quadrant)
 }
 
-/// The angle of the point (x, y).
+/// Returns the angle of the point (x, y).
 #[inline(always)]
 pub(crate) fn atan2<V: Vector>(y: V, x: V) -> V {
     let (width, height) = (x.abs(), y.abs());
@@ -110,7 +114,8 @@ pub(crate) fn atan2<V: Vector>(y: V, x: V) -> V {
     unfolded(angle, height, x).copysign(y)
 }
 
-/// γ/s with γ the angle of the point (x, s), s ≥ 0. The quotient in γ and that by s share one division.
+/// Returns γ/s with γ the angle of the point (x, s), s ≥ 0. The quotient t in γ and the quotient by
+/// s share one division.
 #[inline(always)]
 pub(crate) fn angle_over_sine<V: Vector>(s: V, x: V) -> V {
     let (width, s) = (x.abs(), s.max(V::splat(LEAST)));

@@ -1,20 +1,22 @@
-//! The form factor of a rectangle at a point with a normal, by J. H. Lambert's formula (Photometria, 1760): with the
-//! corners r₀ … r₃ seen from the point, F = |Σᵢ γᵢ n·(rᵢ × rᵢ₊₁)/|rᵢ × rᵢ₊₁||/(2π|n|), γᵢ the angle the edge subtends.
+//! The form factor of a rectangle at a point with a normal, by J. H. Lambert's formula
+//! (Photometria, 1760): with the corners r₀ … r₃ seen from the point, F = |Σᵢ γᵢ n·(rᵢ × rᵢ₊₁)/|rᵢ
+//! × rᵢ₊₁||/(2π|n|), where γᵢ is the angle that the edge subtends.
 //!
-//! Clipped, only what stands above the horizon counts. Directions are enough, so an edge from a above it to b below ends
-//! in the direction |n·a| b + |n·b| a, without a division; one more edge, along the horizon, closes the polygon.
+//! In the clipped version only the part above the horizon counts. Directions suffice: an edge from
+//! a above the horizon to b below it ends in the direction |n·a| b + |n·b| a, without a division.
+//! One more edge, along the horizon, closes the polygon.
 
 use super::vector::Vector;
 use super::{batch, cross, difference, dot};
 
-/// What an edge adds to 2π|n|F: n·(a × b)/|a × b| times the angle from a to b.
+/// Returns the contribution of an edge to 2π|n|F: n·(a × b)/|a × b| times the angle from a to b.
 #[inline(always)]
 fn edge<V: Vector>(normal: [V; 3], a: [V; 3], b: [V; 3]) -> V {
     let across = cross(a, b);
     dot(normal, across) * dot(across, across).sqrt().angle_over_sine(dot(a, b))
 }
 
-/// The corners o, o + u, o + u + v, o + v as seen from p, and the normal.
+/// Returns the normal, and the corners o, o + u, o + u + v, o + v as seen from p.
 #[inline(always)]
 fn corners<V: Vector>(arguments: [V; 15]) -> ([V; 3], [[V; 3]; 4]) {
     let [px, py, pz, nx, ny, nz, ox, oy, oz, ux, uy, uz, vx, vy, vz] = arguments;
@@ -28,7 +30,8 @@ fn form_factor<V: Vector>(normal: [V; 3], sum: V) -> V {
     sum.abs() / (V::splat(2.0 * std::f64::consts::PI) * dot(normal, normal).sqrt())
 }
 
-/// A rectangle that the horizon does not cut. Columns: p, n, o, u, v, three coordinates each.
+/// Returns the form factor of a rectangle that the horizon does not cut. Columns: p, n, o, u, v,
+/// three coordinates each.
 #[inline(always)]
 fn above<V: Vector>(arguments: [V; 15]) -> V {
     let (normal, [a, b, c, d]) = corners(arguments);
@@ -36,7 +39,7 @@ fn above<V: Vector>(arguments: [V; 15]) -> V {
     form_factor(normal, sum)
 }
 
-/// `then` where left < right, else `otherwise`.
+/// Returns `then` where left < right, else `otherwise`.
 #[inline(always)]
 fn either<V: Vector>(left: V, right: V, then: [V; 3], otherwise: [V; 3]) -> [V; 3] {
     [
@@ -46,18 +49,18 @@ fn either<V: Vector>(left: V, right: V, then: [V; 3], otherwise: [V; 3]) -> [V; 
     ]
 }
 
-/// What stands above the horizon of the edges gone through so far.
+/// Part above the horizon of the edges processed so far.
 struct Clipped<V> {
     normal: [V; 3],
     sum: V,
-    /// Where the outline rises above the horizon.
+    /// Direction in which the outline rises above the horizon.
     enters: [V; 3],
-    /// Where it goes below.
+    /// Direction in which it falls below the horizon.
     leaves: [V; 3],
 }
 
 impl<V: Vector> Clipped<V> {
-    /// With one edge more, from a to b.
+    /// Adds the edge from a to b.
     #[inline(always)]
     fn with(self, a: [V; 3], b: [V; 3]) -> Self {
         let zero = V::splat(0.0);
@@ -78,7 +81,7 @@ impl<V: Vector> Clipped<V> {
     }
 }
 
-/// Any rectangle. Columns as above.
+/// Returns the form factor of any rectangle. Columns as above.
 #[inline(always)]
 fn clipped<V: Vector>(arguments: [V; 15]) -> V {
     let (normal, [a, b, c, d]) = corners(arguments);

@@ -1,6 +1,7 @@
-//! The density of visible normals of the GGX distribution: E. Heitz, Sampling the GGX Distribution of Visible Normals,
-//! JCGT 7 (2018). With D(h) = α²/(π (h_x² + h_y² + α² h_z²)²) of unit h and
-//! G₁(w) = 2 w_z/(w_z + √(w_z² + α²(w_x² + w_y²))) it is G₁(w) max(0, w·h) D(h)/w_z; w_z cancels, and one division is left.
+//! The density of visible normals of the GGX distribution: E. Heitz, Sampling the GGX Distribution
+//! of Visible Normals, JCGT 7 (2018). With D(h) = α²/(π (h_x² + h_y² + α² h_z²)²) for a unit vector
+//! h and G₁(w) = 2 w_z/(w_z + √(w_z² + α²(w_x² + w_y²))) it is G₁(w) max(0, w·h) D(h)/w_z; w_z
+//! cancels, and one division remains.
 
 use super::vector::Vector;
 use super::{batch, dot};

@@ -1,7 +1,8 @@
-//! The phase function of L. G. Henyey and J. L. Greenstein, Diffuse Radiation in the Galaxy (1941), with the mean cosine
-//! g: (1 − g²)/(4π (1 + g² − 2g cos θ)^(3/2)), and its inversion. With s = 2u − 1 and q = 1 + gs the latter is usually
-//! written (1 + g² − ((1 − g²)/q)²)/(2g); divided by g as polynomials it is
-//! (s(1 + g²) + g(s² + 3 + g²(s² − 1))/2)/q², which has no singularity at g = 0 and one division.
+//! The phase function of L. G. Henyey and J. L. Greenstein, Diffuse Radiation in the Galaxy (1941),
+//! with the mean cosine g: (1 − g²)/(4π (1 + g² − 2g cos θ)^(3/2)), and its inversion. With s = 2u
+//! − 1 and q = 1 + gs the inversion is usually written (1 + g² − ((1 − g²)/q)²)/(2g). Divided by g
+//! as polynomials it is (s(1 + g²) + g(s² + 3 + g²(s² − 1))/2)/q², which has no singularity at g =
+//! 0 and one division.
 
 use super::batch;
 use super::vector::Vector;

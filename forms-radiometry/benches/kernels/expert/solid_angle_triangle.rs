@@ -1,7 +1,7 @@
-//! The solid angle of a triangle, by A. van Oosterom and J. Strackee, The Solid Angle of a Plane Triangle, IEEE
-//! Transactions on Biomedical Engineering 30 (1983): with a, b, c seen from p and a, b, c their lengths,
-//! tan(Ω/2) = a·(b × c)/(abc + (a·b)c + (b·c)a + (c·a)b). The numerator is a·((b − a) × (c − a)), from differences of
-//! the corners.
+//! The solid angle of a triangle, by A. van Oosterom and J. Strackee, The Solid Angle of a Plane
+//! Triangle, IEEE Transactions on Biomedical Engineering 30 (1983): with a, b, c seen from p, and
+//! with the same letters for their lengths, tan(Ω/2) = a·(b × c)/(abc + (a·b)c + (b·c)a + (c·a)b).
+//! The numerator is a·((b − a) × (c − a)), from differences of the corners.
 
 use super::vector::Vector;
 use super::{batch, cross, difference, dot};

@@ -1,6 +1,6 @@
-//! Radiance behind a homogeneous medium that absorbs and emits: the solution L₀ e^(−σt) + j (1 − e^(−σt))/σ of
-//! dL/dt = −σL + j (Chandrasekhar, Radiative Transfer, §7). One reduction gives the exponential and it less one; at
-//! σt = 0 the emission is jt.
+//! Radiance behind a homogeneous medium that absorbs and emits: the solution L₀ e^(−σt) + j (1 −
+//! e^(−σt))/σ of dL/dt = −σL + j (Chandrasekhar, Radiative Transfer, §7). One argument reduction
+//! gives both the exponential and the exponential minus one. At σt = 0 the emission term is jt.
 
 use super::batch;
 use super::vector::Vector;

@@ -1,7 +1,9 @@
-//! What the competitors are written in: an `f64`, four in a register of AVX2, eight in one of AVX-512.
+//! The vectors that the competitors compute with: one `f64`, four in an AVX2 register, eight in an
+//! AVX-512 register.
 //!
-//! Every operation is one instruction or a few, always inlined into a function that has the instruction set. A value
-//! of a register's type exists within such functions only, which is what each `unsafe` here rests on.
+//! Every operation is one instruction or a few, always inlined into a function that has the
+//! instruction set. A value of a register type exists only within such functions. Each `unsafe`
+//! here rests on this invariant.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -13,41 +15,41 @@ mod avx512;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use {avx2::F64x4, avx512::F64x8};
 
-/// Some `f64`, side by side.
+/// Vector of `f64` lanes.
 pub(crate) trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// How many.
+    /// Number of lanes.
     const LANES: usize;
-    /// The same number in every place.
+    /// Returns the same number in every lane.
     fn splat(value: f64) -> Self;
     /// # Safety
-    /// `LANES` numbers stand at `from`.
+    /// `from` points to `LANES` numbers.
     unsafe fn load(from: *const f64) -> Self;
     /// # Safety
-    /// There is room for `LANES` numbers at `to`.
+    /// `to` points to memory for `LANES` numbers.
     unsafe fn store(self, to: *mut f64);
     /// self · factor + summand
     fn mul_add(self, factor: Self, summand: Self) -> Self;
     fn sqrt(self) -> Self;
     fn abs(self) -> Self;
-    /// The greater of both.
+    /// Returns the greater of both.
     fn max(self, other: Self) -> Self;
-    /// The lesser of both.
+    /// Returns the lesser of both.
     fn min(self, other: Self) -> Self;
-    /// The size of `self` with the sign of `sign`.
+    /// Returns the magnitude of `self` with the sign of `sign`.
     fn copysign(self, sign: Self) -> Self;
-    /// `then` where left < right, else `otherwise`.
+    /// Returns `then` where left < right, else `otherwise`.
     fn if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self;
-    /// eˣ and eˣ − 1 of −708 ≤ x ≤ 708, or x there.
+    /// Returns eˣ and eˣ − 1, with x clamped to −708 ≤ x ≤ 708.
     fn exp_and_exp_m1(self) -> (Self, Self);
-    /// The angle of the point (x, y) with `self` = y.
+    /// Returns the angle of the point (x, y) with y = `self`.
     fn atan2(self, x: Self) -> Self;
-    /// γ/s with γ the angle in [0, π] of the point (x, s), `self` = s ≥ 0.
+    /// Returns γ/s with γ the angle in [0, π] of the point (x, s), where s = `self` ≥ 0.
     fn angle_over_sine(self, x: Self) -> Self;
 }
 
-/// One at a time, by the functions of the system.
+/// One lane, with the functions of the standard library.
 impl Vector for f64 {
     const LANES: usize = 1;
     #[inline(always)]
@@ -64,7 +66,7 @@ impl Vector for f64 {
         // SAFETY: as the caller promises.
         unsafe { *to = self };
     }
-    /// Two roundings: without the instruction one rounding is a call.
+    /// Rounds twice: without the instruction, a single rounding costs a function call.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand

@@ -1,30 +1,30 @@
-//! Instructions of calls, counted by valgrind's callgrind: this program runs itself under it.
+//! Instruction counts of calls, by Valgrind's Callgrind: this program runs itself under it.
 //!
-//! Callgrind counts within [`call`] only, and writes what it has counted each time `call` is left. It shows programs a
-//! processor without AVX-512, so batches choose AVX2.
+//! Callgrind counts only within [`call`], and writes its counts each time `call` returns. It
+//! emulates a processor without AVX-512, so batches choose AVX2.
 
 use std::ffi::OsStr;
 use std::io::{Error, ErrorKind, Result};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Does it, in a function that callgrind finds by its name.
+/// Runs the work in a function that Callgrind finds by its name.
 #[inline(never)]
 pub(crate) fn call(work: &mut dyn FnMut()) {
     work();
 }
 
-/// Whether valgrind is installed.
+/// Whether Valgrind is installed.
 pub(crate) fn is_installed() -> bool {
     let version =
         Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     version.is_ok_and(|status| status.success())
 }
 
-/// The instructions of each `call` of this program when it is started with this argument.
+/// Returns the instructions of each `call` of this program when it is started with this argument.
 ///
 /// # Errors
-/// Where a folder for callgrind's files cannot be made or read, or valgrind fails.
+/// If a directory for Callgrind's files cannot be created or read, or Valgrind fails.
 pub(crate) fn counted(argument: &str) -> Result<Vec<u64>> {
     let folder = std::env::temp_dir().join(format!("forms-instructions-{}", std::process::id()));
     std::fs::create_dir_all(&folder)?;
@@ -47,14 +47,14 @@ fn run(argument: &str, folder: &Path) -> Result<()> {
     if status.success() { Ok(()) } else { Err(Error::other(format!("valgrind ends with {status}"))) }
 }
 
-/// The totals in callgrind's files, which are numbered from 1 on in the order of the calls.
+/// Returns the totals in Callgrind's files, which are numbered from 1 in the order of the calls.
 fn totals(folder: &Path) -> Result<Vec<u64>> {
     let numbered =
         (1..).map(|number| folder.join(format!("counts.{number}"))).take_while(|path| path.exists());
     numbered.map(|path| total(&std::fs::read_to_string(path)?)).collect()
 }
 
-/// The number of the line `totals: 1234`.
+/// Returns the number of the line `totals: 1234`.
 fn total(file: &str) -> Result<u64> {
     let line = file.lines().find_map(|line| line.strip_prefix("totals: "));
     line.and_then(|number| number.trim().parse().ok())

@@ -1,11 +1,12 @@
-//! How many instructions the batch of each kernel takes with AVX2, so that it does not grow unseen.
+//! Instruction counts of the batch of each kernel with AVX2, so that an increase does not go
+//! unnoticed.
 //!
 //! ```text
-//! work ── callgrind ──▶ counts ─┬─▶ compared with counts.csv: a kernel that grew by more than 2 % fails
-//!                               └─▶ counts.csv, written anew
+//! work ─ callgrind ─▶ counts ─┬─▶ compared with counts.csv: fails if a kernel grew by over 2 %
+//!                             └─▶ counts.csv, rewritten
 //! ```
-//! Without valgrind it says that nothing was counted. Counts belong to a compiler: with another than the record’s they are
-//! shown, and not compared.
+//! Without Valgrind it reports that nothing was counted. Counts are valid for one compiler: if the
+//! record is from another compiler, they are shown but not compared.
 
 mod callgrind;
 mod record;
@@ -16,10 +17,10 @@ use std::collections::BTreeMap;
 use std::io::{Error, Result};
 use std::process::{Command, ExitCode};
 
-/// What this program is started with to be counted.
+/// Argument with which this program starts itself under Valgrind.
 const COUNTED: &str = "--counted";
 
-/// Runs what is counted, if this is the program under valgrind.
+/// Runs the counted work if this process is the one under Valgrind, and returns whether it is.
 pub(crate) fn is_counted() -> bool {
     let counted = std::env::args().any(|argument| argument == COUNTED);
     if counted {
@@ -28,10 +29,10 @@ pub(crate) fn is_counted() -> bool {
     counted
 }
 
-/// Counts, and compares with the record or writes it anew.
+/// Counts instructions, and compares them with the record or rewrites it.
 ///
 /// # Errors
-/// Where valgrind fails or the record cannot be read or written.
+/// If Valgrind fails, or the record cannot be read or written.
 pub(crate) fn check(writes: bool) -> Result<ExitCode> {
     if !callgrind::is_installed() {
         println!("valgrind is not installed: no instructions were counted, so none were checked");
@@ -67,7 +68,7 @@ fn compare(record: &Record, counts: BTreeMap<String, u64>) -> ExitCode {
     ExitCode::FAILURE
 }
 
-/// The compiler, by its own words.
+/// Returns the compiler's own name and version.
 fn compiler() -> String {
     let output = Command::new("rustc").arg("--version").output();
     output.map_or_else(

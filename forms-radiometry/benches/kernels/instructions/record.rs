@@ -1,27 +1,30 @@
-//! The committed file of counts, a line `kernel,instructions` each after the compiler they were counted with.
+//! The committed file of counts: the compiler that they were counted with, then one line
+//! `kernel,instructions` each.
 
 use std::collections::BTreeMap;
 use std::io::{Error, ErrorKind, Result};
 use std::path::PathBuf;
 
-/// What a count may grow by, as a part of it.
+/// Growth of a count that is still accepted, relative to it.
 const GROWTH: f64 = 0.02;
 
-/// Counts by kernel, and the compiler that made the code.
+/// Counts by kernel, and the compiler that generated the machine code.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Record {
     pub(crate) compiler: String,
     pub(crate) counts: BTreeMap<String, u64>,
 }
 
-/// Where it is kept.
+/// Returns the path of the record.
 pub(crate) fn path() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("benches/kernels/instructions/counts.csv")
 }
 
 impl Record {
+    /// Reads a record.
+    ///
     /// # Errors
-    /// A line that is not of this form.
+    /// If a line does not have this form.
     pub(crate) fn read(text: &str) -> Result<Self> {
         let unreadable = || {
             Error::new(ErrorKind::InvalidData, "counts are a line `# compiler`, then `kernel,instructions`")
@@ -41,8 +44,8 @@ impl Record {
         format!("# {}\n{}", self.compiler, lines.collect::<String>())
     }
 
-    /// What is wrong with these counts, measured against the record: a line for each kernel that grew or is not in it,
-    /// or is in it and was not counted.
+    /// Returns complaints about these counts compared with the record: a line for each kernel that
+    /// grew, is not in the record, or is in the record and was not counted.
     pub(crate) fn complaints(&self, counted: &BTreeMap<String, u64>) -> Vec<String> {
         let grown = self.counts.iter().filter_map(|(kernel, &before)| match counted.get(kernel) {
             None => Some(format!("{kernel} is in the record but was not counted")),

@@ -1,4 +1,5 @@
-//! What is counted: one call of the batch of every kernel of the library, and of the functions that the bench compares.
+//! The counted work: one call of the batch of every kernel of the library, and of the functions
+//! that the bench compares.
 
 use super::callgrind;
 use crate::catalogue::{self, Author};
@@ -6,13 +7,13 @@ use crate::expert::batch::InstructionSet;
 use crate::inputs;
 use forms_radiometry::kernels;
 
-/// Values of a call: some blocks of a batch.
+/// Number of values of a call: some blocks of a batch.
 const VALUES: usize = 512;
 
-/// Fills the outputs with the values at these columns.
+/// Function that fills the outputs with the values at these columns.
 type FillAll = dyn Fn(&[&[f64]], &mut [&mut [f64]]);
 
-/// A function over columns, and the columns.
+/// Function over columns, and its columns.
 pub(crate) struct Work {
     pub(crate) name: String,
     columns: Vec<Vec<f64>>,
@@ -21,7 +22,8 @@ pub(crate) struct Work {
 }
 
 impl Work {
-    /// Runs it twice, so that the second time nothing is done for the first time, and has that counted.
+    /// Calls the function twice, and counts the second call, so that one-time initialisation is
+    /// excluded.
     pub(crate) fn run(&self) {
         let columns: Vec<&[f64]> = self.columns.iter().map(Vec::as_slice).collect();
         let mut outputs = vec![vec![0.0; VALUES]; self.outputs];
@@ -31,9 +33,9 @@ impl Work {
     }
 }
 
-/// Everything, in one order.
+/// Returns all work, in a fixed order.
 pub(crate) fn all() -> Vec<Work> {
-    // What callgrind shows of the processor ends with AVX2.
+    // Callgrind emulates no instruction set beyond AVX2.
     let set = InstructionSet::detected();
     let compared = catalogue::all(set).into_iter().flat_map(|entry| {
         entry.functions.into_iter().filter_map(move |(author, fill)| {
@@ -53,14 +55,15 @@ pub(crate) fn all() -> Vec<Work> {
     compared.chain(library()).collect()
 }
 
-/// Arguments that grow from one to the next, all between 0 and 1: in the domain of every kernel counted here.
+/// Returns arguments that increase from one to the next, all between 0 and 1: in the domain of
+/// every kernel counted here.
 fn growing(arguments: usize) -> Vec<Vec<f64>> {
     let step = 0.8 / arguments as f64;
     let value = |argument: usize, row: usize| step * (argument as f64 + row as f64 / VALUES as f64) + 0.1;
     (0..arguments).map(|argument| (0..VALUES).map(|row| value(argument, row)).collect()).collect()
 }
 
-/// Batches of the library with one output, or with several.
+/// Lists batches of the library with one output, or with several.
 macro_rules! library {
     ([$($name:ident($($argument:ident)*);)*] [$($several:ident($($of_several:ident)*) $outputs:literal;)*]) => {
         vec![

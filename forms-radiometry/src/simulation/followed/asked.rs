@@ -1,4 +1,5 @@
-//! What is asked: receivers become questions, each with its replicates and the number of samples that these are to get.
+//! Estimands: receivers become questions, each with its replicates and their target number of
+//! samples.
 
 use super::super::answer::ErrorKind;
 use super::super::job::{Budget, Share};
@@ -19,57 +20,60 @@ use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// The first samples of each replicate of a number.
+/// First samples of each replicate of a number.
 const FIRST: u32 = 32;
-/// Those of all cells of a receiver together, as far as none has more than a number; and those of a pixel that sees several surfaces at least.
+/// First samples of each replicate for all cells of a receiver together, as long as none has more
+/// than a number; and the least for a pixel that sees several surfaces.
 const FIRST_OF_CELLS: usize = 1024;
 const FIRST_OF_SEVERAL: u32 = 8;
-/// The most samples of a replicate.
+/// Largest number of samples of a replicate.
 pub(in super::super) const MOST: u32 = 1 << 31;
-/// Samples of a replicate after which it is asked whether to pause.
+/// Samples of a replicate between two checks for a pause.
 const STEP: u32 = 1 << 12;
-/// Where so many samples of each replicate found nothing, there is no use in more.
+/// Samples of each replicate after which more are useless, if all of them found nothing.
 const NOTHING: u32 = 1 << 14;
-/// What values of samples differ by through rounding, relative to their mean.
+/// Difference between the values of samples by rounding, relative to their mean.
 const SAME: f64 = 1e-12;
-/// What none of n samples has met is rarer than this over n, as a rule.
+/// Rule of three: an event that none of n samples met is rarer than this over n, as a rule.
 const UNMET: f64 = 3.0;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
-/// A question of a receiver.
+/// Estimand of a receiver.
 pub(super) struct Asked {
     pub(super) receiver: usize,
     /// The cell of a map or the pixel of an image, if it is one.
     pub(super) cell: Option<usize>,
-    /// What a pixel, or a ray, sees directly.
+    /// Direct view of a pixel or a ray.
     pub(super) seen: Seen,
-    /// The part of a pixel in which surfaces that send light may be seen.
+    /// Part of a pixel in which surfaces that send light may be visible.
     shown: f64,
     pub(super) question: Question,
     pub(super) replicates: Replicates,
-    /// By number and band what is computed, where no samples are needed.
+    /// Analytic values by number and band, where no samples are needed.
     pub(super) computed: Option<Vec<Computed>>,
-    /// What images that are left out may make of a value, relative to it.
+    /// Largest light of omitted image sources in a value, relative to it.
     left_out: f64,
-    /// For each band the largest number that light of the brightest radiance brings: of surfaces, from outside, or reflected of lights
-    /// without extent.
+    /// For each band, the largest number that light of the brightest radiance causes: light of
+    /// surfaces, from outside, or reflected light of point and distant lights.
     brightest: Vec<f64>,
-    /// For each band the largest number that light brings which only chance finds: from outside, and of surfaces by curved mirrors and glass.
+    /// For each band, the largest number caused by light that is found only by chance: light from
+    /// outside, and of surfaces via curved mirrors and glass.
     by_chance: Vec<f64>,
-    /// Of a cell, the part of the first samples of its receiver that each replicate has.
+    /// For a cell, the number of first samples of each replicate: its part of the receiver's
+    /// number.
     share_of_first: Option<u32>,
-    /// How many samples each replicate is to get before it is asked again whether that is enough.
+    /// Number of samples that each replicate is to reach before the error is checked again.
     pub(super) target: u32,
-    /// What the cells around it tell of each of its values; nothing where there are none.
+    /// Spread of each of its values among the cells around it; empty where there is none.
     pub(super) spreads: Vec<Spread>,
-    /// The part of the time of the work that it took.
+    /// Part of the time of the work that it took.
     pub(super) seconds: f64,
-    /// What it took in the present loop over questions, of which several run at once.
+    /// Time that it took in the present loop over questions, of which several run at once.
     elapsed: f64,
 }
 
-/// What of the work belongs to a share: questions, or with a budget their replicates.
+/// Part of the work that belongs to a shard: questions, or with a budget their replicates.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Division {
     pub(super) share: Share,
@@ -77,7 +81,7 @@ pub(super) struct Division {
 }
 
 impl Division {
-    /// Whether anything of a question belongs to it.
+    /// Whether any part of a question belongs to it.
     pub(super) fn has(self, question: usize) -> bool {
         match self.budget {
             Some(_) => (0..REPLICATES).any(|replicate| self.has_replicate(question, replicate)),
@@ -85,19 +89,20 @@ impl Division {
         }
     }
 
-    /// How many units of the work belong to it, and how many there are.
+    /// Returns the number of units of work that belong to it, and the number of all units.
     pub(super) fn units(self, questions: usize) -> [usize; 2] {
         let all = if self.budget.is_some() { questions * REPLICATES } else { questions };
         [(0..all).filter(|&unit| self.share.has(unit)).count(), all]
     }
 
-    /// Whether a replicate of a question gets samples if any of them do.
+    /// Whether a replicate of a question gets samples, if any of the replicates do.
     pub(super) fn has_replicate(self, question: usize, replicate: usize) -> bool {
         self.budget.is_none() || self.share.has(question * REPLICATES + replicate)
     }
 }
 
-/// All questions of a scene. `metres` is the working unit of length; `computing` answers what needs no samples.
+/// Returns all questions of a scene. `metres` is the working unit of length; `computing` answers
+/// the questions that need no samples.
 pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
     let scene = world.scene;
     let effects = Effects::of(scene);
@@ -119,7 +124,8 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         for (cell, question) in questions(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &question, scene.band_count(), bins);
-            // luminaires are looked for, but from nowhere on the way of the first ray of an eye
+            // luminaires are sampled by next-event estimation, but from nowhere along the first ray
+            // of an eye
             let is_looked_for = !matches!(question, Question::Sight { .. } | Question::Pixel { .. });
             let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
                 .map(|radiances| radiances.iter().map(|&radiance| question.largest(radiance)).collect());
@@ -144,14 +150,15 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
     }
     let begin = Instant::now();
     all.par_iter_mut().for_each(|asked| asked.seen = asked.question.seen(world));
-    // what comes in bins of time is sampled
+    // light in time bins is sampled
     let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
     instant.for_each(|asked| asked.compute(computing));
     divide_time(&mut all, begin);
     all
 }
 
-/// Divides the time of a loop over questions, which began at this time and has just ended, among them.
+/// Divides the time of a loop over questions, which began at this time and has just ended, among
+/// them.
 pub(super) fn divide_time(all: &mut [Asked], begin: Instant) {
     let scale = scale(begin, all.iter().map(|asked| asked.elapsed).sum());
     for asked in all {
@@ -159,7 +166,7 @@ pub(super) fn divide_time(all: &mut [Asked], begin: Instant) {
     }
 }
 
-/// What is asked of a scene, by receiver.
+/// Returns the questions of a scene, receiver by receiver.
 pub(in super::super) fn all_questions(scene: &Scene) -> Vec<Question> {
     let unhidden = unhidden(scene);
     let of_receiver =
@@ -167,7 +174,7 @@ pub(in super::super) fn all_questions(scene: &Scene) -> Vec<Question> {
     scene.receivers.iter().flat_map(of_receiver).collect()
 }
 
-/// The questions of a receiver: its number, if it asks for one, and its cells or pixels.
+/// Returns the questions of a receiver: its number, if it asks for one, and its cells or pixels.
 fn questions(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(Option<usize>, Question)> {
     match &receiver.kind {
         ReceiverKind::Point { position, normal } => {
@@ -200,24 +207,25 @@ fn questions(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(O
 }
 
 impl Asked {
-    /// The answer, if it needs no samples.
+    /// Computes the answer, if it needs no samples.
     fn compute(&mut self, computing: &Computing<'_>) {
         let begin = Instant::now();
         self.computed = computing.answer(&self.question);
         self.elapsed = begin.elapsed().as_secs_f64();
     }
 
-    /// Whether there is an answer, however inexact.
+    /// Whether there is an answer, however large its error.
     pub(super) fn is_answered(&self) -> bool {
         self.computed.is_some() || self.replicates.samples > 0
     }
 
-    /// Whether it has the samples that it is to get.
+    /// Whether it has reached its target number of samples.
     pub(super) fn is_there(&self) -> bool {
         self.replicates.samples >= self.target
     }
 
-    /// Samples up to the target, or until there is a pause: one step of them at least. Each step is noted with its samples.
+    /// Adds samples up to the target, or until a pause is requested, but at least one step. `note`
+    /// receives the number of samples of each step.
     pub(super) fn reach(
         &mut self,
         followers: &[Box<dyn Follow + '_>],
@@ -238,19 +246,19 @@ impl Asked {
         self.elapsed = begin.elapsed().as_secs_f64();
     }
 
-    /// The next target: the first samples, or twice as many as there are, up to a most.
+    /// Sets the next target: the first samples, or twice the present number, up to `most`.
     pub(super) fn aim(&mut self, most: u32) {
         let doubled = self.replicates.samples.saturating_mul(2);
         self.target = doubled.max(self.first()).min(most);
     }
 
-    /// The first samples of each replicate.
+    /// Returns the number of first samples of each replicate.
     fn first(&self) -> u32 {
         let several = if self.seen.surface.is_err() { FIRST_OF_SEVERAL } else { 1 };
         self.share_of_first.map_or(FIRST, |share| share.max(several))
     }
 
-    /// What its errors mean.
+    /// Returns the kind of its errors.
     pub(super) fn kind(&self) -> ErrorKind {
         match &self.computed {
             None => ErrorKind::Sigma,
@@ -259,20 +267,22 @@ impl Asked {
         }
     }
 
-    /// A value and its error.
+    /// Returns a value and its error.
     pub(super) fn found(&self, place: usize) -> [f64; 2] {
         let (value, parts) = self.found_in_parts(place);
         [value, parts.error(self.kind())]
     }
 
-    /// A value, and what its error is made of: rays that are given up, paths, images that are left out, and rounding.
+    /// Returns a value and its error budget: truncated rays, path samples, omitted image sources,
+    /// and rounding.
     pub(super) fn found_in_parts(&self, place: usize) -> (f64, ErrorParts) {
         let (value, own) = match &self.computed {
             Some(computed) => (computed[place].value, computed[place].parts),
             None => {
                 let [value, error] = self.replicates.found(place);
                 let is_nothing = self.is_nothing([value, error]);
-                // what no direction by chance has met of luminaires that are looked for has this part of them: the square of its own part
+                // light of luminaires under next-event estimation that no random direction has met:
+                // its part is the square of their probability per sample
                 let unmet =
                     if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
                 let told = self.spreads.get(place);
@@ -285,13 +295,15 @@ impl Asked {
         (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
     }
 
-    /// Whether no sample found anything: what is the same in all of them is no more than is computed, or than an emitter that a ray sees.
+    /// Whether no sample found anything by chance: all samples have the same value, and it is not
+    /// the value of an emitter that a ray sees.
     fn is_nothing(&self, [value, error]: [f64; 2]) -> bool {
         error <= SAME * value.abs() && (value == 0.0 || !self.seen.is_emitter)
     }
 
-    /// What one sample more could add to a value: a luminaire that was hidden from all others, or light that only chance finds; where no sample
-    /// found anything, the brightest light, in the part of a pixel that may show any.
+    /// Returns the largest amount that one more sample could add to a value: a luminaire that was
+    /// hidden from all other samples, or light that is found only by chance. Where no sample found
+    /// anything, it is the brightest light, in the part of a pixel that may show any.
     fn unseen(&self, place: usize, is_nothing: bool) -> f64 {
         if self.replicates.samples == 0 {
             return 0.0;
@@ -302,12 +314,12 @@ impl Asked {
         brightest.max(rare * self.by_chance[band].max(self.replicates.missed(place)))
     }
 
-    /// The largest number that any light of the scene brings.
+    /// Returns the largest number that any light of the scene causes.
     pub(super) fn brightest(&self) -> f64 {
         self.brightest.iter().copied().fold(0.0, f64::max)
     }
 
-    /// The largest value of each band.
+    /// Returns the largest value of each band.
     pub(super) fn largest(&self, bands: usize) -> Vec<f64> {
         let mut largest = vec![0.0_f64; bands];
         for place in 0..self.replicates.len() {
@@ -317,7 +329,8 @@ impl Asked {
         largest
     }
 
-    /// The largest error relative to the scales of bands, of a cell at least to its own value; where nothing was found, to the brightest light.
+    /// Returns the largest error relative to the scales of bands; for a cell, at least to its own
+    /// value; where nothing was found, to the brightest light.
     pub(super) fn error(&self, scales: &[f64]) -> f64 {
         let relative = |place: usize| {
             let [value, error] = self.found(place);
@@ -328,8 +341,9 @@ impl Asked {
         (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
     }
 
-    /// The samples of a replicate after which the error will be as small as this, with these scales: it falls like the root of their
-    /// number, which is doubled until then.
+    /// Predicts the samples of a replicate after which the error meets this tolerance with these
+    /// scales. The error falls as the inverse square root of the number of samples, which is
+    /// doubled until then.
     pub(super) fn foreseen(&self, scales: &[f64], tolerance: f64) -> f64 {
         let (samples, most) = (f64::from(self.replicates.samples), f64::from(MOST));
         let doublings = (2.0 * (self.error(scales) / tolerance).log2()).ceil().max(0.0);
@@ -345,13 +359,13 @@ impl Asked {
     }
 }
 
-/// The first samples of each replicate of a cell or a pixel of a receiver.
+/// Returns the number of first samples of each replicate of a cell or a pixel of a receiver.
 fn share_of_first(receiver: &Receiver) -> u32 {
     let [columns, rows] = size(receiver);
     (FIRST_OF_CELLS / (columns * rows).max(1)).clamp(1, FIRST as usize) as u32
 }
 
-/// The columns and rows of the map or image of a receiver, none where it has neither.
+/// Returns the columns and rows of the map or image of a receiver; zeros where it has neither.
 pub(super) fn size(receiver: &Receiver) -> [usize; 2] {
     match &receiver.kind {
         ReceiverKind::Surface { grid: Some(size), .. } => *size,
@@ -360,20 +374,20 @@ pub(super) fn size(receiver: &Receiver) -> [usize; 2] {
     }
 }
 
-/// Bins of time as bins of optical length.
+/// Converts time bins to bins of optical path length.
 fn bins(time: &TimeBins, metres: f64) -> Bins {
     let length = LIGHT / metres;
     Bins { start: time.start * length, width: time.width * length, count: time.bins }
 }
 
-/// The geometry of a scene in which nothing hides anything.
+/// Returns the geometry of a scene without any occlusion.
 fn unhidden(scene: &Scene) -> Transport {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
     Transport { faces, screens, occlusion: false, accuracy: 1.0 }
 }
 
-/// The grid over a surface.
+/// Returns the grid over a surface.
 fn grid(scene: &Scene, unhidden: &Transport, surface: usize, size: [usize; 2]) -> Option<Grid> {
     Grid::over(unhidden, (surface, &scene.surfaces[surface].shape), size)
 }

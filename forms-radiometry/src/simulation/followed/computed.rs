@@ -1,11 +1,15 @@
-//! What is computed: questions that need no samples get their numbers, and what these may be off by.
+//! Analytic answers: questions that need no samples get their numbers and errors.
 //!
 //! ```text
-//! sight  ─ smooth and black walls ──────────────────▶ terms of rays           (monte_carlo/expansion)      what is given up
-//! points ─ a medium that only takes light away ─────▶ integrals over pieces   (radiosity/transmitted)      quadrature, rounding
-//! sight  ─ points that light a medium, once ────────▶ integrals along the ray (radiosity/transmitted)      the same
+//! sight  ─ smooth and black surfaces ─▶ sums over rays          (monte_carlo/expansion)
+//!          error: truncated rays
+//! points ─ an attenuating medium ─────▶ integrals over pieces   (radiosity/transmitted)
+//!          error: quadrature, rounding
+//! sight  ─ single scattering of point
+//!          and distant lights ────────▶ integrals along the ray (radiosity/transmitted)
+//!          error: quadrature, rounding
 //! ```
-//! All of it is the same for every seed.
+//! None of the numbers depends on the seed.
 
 use super::super::parts::ErrorParts;
 use crate::monte_carlo::{Follow, Limits, Question, extinction_alone, scattering_once};
@@ -13,14 +17,14 @@ use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
 use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
 use serde::{Deserialize, Serialize};
 
-/// A number and what its error is made of, but for rounding of the number itself.
+/// A number and its error budget, without the rounding of the number itself.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Computed {
     pub(super) value: f64,
     pub(super) parts: ErrorParts,
 }
 
-/// What answers without samples.
+/// Solvers of questions that need no samples.
 pub(super) struct Computing<'s> {
     followers: &'s [Box<dyn Follow + 's>],
     transmitted: Option<Transmitted<'s>>,
@@ -39,12 +43,12 @@ impl<'s> Computing<'s> {
         }
     }
 
-    /// Nothing, for a scene whose answers are known already.
+    /// Returns no solver, for a scene whose answers are known already.
     pub(super) fn nothing() -> Self {
         Self { followers: &[], transmitted: None, scattered: None }
     }
 
-    /// What answers a question without samples, number by number and band by band, if anything does.
+    /// Answers a question without samples, number by number and band by band, if that is possible.
     pub(super) fn answer(&self, question: &Question) -> Option<Vec<Computed>> {
         let reached = match *question {
             Question::Plane { position, normal } => {
@@ -60,7 +64,7 @@ impl<'s> Computing<'s> {
         Some(reached.into_iter().map(Computed::from).collect())
     }
 
-    /// The terms of a sum, for each band, if all followers can take it.
+    /// Returns the sum over rays for each band, if all tracers can take it.
     fn expanded(&self, question: &Question) -> Option<Vec<Computed>> {
         let groups: Option<Vec<_>> =
             self.followers.iter().map(|follower| follower.expanded(question)).collect();
@@ -79,7 +83,7 @@ impl From<Reached> for Computed {
     }
 }
 
-/// Which receivers of a scene of media get what is computed.
+/// Kinds of receivers in a scene of media whose answers are computed without samples.
 #[derive(Clone, Copy)]
 pub(in super::super) struct Computable {
     points: bool,
@@ -87,7 +91,8 @@ pub(in super::super) struct Computable {
 }
 
 impl Computable {
-    /// That of a scene, found once for all its receivers: it takes the faces of all surfaces.
+    /// Determines the kinds of receivers for a scene, once for all its receivers: that needs the
+    /// faces of all surfaces.
     pub(in super::super) fn of(scene: &Scene, limits: &Limits) -> Self {
         let points = extinction_alone(scene, limits).is_some();
         let rays = scattering_once(scene, limits).is_some();
@@ -95,7 +100,7 @@ impl Computable {
         Self { points: points && exact, rays: rays && exact }
     }
 
-    /// Whether what this receiver gets is computed.
+    /// Whether the answers of this receiver are computed without samples.
     pub(in super::super) fn has(self, receiver: &Receiver) -> bool {
         let computes = match receiver.kind {
             ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => self.points,

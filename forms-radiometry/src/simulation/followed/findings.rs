@@ -1,4 +1,4 @@
-//! Findings: what replicates say becomes the answers of receivers, maps and images.
+//! Results: replicates become the answers of receivers, maps and images.
 
 use super::super::answer::{Answer, ErrorKind, Map, Quantity};
 use super::super::parts::ErrorParts;
@@ -7,8 +7,9 @@ use super::asked::Asked;
 use crate::faces::faces;
 use crate::scene::{Receiver, ReceiverKind, Scene};
 
-/// The part of the errors of pixels that they have in common: samples end where they agree, more often where they have missed something
-/// bright, and pixels are by up to 0.5 of their errors too dark in the mean where a medium scatters forwards (`tests/paths/rare.rs`).
+/// Part of the errors of pixels that they have in common. Sampling stops where samples agree, more
+/// often where they have missed something bright. Where a medium scatters forwards, pixels are on
+/// average too dark by up to 0.5 of their errors (`tests/paths/rare.rs`).
 const STOPPED: f64 = 0.5;
 
 impl Work<'_> {
@@ -30,7 +31,7 @@ impl Work<'_> {
         answers
     }
 
-    /// The answers of a question that is no cell.
+    /// Returns the answers of a question that is not a cell.
     fn numbers(&self, asked: &Asked) -> Vec<Answer> {
         let receiver = &self.scene.receivers[asked.receiver];
         let bands = self.scene.band_count();
@@ -69,13 +70,13 @@ impl Work<'_> {
         answers
     }
 
-    /// The seconds of a receiver, with those of the cells of its map.
+    /// Returns the seconds of a receiver, including those of the cells of its map.
     fn seconds_of(&self, receiver: usize) -> f64 {
         let own = self.asked.iter().filter(|asked| asked.receiver == receiver);
         own.map(|asked| asked.seconds).sum()
     }
 
-    /// The mean radiance of an image, for each band.
+    /// Returns the mean radiance of an image, for each band.
     fn mean_of_pixels(&self, receiver: usize) -> Vec<Answer> {
         let bands = self.scene.band_count();
         let pixels: Vec<&Asked> = self.asked.iter().filter(|asked| asked.receiver == receiver).collect();
@@ -122,7 +123,7 @@ impl Work<'_> {
                     [values[band][cell], errors[band][cell]] = asked.found(band);
                 }
             }
-            // where no cell was reached there is none
+            // where no cell was reached there are no scales
             let mut scales = std::mem::take(&mut scales_of_cells[index]);
             scales.resize(bands, 0.0);
             Some(Map {
@@ -140,7 +141,7 @@ impl Work<'_> {
     }
 }
 
-/// The area of the front of a surface.
+/// Returns the area of the front of a surface.
 fn area(scene: &Scene, surface: usize) -> f64 {
     use crate::scene::Shape;
     use std::f64::consts::PI;

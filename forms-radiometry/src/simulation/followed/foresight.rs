@@ -1,13 +1,13 @@
-//! Foresight: how many samples the work will have taken, of which those that there are show how far
-//! it is.
+//! Prediction of samples: the total number of samples of the work, compared with the present
+//! number, shows its progress.
 //!
 //! ```text
-//! question  open: doubled until its error is small enough, n in the end, ± n/2 ─┐
-//!           else: those that it has                                             ├─▶ Σ n ± √Σ (n/2)²
+//! question  open: doubled until its error is small enough, n at the end, ± n/2 ┐
+//!           else: its present samples                                          ├▶ Σ n ± √Σ (n/2)²
 //! ```
 //! Samples are doubled, and errors are estimates: the last doubling of a question may be one too
-//! many or too few. Of many questions that averages out; where it does not, no time that is left
-//! can be told.
+//! many or too few. For many questions that averages out. Where it does not, no remaining time can
+//! be reported.
 
 use super::Work;
 use super::asked::Asked;
@@ -16,28 +16,29 @@ use crate::simulation::watch::Watch;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// The caller is told when so many parts of the samples are there.
+/// Number of equal parts of the samples after which progress is reported.
 const PARTS: f64 = 1000.0;
-/// The doubt of the samples of a question, relative to them.
+/// Uncertainty of the samples of a question, relative to them.
 const DOUBT: f64 = 0.5;
-/// The doubt of all samples with which a time can be told, relative to those that are left.
+/// Largest uncertainty of all samples with which a remaining time is reported, relative to the
+/// remaining samples.
 const CERTAIN: f64 = 1.0 / 3.0;
 
-/// The samples of a replicate, of all questions together.
+/// Samples of a replicate, for all questions together.
 pub(super) struct Samples {
     spent: AtomicU64,
-    /// Those that there were when the round began: the cost of its samples is that of those to
-    /// come, more than that of earlier ones.
+    /// Number of samples at the beginning of the round. Future samples are taken to cost as much
+    /// as samples of this round, not as earlier ones.
     before: f64,
     foreseen: f64,
-    /// By how much they may be more, or less.
+    /// Uncertainty of the predicted number, in both directions.
     doubt: f64,
     is_pilot: bool,
 }
 
 impl Work<'_> {
-    /// The samples that there are and that are foreseen: of the pilot those of its round, then by
-    /// errors, or the budget.
+    /// Returns the present and the predicted number of samples: for the pilot those of its round,
+    /// then by errors or by the budget.
     pub(super) fn foreseen(&self) -> Samples {
         let is_pilot = self.division.budget.is_none() && self.scales.is_none();
         let tolerance = self.scene.solve.tolerance;
@@ -64,7 +65,7 @@ impl Work<'_> {
 }
 
 impl Samples {
-    /// Adds samples; tells the caller if that is a part of them all.
+    /// Adds samples. Reports progress if they complete a part of all samples.
     pub(super) fn add(&self, count: u32, progress: &Progress<'_>) {
         let before = self.spent.fetch_add(u64::from(count), Ordering::Relaxed) as f64;
         let now = before + f64::from(count);
@@ -75,7 +76,7 @@ impl Samples {
         }
     }
 
-    /// What is known of the samples after so many.
+    /// Returns the outlook after this many samples.
     fn outlook(&self, spent: f64) -> Outlook {
         if self.is_pilot {
             Outlook::Unknown

@@ -1,44 +1,48 @@
-//! Neighbours: what the first samples of the cells around a cell tell of how far its own samples differ.
+//! Neighbours: the first samples of the cells around a cell correct its estimated standard error.
 //!
 //! ```text
-//! s² = mean of n σ² over the cells around          error after n samples = max(σ, min(σ s/(σ₁ √n₁), s/√n))
+//! s² = mean of n σ² over the cells around
+//! error after n samples = max(σ, min(σ s/(σ₁ √n₁), s/√n))
 //! ```
-//! σ is a cell's own standard error, σ₁ that after its first n₁ samples. A few samples that have all missed what is rare agree with each other:
-//! the cell would be done too early, be too dark, and say that it is exact. (A number of samples that depends on what they
-//! found makes their mean wrong: Kirk and Arvo, Unbiased sampling techniques for image synthesis, 1991.) The cells around that see the same
-//! surface have met it. Where a cell agrees with itself better than they do, its error is the larger by that, but no larger than theirs.
+//! σ is a cell's own standard error, and σ₁ the standard error after its first n₁ samples. A few
+//! samples that have all missed a rare event agree with each other: the cell would be done too
+//! early, be too dark, and report a small error. (If the number of samples depends on their values,
+//! their mean is biased: Kirk and Arvo, Unbiased sampling techniques for image synthesis, 1991.)
+//! The cells around it that see the same surface have met the event. Where the samples of a cell
+//! agree better than theirs, its error is larger by that ratio, but no larger than theirs.
 
 use super::asked::{Asked, size};
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// How far around a cell others are asked, in columns and in rows.
+/// Reach of the neighbourhood of a cell, in columns and in rows.
 const REACH: usize = 8;
 
-/// What the cells around a cell tell of one of its values.
+/// Spread of one of a cell's values, as indicated by the cells around it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Spread {
-    /// Their standard error by one sample of each replicate.
+    /// Their standard error with one sample of each replicate.
     of_all: f64,
-    /// The cell's own one as part of that, at most 1.
+    /// Standard error of the cell itself, as part of theirs, at most 1.
     own: f64,
 }
 
-/// What the first samples of a cell have found.
+/// Result of the first samples of a cell.
 struct First<'a> {
     asked: &'a Asked,
-    /// The variance of each value by one sample of each replicate.
+    /// Variance of each value with one sample of each replicate.
     variances: Vec<f64>,
 }
 
-/// The cells of a map, or the pixels of an image, that samples are to answer.
+/// Cells of a map, or pixels of an image, that need samples.
 struct Cells<'a> {
     size: [usize; 2],
     at: Vec<Option<First<'a>>>,
 }
 
-/// What the cells of all receivers tell of each other, question by question and value by value; nothing where no samples are needed.
+/// Returns the spreads of the cells of all receivers, question by question and value by value;
+/// empty where no samples are needed.
 pub(super) fn spreads(asked: &[Asked], scene: &Scene) -> Vec<Vec<Spread>> {
     let mut all = Vec::with_capacity(asked.len());
     for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
@@ -60,7 +64,7 @@ impl<'a> Cells<'a> {
         Self { size, at }
     }
 
-    /// What is known of a cell that needs samples.
+    /// Returns the spreads of a cell that needs samples.
     fn tell(&self, cell: usize) -> Vec<Spread> {
         let Some(own) = &self.at[cell] else { return Vec::new() };
         let around = self.around(own, cell);
@@ -72,7 +76,7 @@ impl<'a> Cells<'a> {
         own.variances.iter().enumerate().map(of_one).collect()
     }
 
-    /// A cell with those around it that see the one surface that it sees.
+    /// Returns a cell together with the cells around it that see the same single surface.
     fn around(&self, own: &'a First<'a>, cell: usize) -> Vec<&First<'a>> {
         let [columns, rows] = self.size;
         let near = |place: usize, count: usize| place.saturating_sub(REACH)..(place + REACH + 1).min(count);
@@ -97,9 +101,9 @@ impl<'a> First<'a> {
 }
 
 impl Spread {
-    /// What a cell's own standard error after so many samples is taken for.
+    /// Returns the corrected standard error of a cell after this many samples.
     pub(super) fn error(self, own: f64, samples: u32) -> f64 {
-        // of a cell that found nothing, or nothing but one value, the quotient tells nothing
+        // the quotient means nothing for a cell that found nothing, or only one value
         own.max((own / self.own).min(self.of_all / f64::from(samples).sqrt()))
     }
 }

@@ -1,10 +1,11 @@
-//! Pixels: surfaces become the part of each pixel of a camera that those of them that send light may be seen in.
+//! Pixels: surfaces become the part of each pixel of a camera in which surfaces that send light may
+//! be visible.
 //!
 //! ```text
-//! flat faces     the area of their image, pixel by pixel
-//! round shapes   all of a pixel that the cone around the shape touches
+//! flat faces      the area of their image, pixel by pixel
+//! curved shapes   all of a pixel that the cone around the shape touches
 //! ```
-//! What hides them is left out, so no part is too small.
+//! Occlusion is omitted, so no part is too small.
 
 use super::super::images::add_parts;
 use crate::camera::Camera;
@@ -13,7 +14,8 @@ use crate::geometry::{Face, Round, Vector};
 use crate::radiosity::reflectance;
 use crate::scene::{MaterialKind, Medium, Scene};
 
-/// The part of each pixel, row by row, in which surfaces that send light may be seen; all of it where media may scatter light.
+/// Returns the part of each pixel, row by row, in which surfaces that send light may be visible;
+/// all of it where media may scatter light.
 pub(super) fn shown(scene: &Scene, faces: &[Face], camera: &Camera) -> Vec<f64> {
     let [columns, rows] = camera.resolution;
     let scatters = |medium: &Medium| medium.scattering.iter().any(|&coefficient| coefficient > 0.0);
@@ -33,7 +35,7 @@ pub(super) fn shown(scene: &Scene, faces: &[Face], camera: &Camera) -> Vec<f64> 
     parts
 }
 
-/// Whether a face emits, reflects or lets light through.
+/// Whether a face emits, reflects or transmits light.
 fn sends(scene: &Scene, face: &Face) -> bool {
     let surface = &scene.surfaces[face.surface];
     let is_diffuse = matches!(scene.materials[surface.material].kind, MaterialKind::Diffuse { .. });
@@ -41,11 +43,11 @@ fn sends(scene: &Scene, face: &Face) -> bool {
     !is_diffuse || is_bright(scene, face) && shines()
 }
 
-/// Fills the pixels that the cone around a round shape touches.
+/// Fills the pixels that the cone around a curved shape touches.
 fn fill(camera: &Camera, round: &dyn Round, parts: &mut [f64]) {
     let [columns, _] = camera.resolution;
     let way = round.center() - camera.origin;
-    // within the sphere around the shape, every direction may meet it
+    // from inside the sphere around the shape, every direction may meet it
     let half =
         if way.length() > round.radius() { (round.radius() / way.length()).asin() } else { f64::INFINITY };
     for (pixel, part) in parts.iter_mut().enumerate() {

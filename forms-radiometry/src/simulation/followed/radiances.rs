@@ -1,10 +1,10 @@
-//! Radiances: how bright the light of a scene can be that samples may have missed, band by band.
+//! Radiances: upper bounds on the light of a scene that samples may have missed, band by band.
 
 use crate::monte_carlo::{Effects, World};
 use crate::radiosity::reflectance;
 use crate::scene::Scene;
 
-/// The radiance from outside that arrives, for each band.
+/// Returns the radiance that arrives from outside, for each band.
 pub(super) fn outside(scene: &Scene) -> Vec<f64> {
     let radiance = |band: usize| scene.ambient.radiance.get(band).copied().unwrap_or(0.0);
     (0..scene.band_count())
@@ -12,7 +12,7 @@ pub(super) fn outside(scene: &Scene) -> Vec<f64> {
         .collect()
 }
 
-/// The largest part of light that a surface reflects to all sides, or a medium scatters.
+/// Returns the largest part of light that a surface reflects to all sides, or a medium scatters.
 pub(super) fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
     if effects.scattering {
         return 1.0;
@@ -20,7 +20,8 @@ pub(super) fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
     (0..scene.surfaces.len()).flat_map(|surface| reflectance(scene, surface)).copied().fold(0.0, f64::max)
 }
 
-/// For each band the brightest radiance: this part of that of surfaces, from outside, or what is reflected of beams.
+/// Returns, for each band, the brightest radiance: this part of the radiance of surfaces, light
+/// from outside, or reflected light of beams.
 pub(super) fn brightest(scene: &Scene, of_beams: &[f64], outside: &[f64], part: f64) -> Vec<f64> {
     let mut brightest = of_beams.to_vec();
     add_brighter(&mut brightest, outside, 1.0);
@@ -28,7 +29,7 @@ pub(super) fn brightest(scene: &Scene, of_beams: &[f64], outside: &[f64], part: 
     brightest
 }
 
-/// For each band the brightest radiance that only chance finds.
+/// Returns, for each band, the brightest radiance that is found only by chance.
 pub(super) fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
     let mut brightest = outside;
     let turned = world.turned_by_chance();
@@ -36,7 +37,7 @@ pub(super) fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
     brightest
 }
 
-/// Takes of each band this part of a radiance where that is more.
+/// Raises each band to this part of a radiance where that is more.
 fn add_brighter(brightest: &mut [f64], radiance: &[f64], part: f64) {
     brightest.iter_mut().zip(radiance).for_each(|(most, &radiance)| *most = most.max(part * radiance));
 }

@@ -1,35 +1,38 @@
-//! Scales: what the tolerance of cells and pixels is relative to, found in a pilot that every share of the work repeats.
+//! Scales: the values that the tolerances of cells and pixels are relative to, found by a pilot
+//! that every shard of the work repeats.
 //!
 //! ```text
-//! scale = mean over cells of value − 2σ of the mean          settled when it is 0.9 of the mean or more
+//! scale = mean over cells of value − 2σ of the mean     settled when it is 0.9 of the mean or more
 //! ```
-//! The mean is over the cells in which no emitter is seen directly, or over all where these are dark. A pilot gives every cell its first samples,
-//! and more to those whose errors are above the average. As the scale is from below, errors within the tolerance of it are within that of the mean.
+//! The mean is taken over the cells in which no emitter is seen directly, or over all cells where
+//! those are dark. A pilot gives every cell its first samples, and more to the cells whose errors
+//! are above the average. The scale is a lower estimate. Errors within the tolerance of the scale
+//! are therefore within the tolerance of the mean.
 
 use super::super::scales::Mean;
 use super::asked::Asked;
 use rayon::prelude::*;
 
-/// How many standard errors of the mean a scale is below it.
+/// Number of standard errors of the mean by which a scale is below the mean.
 const BELOW: f64 = 2.0;
-/// The part of the mean that a settled scale has.
+/// Part of the mean above which a scale is settled.
 const SETTLED: f64 = 0.9;
-/// The least part of it that any scale has.
+/// Least scale, as part of the mean.
 const LEAST: f64 = 0.5;
-/// The most samples of a replicate in a pilot.
+/// Largest number of samples of a replicate in a pilot.
 const MOST: u32 = 1 << 10;
 
-/// For each receiver the scale of its cells in each band; nothing for those without.
+/// Scale of the cells of each receiver in each band; empty for receivers without cells.
 pub(super) type Scales = Vec<Vec<f64>>;
 
-/// What the cells of a receiver tell of their scale in a band.
+/// Scale of the cells of a receiver in a band, from their samples so far.
 struct Told {
     scale: f64,
-    /// The cells that more samples are to decide it by.
+    /// Cells that need more samples to settle it.
     open: Vec<usize>,
 }
 
-/// The scales, or the questions that more samples are to decide them.
+/// Returns the scales, or the questions that need more samples to settle them.
 pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result<Scales, Vec<usize>> {
     let told = told(asked, receivers, bands);
     let mut open: Vec<usize> = told.iter().flatten().flat_map(|told| told.open.iter().copied()).collect();
@@ -38,7 +41,7 @@ pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result
     if open.is_empty() { Ok(scales(told)) } else { Err(open) }
 }
 
-/// The scales by what is known of all cells.
+/// Returns the scales from the present samples of all cells.
 pub(super) fn known(asked: &[Asked], receivers: usize, bands: usize) -> Scales {
     scales(told(asked, receivers, bands))
 }
@@ -47,7 +50,7 @@ fn scales(told: Vec<Vec<Told>>) -> Scales {
     told.into_iter().map(|bands| bands.into_iter().map(|told| told.scale).collect()).collect()
 }
 
-/// What the cells of each receiver tell, band by band.
+/// Returns the scales of the cells of each receiver, band by band.
 fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
     let mut told: Vec<Vec<Told>> = (0..receivers).map(|_| Vec::new()).collect();
     let mut first = 0;
@@ -62,7 +65,8 @@ fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
     told
 }
 
-/// The scale of cells in a band, and the cells that may change it. Where nothing is found in any, it is the brightest light.
+/// Returns the scale of cells in a band, and the cells that may change it. Where no cell found any
+/// light, the scale is the brightest light.
 fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
     let found: Vec<[f64; 2]> = cells.par_iter().map(|&cell| asked[cell].found(band)).collect();
     let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].seen.is_emitter));
@@ -71,7 +75,7 @@ fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
         return Told { scale: asked[cells[0]].brightest(), open: Vec::new() };
     }
     let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].seen.is_emitter);
-    // of a cell in which nothing was found it is not known how much more there may be
+    // for a cell without any light found, the amount that was missed is unknown
     let lit = counted().filter(|(_, [value, _])| *value != 0.0);
     let squares: Vec<(usize, f64)> = lit.map(|(&cell, [_, error])| (cell, error * error)).collect();
     let sum: f64 = squares.iter().map(|(_, square)| square).sum();

@@ -1,4 +1,5 @@
-//! States of work by paths: what is done of it, as sums and numbers of samples, from which it goes on as if it had never stopped.
+//! Checkpoints of the path driver: sums and numbers of samples, from which the work continues as if
+//! it had never stopped.
 
 use super::Work;
 use super::asked::{Asked, Division};
@@ -10,7 +11,7 @@ use crate::simulation::state::Misfit;
 use crate::simulation::{Moment, Share};
 use serde::{Deserialize, Serialize};
 
-/// A state that was written down.
+/// State that was written before.
 #[derive(Clone, Debug, Deserialize)]
 pub(in crate::simulation) struct OfPaths {
     is_done: bool,
@@ -30,7 +31,7 @@ struct KeptAsked {
     sums: KeptSums,
 }
 
-/// What an [`OfPaths`] is read from.
+/// Serialised form of an [`OfPaths`].
 #[derive(Serialize)]
 pub(in crate::simulation) struct WrittenOfPaths<'w> {
     is_done: bool,
@@ -51,21 +52,22 @@ struct WrittenAsked<'w> {
 }
 
 impl Work<'_> {
-    /// Whether nothing is left to do.
+    /// Whether all work is done.
     pub(in crate::simulation) fn is_done(&self) -> bool {
         self.is_done
     }
 
-    /// How many numbers, cells and pixels it is about, with a budget their replicates, and how many there are of them in all shares.
+    /// Returns the number of units of the shard, and of all shards. Units are numbers, cells and
+    /// pixels, or with a budget their replicates.
     pub(in crate::simulation) fn units(&self) -> [usize; 2] {
         self.division.units(self.asked.len())
     }
 
-    /// The state, to be written down.
+    /// Returns the state, to be written.
     pub(in crate::simulation) fn written<'s>(&'s self) -> WrittenOfPaths<'s> {
         let division = self.division;
         let asked = |(question, asked): (usize, &'s Asked)| {
-            // of work that is done nobody needs what a pilot found of other shares
+            // once the work is done, nobody needs the pilot's results for other shards
             let is_kept = !self.is_done || division.has(question);
             let is_meant = |replicate| division.has_replicate(question, replicate);
             WrittenAsked {
@@ -89,12 +91,12 @@ impl Work<'_> {
 }
 
 impl OfPaths {
-    /// Whether nothing is left to do.
+    /// Whether all work is done.
     pub(in crate::simulation) fn is_done(&self) -> bool {
         self.is_done
     }
 
-    /// Whether two states say the same, except for the time that it took.
+    /// Whether two states are equal, except for times.
     pub(in crate::simulation) fn is_same_as(&self, other: &Self) -> bool {
         let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
             (a.target, a.samples) == (b.target, b.samples) && a.computed == b.computed && a.sums == b.sums
@@ -106,7 +108,7 @@ impl OfPaths {
 }
 
 impl Work<'_> {
-    /// Goes on from a state.
+    /// Continues from a state.
     pub(super) fn restore(&mut self, state: OfPaths) -> Result<(), Misfit> {
         if state.asked.len() != self.asked.len() {
             return Err(Misfit);
@@ -128,7 +130,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Takes what belongs to a share from the state at its end.
+    /// Takes the part that belongs to a shard from its final state.
     pub(super) fn take(&mut self, share: Share, state: OfPaths) -> Result<(), Misfit> {
         if state.asked.len() != self.asked.len() || !state.is_done {
             return Err(Misfit);

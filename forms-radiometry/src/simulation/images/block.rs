@@ -1,72 +1,79 @@
-//! Pixels of a block: what is seen in each becomes its mean radiance, with the error that the rules of integration leave.
+//! Pixels of a block: the visible parts in each pixel become its mean radiance, with the error by
+//! rules of integration.
 //!
 //! ```text
-//! a polygon of the film in a pixel ─▶ triangles with 3 points each, exact to the second degree ─▶ ∫ L
-//!                                     ├ beside the middle of the polygon alone ─▶ error ─ too large ─▶ its quarters
-//!                                     └ without reflections: what corners are off a plane through these points
+//! a polygon of the film in a pixel
+//!   ─▶ triangles with 3 points each, exact to the second degree ─▶ ∫ L
+//!      ├ difference from the centre of the polygon alone ─▶ error ─ too large ─▶ its quarters
+//!      └ without reflections: deviation of corners from a plane through these points
 //! ```
-//! L = Lₑ + ρ E/π at the point that a film point sees. Borders of what is seen are exact; shadows within it are found by the rule. Reflected
-//! light is taken from polynomials where these agree with what receivers gather, and corrected where they do not.
+//! L = Lₑ + ρ E/π at the point that a film point sees. The boundaries of visible parts are exact;
+//! the rule finds shadows within them. Reflected light is taken from polynomials where these agree
+//! with the light that receivers gather, and corrected where they do not.
 
 use super::film::{Block, Polygon, area, area_of_triangle, middle, quarters, triangles};
 use crate::camera::Camera;
 use crate::geometry::Vector;
 use crate::radiosity::{Radiosity, Reflected, Scratch, SeenPiece};
 
-/// How often parts of a pixel are quartered at most.
+/// Largest number of times that parts of a pixel are quartered.
 const QUARTERED: usize = 7;
-/// The part of what a pixel may err by that one of its parts may leave as it is, unless that is more than this part of the average of all of them.
+/// A part is not divided if its error is within the first part of the allowed error of its pixel,
+/// and within the second part of the average error of all parts of the pixel.
 const SMALL: f64 = 1.0 / 16.0;
 const OF_AVERAGE: f64 = 0.5;
-/// One in so many parts is asked whether polynomials agree with what receivers gather, and the part of what a pixel may err by that they may
-/// differ.
+/// One in this many parts is checked for agreement between polynomials and the light that receivers
+/// gather, and the difference is allowed this part of the error of a pixel.
 const CHECKED: usize = 8;
 const POLYNOMIALS: f64 = 0.5;
-/// Rounding of the part of a pixel that is seen.
+/// Rounding of the visible part of a pixel.
 const OF_BORDERS: f64 = 64.0 * f64::EPSILON;
-/// How far inside of a part its corners are looked at, and the part of a triangle that one of them stands for.
+/// Distance inside a part at which its corners are evaluated, and the part of a triangle that one
+/// of them represents.
 const INSIDE: f64 = 0.02;
 const OF_CORNER: f64 = 0.25;
-/// What is less of a pixel than this is no more than rounding.
+/// Parts of a pixel smaller than this are only rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What a camera looks at.
+/// View of a camera.
 pub(super) struct View<'v> {
     pub(super) camera: &'v Camera,
     pub(super) radiosity: &'v Radiosity<'v>,
     pub(super) pieces: &'v [SeenPiece],
-    /// The radiance of the surroundings, for each band.
+    /// Radiance of the surroundings, for each band.
     pub(super) outside: &'v [f64],
-    /// What rules and polynomials may leave in a pixel, relative to the larger of its value and the scale.
+    /// Allowed error by rules and polynomials in a pixel, relative to the larger of its value and
+    /// the scale.
     pub(super) tolerance: f64,
-    /// For each band the scale.
+    /// Scale for each band.
     pub(super) scales: &'v [f64],
 }
 
-/// What is seen in a pixel, in one band.
+/// Radiance of a pixel in one band.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Pixel {
-    /// Its mean radiance.
+    /// Mean radiance.
     pub(super) value: f64,
-    /// What rules, polynomials, and rounding of the parts that emitters have of it leave.
+    /// Error by rules, by polynomials, and by rounding of the parts of the pixel that emitters
+    /// cover.
     pub(super) error: f64,
-    /// What of the value is emitted straight into it.
+    /// Part of the value that is emitted directly into the pixel.
     pub(super) emitted: f64,
 }
 
-/// A part of a pixel in which one piece is seen.
+/// Part of a pixel in which one piece is seen.
 struct Part {
     pixel: usize,
     polygon: Polygon,
-    /// For each band ∫ L over it, and its error.
+    /// ∫ L over it for each band, and its error.
     found: Vec<[f64; 2]>,
 }
 
-/// What is seen of a piece: its number, the points of it that film points see, and its parts in pixels.
+/// A visible piece: its number, its points that film points see, and its parts in pixels.
 type Seen = (usize, Vec<Vector>, Vec<Part>);
 
 impl View<'_> {
-    /// The pixels of a block, band by band.
+    /// Returns the pixels of a block, band by band.
     pub(super) fn pixels(&self, block: &Block, scratch: &mut Scratch) -> Vec<Pixel> {
         let bands = self.outside.len();
         let count = (block.to[0] - block.from[0]) * (block.to[1] - block.from[1]);
@@ -95,8 +102,8 @@ impl View<'_> {
         pixels
     }
 
-    /// Divides the parts of which too much of the error of their pixels is; whether there are any. `sums` has ∫ L over each pixel and its error,
-    /// band by band.
+    /// Divides the parts that have too much of the error of their pixels. Returns whether there are
+    /// any. `sums` holds ∫ L over each pixel and its error, band by band.
     fn divide(&self, seen: &mut [Seen], sums: &[[f64; 2]]) -> bool {
         let bands = self.outside.len();
         let allowed = self.allowed(sums);
@@ -123,8 +130,8 @@ impl View<'_> {
         is_any
     }
 
-    /// The pixels of a block, band by band, with what emitters send straight into them, of whose value there is no more yet than the light from
-    /// outside.
+    /// Returns the pixels of a block, band by band, with the light emitted directly into them.
+    /// Their values contain only the light from outside so far.
     fn emission(&self, seen: &[Seen], count: usize) -> Vec<Pixel> {
         let bands = self.outside.len();
         let mut pixels = vec![Pixel::default(); count * bands];
@@ -148,13 +155,13 @@ impl View<'_> {
         pixels
     }
 
-    /// What rules and polynomials may leave in each pixel, band by band.
+    /// Returns the allowed error by rules and polynomials in each pixel, band by band.
     fn allowed(&self, sums: &[[f64; 2]]) -> Vec<f64> {
         let scales = self.scales.iter().cycle();
         sums.iter().zip(scales).map(|([value, _], scale)| self.tolerance * scale.max(value.abs())).collect()
     }
 
-    /// The points of a piece that film points see.
+    /// Returns the points of a piece that film points see.
     fn outline(&self, piece: usize, polygon: &[Vector]) -> Vec<Vector> {
         let SeenPiece { normal, outline, .. } = &self.pieces[piece];
         let height = normal.dot(outline[0]);
@@ -171,7 +178,7 @@ impl View<'_> {
         if open.is_empty() {
             return;
         }
-        // elements tell of light with borders themselves
+        // elements resolve the boundaries of light themselves
         let has_corners = !self.pieces[piece].has_polynomials();
         let points = |part: &&mut Part| {
             let corners = if has_corners { part.corners() } else { Vec::new() };
@@ -192,8 +199,9 @@ impl View<'_> {
         }
     }
 
-    /// Corrects what polynomials made of reflected light by what receivers gather: at some middles, which tell the error; where that is too
-    /// much, at all of them. `polynomials` has the radiance in the middle of each part and in the node after it.
+    /// Corrects the reflected light from polynomials by the light that receivers gather: at some
+    /// centres, which tell the error; at all of them where the error is too large. `polynomials`
+    /// holds the radiance at the centre of each part and at the node after it.
     fn correct(
         &self,
         piece: usize,
@@ -238,7 +246,7 @@ impl View<'_> {
         }
     }
 
-    /// The radiance that film points see of a piece, point by point and band by band.
+    /// Returns the radiance of a piece at film points, point by point and band by band.
     fn radiance(
         &self,
         piece: usize,
@@ -254,13 +262,14 @@ impl View<'_> {
     }
 }
 
-/// Whether an error is beyond this part of what is allowed.
+/// Whether an error exceeds this part of the allowed error.
 fn is_beyond(found: &[[f64; 2]], allowed: &[f64], part: f64) -> bool {
     found.iter().zip(allowed).any(|([_, error], allowed)| *error > part * allowed)
 }
 
 impl Pixel {
-    /// Adds what is emitted straight into this part of it. Where the part ends is rounded.
+    /// Adds the light emitted directly into this part of the pixel. The boundary of the part is
+    /// rounded.
     fn emit(&mut self, part: f64, radiance: f64) {
         self.emitted += part * radiance;
         self.error += OF_BORDERS * radiance;
@@ -268,12 +277,13 @@ impl Pixel {
 }
 
 impl Part {
-    /// Its middle, and the points of the rule.
+    /// Returns its centre, and the points of the rule.
     fn points(&self) -> Vec<Vector> {
         std::iter::once(middle(&self.polygon)).chain(triangles(&self.polygon).flat_map(nodes)).collect()
     }
 
-    /// Its corners, but for a little, triangle by triangle: where light ends along a line in the part, one of them is on each side.
+    /// Returns points close to its corners, triangle by triangle. Where light ends along a line in
+    /// the part, there is a corner on each side.
     fn corners(&self) -> Vec<Vector> {
         let inside = |[a, b, c]: [Vector; 3]| {
             let middle = (1.0 / 3.0) * (a + b + c);
@@ -282,8 +292,9 @@ impl Part {
         triangles(&self.polygon).flat_map(inside).collect()
     }
 
-    /// Takes the integral from the radiance at these points, with the difference to that by the middle alone; or, if that is more, with what corners
-    /// are off the plane through the points of their triangles.
+    /// Computes the integral from the radiance at these points. Its error is the difference from
+    /// the integral by the centre alone; or, if that is more, the deviation of corners from the
+    /// plane through the points of their triangles.
     fn integrate<'r>(&mut self, mut radiance: impl Iterator<Item = &'r [f64]>) {
         let whole = area(&self.polygon);
         let in_middle = radiance.next().expect("the middle is the first");
@@ -304,7 +315,7 @@ impl Part {
                 for (band, error) in of_corners.iter_mut().enumerate() {
                     let [own, mean] =
                         [nodes[near][band], nodes.iter().map(|node| node[band]).sum::<f64>() / 3.0];
-                    // a node is half as far from the middle as its corner
+                    // a node is half as far from the centre as its corner
                     let expected = mean + (1.0 - INSIDE) * 2.0 * (own - mean);
                     *error += OF_CORNER * area * (of_corner[band] - expected).abs();
                 }
@@ -328,7 +339,7 @@ fn add(sums: &mut [[f64; 2]], found: &[[f64; 2]]) {
     }
 }
 
-/// The points of a triangle whose mean is exact for polynomials of the second degree.
+/// Returns the points of a triangle whose mean is exact for polynomials of the second degree.
 ///
 /// Source: A. H. Stroud, Approximate calculation of multiple integrals (1971), T₂: 2-1.
 fn nodes([a, b, c]: [Vector; 3]) -> [Vector; 3] {

@@ -1,32 +1,33 @@
-//! Film: pieces that a pinhole sees become polygons of the film, block by block.
+//! Film: pieces that a pinhole sees become polygons on the film, block by block.
 //!
 //! ```text
-//! ways to the corners of a piece ─ cut by the sides of the pyramid of sight ─▶ film points ─ cut by blocks of pixels ─▶ polygons
+//! vectors to the corners of a piece ─ clipped by the view frustum ─▶ film points
+//!                                   ─ clipped by blocks of pixels ─▶ polygons
 //! ```
-//! A pinhole takes lines to lines, so what is convex stays so.
+//! A pinhole maps lines to lines, so convex pieces stay convex.
 
 use crate::camera::Camera;
 use crate::geometry::{Vector, split};
 use crate::radiosity::SeenPiece;
 
-/// The pixels along each side of a block.
+/// Number of pixels along each side of a block.
 const BLOCK: usize = 8;
-/// Parts of the film below this area, in pixels, are no more than rounding.
+/// Parts of the film below this area, in pixels, are only rounding.
 const NOTHING: f64 = 1e-12;
 
-/// A convex part of the film, in pixels; the third coordinate is 0.
+/// Convex part of the film, in pixels; the third coordinate is 0.
 pub(super) type Polygon = Vec<Vector>;
 
-/// A rectangle of pixels, and what is seen in it.
+/// Rectangle of pixels, and the pieces that are seen in it.
 pub(super) struct Block {
-    /// The first column and row, and those after the last.
+    /// First column and row, and the ones after the last.
     pub(super) from: [usize; 2],
     pub(super) to: [usize; 2],
-    /// The numbers of pieces and where they are seen.
+    /// Numbers of the pieces, and the polygons in which they are seen.
     pub(super) seen: Vec<(usize, Polygon)>,
 }
 
-/// The blocks of a film with the pieces that are seen in them.
+/// Returns the blocks of a film with the pieces that are seen in them.
 pub(super) fn blocks(camera: &Camera, pieces: &[SeenPiece]) -> Vec<Block> {
     let [columns, rows] = camera.resolution;
     let count = columns.div_ceil(BLOCK);
@@ -49,7 +50,7 @@ pub(super) fn blocks(camera: &Camera, pieces: &[SeenPiece]) -> Vec<Block> {
 }
 
 impl Block {
-    /// The parts of a polygon in each pixel, which is counted row by row over the block.
+    /// Returns the parts of a polygon in each pixel; pixels are counted row by row over the block.
     pub(super) fn pixels(&self, polygon: &Polygon) -> Vec<(usize, Polygon)> {
         let width = self.to[0] - self.from[0];
         let mut parts = Vec::new();
@@ -62,7 +63,7 @@ impl Block {
     }
 }
 
-/// Where a piece is seen on the film.
+/// Returns the polygon of the film in which a piece is seen.
 pub(super) fn projected(camera: &Camera, outline: &[Vector]) -> Polygon {
     let mut polygon = outline.to_vec();
     let (mut inside, mut outside) = (Vec::new(), Vec::new());
@@ -81,7 +82,7 @@ pub(super) fn projected(camera: &Camera, outline: &[Vector]) -> Polygon {
     polygon.iter().map(point).collect()
 }
 
-/// A coordinate of the film.
+/// Coordinate of the film.
 #[derive(Clone, Copy)]
 enum Axis {
     Column,
@@ -97,7 +98,8 @@ impl Axis {
     }
 }
 
-/// The parts of a polygon in strips of this width along an axis of so many pixels, with the number of each strip.
+/// Returns the parts of a polygon in strips of this width, along an axis that ends at this pixel,
+/// with the number of each strip.
 fn strips(polygon: &Polygon, axis: Axis, width: usize, end: usize) -> Vec<(usize, Polygon)> {
     let (low, high) = polygon.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &point| {
         (low.min(axis.of(point)), high.max(axis.of(point)))
@@ -127,7 +129,8 @@ fn strips(polygon: &Polygon, axis: Axis, width: usize, end: usize) -> Vec<(usize
     parts
 }
 
-/// Adds the part of each pixel that the image of a convex outline covers, by the ways from the pinhole to its corners.
+/// Adds the part of each pixel that the image of a convex outline covers. The outline is given by
+/// the vectors from the pinhole to its corners.
 pub(in super::super) fn add_parts(camera: &Camera, outline: &[Vector], parts: &mut [f64]) {
     let [columns, rows] = camera.resolution;
     for (row, strip) in strips(&projected(camera, outline), Axis::Row, 1, rows) {
@@ -137,23 +140,23 @@ pub(in super::super) fn add_parts(camera: &Camera, outline: &[Vector], parts: &m
     }
 }
 
-/// The area of a convex polygon of the film.
+/// Returns the area of a convex polygon of the film.
 pub(super) fn area(polygon: &[Vector]) -> f64 {
     triangles(polygon).map(area_of_triangle).sum()
 }
 
-/// The triangles of the fan of a convex polygon.
+/// Returns the triangles of the fan of a convex polygon.
 pub(super) fn triangles(polygon: &[Vector]) -> impl Iterator<Item = [Vector; 3]> {
     let pairs = polygon.get(1..).unwrap_or_default().windows(2);
     pairs.map(|pair| [polygon[0], pair[0], pair[1]])
 }
 
-/// The area of a triangle of the film.
+/// Returns the area of a triangle of the film.
 pub(super) fn area_of_triangle([a, b, c]: [Vector; 3]) -> f64 {
     0.5 * (b - a).cross(c - a).z.abs()
 }
 
-/// The centre of a convex polygon by its area.
+/// Returns the centroid of a convex polygon.
 pub(super) fn middle(polygon: &[Vector]) -> Vector {
     let mut sum = Vector::default();
     let mut whole = 0.0;
@@ -165,7 +168,7 @@ pub(super) fn middle(polygon: &[Vector]) -> Vector {
     (1.0 / whole) * sum
 }
 
-/// The parts of a polygon on both sides of the middle of each coordinate.
+/// Returns the parts of a polygon on both sides of the middle of each coordinate.
 pub(super) fn quarters(polygon: &Polygon) -> Vec<Polygon> {
     let halves = |polygon: &Polygon, axis: Axis| {
         let (low, high) = polygon.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &point| {

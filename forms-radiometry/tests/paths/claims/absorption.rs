@@ -1,11 +1,12 @@
-//! Absorption along rays: e^(−σ d), through one medium after another, and in a scene whose medium is everywhere.
+//! Absorption along rays: e^(−σ d), through several media in turn, and in a scene that one medium
+//! fills.
 
 use super::Claim;
 use super::elements::{cuboid, filled_with, gas, medium, point_light, probe, ray, shining, sphere, square};
 use super::scene_text::{material, point_receiver, surface};
 use std::f64::consts::PI;
 
-/// A lamp of radiance 1 that looks down from this height.
+/// Returns a lamp of radiance 1 that looks down from this height.
 fn lamp(height: f64) -> String {
     material("black", 0) + &surface("lamp", "black", &shining(&square(height, 1.0, false), 1))
 }

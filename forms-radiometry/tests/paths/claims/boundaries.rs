@@ -1,4 +1,5 @@
-//! Smooth boundaries: Fresnel's reflectance along rays and over hemispheres, plates with all that is reflected inside, total reflection, and metals.
+//! Smooth boundaries: Fresnel's reflectance along rays and over hemispheres, plates with all
+//! internal reflections, total reflection, and metals.
 
 use super::Claim;
 use super::elements::{
@@ -8,31 +9,33 @@ use super::integral::{fresnel, integral};
 use super::scene_text::{material, point_receiver, surface};
 use std::f64::consts::PI;
 
-/// Half of the width of what stands for a half-space or an infinite plate.
+/// Half width of bodies that represent a half-space or an infinite plate.
 const WIDE: f64 = 1e4;
-/// The diffuse reflectance of glass of index 1.5 from outside: the project's reference `fresnel-diffuse-1.5`.
+/// Diffuse reflectance of glass of index 1.5 from outside: the project's reference
+/// `fresnel-diffuse-1.5`.
 const DIFFUSE: f64 = 0.091_777_959_342_351_21;
 
-/// A half-space of glass below z = 0 from which nothing comes back.
+/// Returns a half-space of glass below z = 0 that returns no light from inside.
 fn black_glass(n: f64) -> String {
     medium("glass", [&1, &0, &0, &n])
         + &dielectric("glass")
         + &cuboid("block", "glass", [[-WIDE, -WIDE, -100.0], [WIDE, WIDE, 0.0]], false, "")
 }
 
-/// A direction downwards whose cosine to the vertical is this.
+/// Returns a downward direction with this cosine to the vertical.
 fn down(cosine: f64) -> [f64; 3] {
     [(1.0 - cosine * cosine).sqrt(), 0.0, -cosine]
 }
 
-/// Radiance 1 from outside on black glass, seen along a ray.
+/// Claims the radiance along a ray that black glass reflects, under radiance 1 from outside.
 fn reflected(name: &'static str, n: f64, cosine: f64, reflectance: f64) -> Claim {
     let tables = [black_glass(n), sky(1), ray("ray", [0.0, 0.0, 1.0], down(cosine))];
     Claim::new(name, &tables).radiance("ray", reflectance)
 }
 
-/// What a plate of glass transmits at a cosine, with the transmittance a of one way through it: the sum of all that is reflected inside,
-/// (1 − R)² a/(1 − R² a²). The light is unpolarised at every boundary.
+/// Claims the radiance that a plate of glass transmits at a cosine. With the transmittance a of one
+/// passage through it, the sum of all internal reflections is (1 − R)² a/(1 − R² a²). The light is
+/// unpolarised at every boundary.
 fn through_plate(name: &'static str, cosine: f64, absorption: f64) -> Claim {
     const N: f64 = 1.5;
     const THICKNESS: f64 = 0.5;
@@ -54,12 +57,13 @@ fn through_plate(name: &'static str, cosine: f64, absorption: f64) -> Claim {
     Claim::new(name, &tables).radiance("ray", transmitted + 3.0 * back)
 }
 
-/// A sea of glass under a sky of radiance 1, and what receivers in it get.
+/// Claims the light at receivers in a sea of glass under a sky of radiance 1.
 fn under_the_sky() -> Claim {
     const N: f64 = 1.5;
     let sea = basin("glass", [[-WIDE, -WIDE, -1.0], [WIDE, WIDE, 0.0]], 0.0);
     let critical = (1.0 - 1.0 / (N * N)).sqrt();
-    // within the escape cone radiance is n² (1 − R): fluence 2π n² ∫ (1 − R) dμ, flow downwards 2π n² ∫ (1 − R) μ dμ
+    // within the escape cone radiance is n² (1 − R): fluence 2π n² ∫ (1 − R) dμ, flow downwards 2π
+    // n² ∫ (1 − R) μ dμ
     let cone = |power: i32| {
         let left = |mu: f64| (1.0 - fresnel(1.0 / N, mu)) * mu.powi(power);
         2.0 * PI * N * N * integral([critical, 1.0], left)
@@ -80,7 +84,7 @@ fn under_the_sky() -> Claim {
         .radiance("beyond", 0.0)
 }
 
-/// A basin of glass with walls that shine with radiance 1 into it, below a dark sky.
+/// Claims the light of a basin of glass with walls that emit radiance 1 into it, below a dark sky.
 fn shining_basin() -> Claim {
     const N: f64 = 1.5;
     let mu: f64 = 0.8;
@@ -103,7 +107,7 @@ fn shining_basin() -> Claim {
         .radiance("outside", (1.0 - fresnel(N, outside)) / (N * N))
 }
 
-/// A metal below a sky of radiance 1, in a medium of index n.
+/// Claims the reflection of a metal below a sky of radiance 1, in a medium of index n.
 fn gold(name: &'static str, n: f64) -> Claim {
     const ETA: f64 = 0.18;
     const K: f64 = 3.4;

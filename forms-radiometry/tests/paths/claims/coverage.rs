@@ -1,22 +1,22 @@
-//! Coverage: how often the truth lies within one and within two of the standard errors that are told.
+//! Coverage: how often the truth lies within one and within two of the reported standard errors.
 
 use super::{Claim, Compared};
 use rayon::prelude::*;
 use std::ops::AddAssign;
 
-/// Answers that were compared, and how many of them are within one and within two standard errors.
+/// Number of compared answers, and how many lie within one and within two standard errors.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coverage {
     pub(crate) count: usize,
     pub(crate) within: [usize; 2],
-    /// Answers that are exact but for rounding, which are not counted above.
+    /// Number of answers that are exact except for rounding; these are not counted above.
     pub(crate) exact: usize,
-    /// The most standard errors that one is off.
+    /// Largest deviation of an answer in standard errors.
     pub(crate) worst: f64,
 }
 
 impl Coverage {
-    /// What runs of a claim with so many seeds find.
+    /// Runs a claim with this number of seeds.
     pub(crate) fn of(claim: &Claim, seeds: u64, tolerance: f64) -> Self {
         let runs: Vec<Vec<Compared>> =
             (1..=seeds).into_par_iter().map(|seed| claim.compared(seed, tolerance)).collect();
@@ -40,7 +40,7 @@ impl Coverage {
         self.worst = self.worst.max(deviations);
     }
 
-    /// The parts of the answers within one and within two standard errors.
+    /// Returns the parts of the answers within one and within two standard errors.
     pub(crate) fn parts(&self) -> [f64; 2] {
         self.within.map(|within| within as f64 / self.count as f64)
     }

@@ -3,22 +3,23 @@
 use super::scene_text::{CUBE, Point, material, polygon, surface};
 use std::fmt::Display;
 
-/// A medium by its absorption, scattering, mean cosine and index, each a number or a list of one number a band.
+/// Returns a medium with this absorption, scattering, mean cosine and index, each a number or a
+/// list of one number per band.
 pub(crate) fn medium(name: &str, [sigma_a, sigma_s, g, n]: [&dyn Display; 4]) -> String {
     format!("[[medium]]\nname = \"{name}\"\nsigma_a = {sigma_a}\nsigma_s = {sigma_s}\ng = {g}\nn = {n}\n")
 }
 
-/// A medium that only bends light, with a boundary material of its name.
+/// Returns a medium that only refracts light, with a boundary material of its name.
 pub(crate) fn glass(name: &str, n: impl Display) -> String {
     medium(name, [&0, &0, &0, &n]) + &dielectric(name)
 }
 
-/// A medium of index 1, with a boundary material of its name.
+/// Returns a medium of index 1, with a boundary material of its name.
 pub(crate) fn gas(name: &str, sigma_a: impl Display, sigma_s: impl Display, g: impl Display) -> String {
     medium(name, [&sigma_a, &sigma_s, &g, &1]) + &dielectric(name)
 }
 
-/// The boundary material of a medium, by the medium's name.
+/// Returns the boundary material of a medium, with the medium's name.
 pub(crate) fn dielectric(medium: &str) -> String {
     format!("[[material]]\nname = \"{medium}\"\nkind = \"dielectric\"\ninside = \"{medium}\"\n")
 }
@@ -27,32 +28,33 @@ pub(crate) fn mirror(name: &str, reflectance: impl Display) -> String {
     format!("[[material]]\nname = \"{name}\"\nkind = \"mirror\"\nreflectance = {reflectance}\n")
 }
 
-/// A metal of the index η + ik.
+/// Returns a metal of the index η + ik.
 pub(crate) fn metal(name: &str, eta: f64, k: f64) -> String {
     format!("[[material]]\nname = \"{name}\"\nkind = \"conductor\"\neta = {eta:?}\nk = {k:?}\n")
 }
 
-/// The shape of a sphere.
+/// Returns the shape of a sphere.
 pub(crate) fn sphere(center: Point, radius: f64, inward: bool) -> String {
     format!("sphere = {{ center = {center:?}, radius = {radius:?}, inward = {inward} }}")
 }
 
-/// The shape of a disk.
+/// Returns the shape of a disk.
 pub(crate) fn disk(center: Point, normal: Point, radius: f64) -> String {
     format!("disk = {{ center = {center:?}, normal = {normal:?}, radius = {radius:?} }}")
 }
 
-/// A shape that emits this radiance.
+/// Returns a shape that emits this radiance.
 pub(crate) fn shining(shape: &str, radiance: impl Display) -> String {
     format!("{shape}\nradiance = {radiance}")
 }
 
-/// A shape whose back is like its front.
+/// Returns a shape whose back is like its front.
 pub(crate) fn two_sided(shape: &str) -> String {
     format!("{shape}\ntwo_sided = true")
 }
 
-/// A horizontal square about the axis z, at this height, with sides of twice this length; its front looks up or down.
+/// Returns a horizontal square about the axis z, at this height, with sides of twice this length;
+/// its front faces up or down.
 pub(crate) fn square(height: f64, half: f64, looks_up: bool) -> String {
     let [low, high] = [-half, half];
     let up = [[low, low, height], [high, low, height], [high, high, height], [low, high, height]];
@@ -60,7 +62,8 @@ pub(crate) fn square(height: f64, half: f64, looks_up: bool) -> String {
     polygon(&if looks_up { up } else { [a, d, c, b] })
 }
 
-/// The six faces of a cuboid, which look in or out, of one material, named `NAME_floor` and so on; of each shape `more` may say more.
+/// Returns the six faces of a cuboid of one material, facing in or out, named `NAME_floor` and so
+/// on; `more` holds further keys of each shape.
 pub(crate) fn cuboid(name: &str, of: &str, [low, high]: [Point; 2], inward: bool, more: &str) -> String {
     let faces = CUBE.map(|(face, corners)| {
         let mut corners = corners.map(|corner| {
@@ -74,7 +77,8 @@ pub(crate) fn cuboid(name: &str, of: &str, [low, high]: [Point; 2], inward: bool
     faces.concat()
 }
 
-/// A basin whose walls look in, filled to its edge with a medium: black walls which emit this radiance.
+/// Returns a basin filled to its edge with a medium: black walls, facing inwards, that emit this
+/// radiance.
 pub(crate) fn basin(medium: &str, [low, high]: [Point; 2], radiance: f64) -> String {
     let cover = format!("{medium}_ceiling");
     let walls = cuboid(medium, "wall", [low, high], true, &format!("\nradiance = {radiance:?}"));
@@ -85,19 +89,19 @@ pub(crate) fn basin(medium: &str, [low, high]: [Point; 2], radiance: f64) -> Str
     material("wall", 0) + &walls + &surface("water_level", medium, &top)
 }
 
-/// A receiver of the radiance that arrives from a direction.
+/// Returns a receiver of the radiance that arrives from a direction.
 pub(crate) fn ray(name: &str, origin: Point, direction: Point) -> String {
     format!(
         "[[receiver]]\nname = \"{name}\"\nkind = \"ray\"\norigin = {origin:?}\ndirection = {direction:?}\n"
     )
 }
 
-/// A receiver of light from all sides.
+/// Returns a receiver of light from all sides.
 pub(crate) fn probe(name: &str, position: Point) -> String {
     format!("[[receiver]]\nname = \"{name}\"\nkind = \"sphere\"\nposition = {position:?}\n")
 }
 
-/// A camera.
+/// Returns a camera.
 pub(crate) fn camera([origin, target, up]: [Point; 3], fov: f64, resolution: [usize; 2]) -> String {
     format!(
         "[[receiver]]\nname = \"camera\"\nkind = \"camera\"\norigin = {origin:?}\ntarget = {target:?}\n\
@@ -105,7 +109,7 @@ pub(crate) fn camera([origin, target, up]: [Point; 3], fov: f64, resolution: [us
     )
 }
 
-/// Bins of time of the receiver before it.
+/// Returns the time bins of the receiver before it.
 pub(crate) fn time(start: f64, width: f64, bins: usize) -> String {
     format!("time = {{ start = {start:?}, width = {width:?}, bins = {bins} }}\n")
 }
@@ -118,22 +122,23 @@ pub(crate) fn distant_light(direction: Point, irradiance: impl Display) -> Strin
     format!("[[light]]\nkind = \"distant\"\ndirection = {direction:?}\nirradiance = {irradiance}\n")
 }
 
-/// A medium that fills the scene.
+/// Returns the setting of a medium that fills the scene.
 pub(crate) fn filled_with(medium: &str) -> String {
     format!("[ambient]\nmedium = \"{medium}\"\n")
 }
 
-/// Light from outside.
+/// Returns light from outside.
 pub(crate) fn sky(radiance: impl Display) -> String {
     format!("[ambient]\nradiance = {radiance}\n")
 }
 
-/// Effects that are forced.
+/// Returns forced effects.
 pub(crate) fn effects(forced: &str) -> String {
     format!("[solve]\neffects = {{ {forced} }}\n")
 }
 
-/// A mirror that nothing sees but itself and the dark: with it, a scene of diffuse surfaces is followed along paths.
+/// Returns a mirror that is visible from nowhere: with it, a scene of diffuse surfaces is path
+/// traced.
 pub(crate) fn mirror_aside() -> String {
     mirror("aside", 0.5)
         + &surface("aside", "aside", "polygon = [[0, 0, -50], [0, 1, -50], [1, 1, -50], [1, 0, -50]]")

@@ -1,4 +1,4 @@
-//! Emitters of each shape, seen directly in scenes that are followed along paths.
+//! Emitters of each shape, seen directly in scenes that are path traced.
 
 use super::Claim;
 use super::elements::{
@@ -55,7 +55,7 @@ pub(super) fn claims() -> Vec<Claim> {
             2.0 * PI * form_factor_point_sphere(distance, 0.8, 0.2 / distance)
         })
         .fluence("probe", 2.0 * solid_angle_sphere(0.8, 1.5_f64.hypot(0.2)), {
-            // the flow of a sphere is π R²/d² away from it
+            // the flow of a sphere is π R²/d², directed away from it
             let squared = 1.5 * 1.5 + 0.2 * 0.2;
             [1.5, 0.0, 0.2].map(|x: f64| -2.0 * PI * 0.64 / squared * x / squared.sqrt())
         }),

@@ -1,4 +1,5 @@
-//! Fog: light of a point that a medium scatters once into a ray, evenly and not, and a boundary between equal media, which is none.
+//! Fog: the light of a point light that a medium scatters once into a ray, isotropically or not;
+//! and a boundary between equal media, which has no effect.
 
 use super::Claim;
 use super::elements::{cuboid, effects, filled_with, gas, medium, point_light, ray};
@@ -7,7 +8,8 @@ use super::scene_text::{material, surface};
 use forms_radiometry::kernels::airlight;
 use std::f64::consts::PI;
 
-/// A point light of intensity 1 at the distance h from the ray along x, abreast of s, in fog that ends at a black wall at D.
+/// Returns a point light of intensity 1 at the distance h from the ray along x, next to the point s
+/// of the ray, in fog that ends at a black wall at D.
 fn lit([beta, h, s, end]: [f64; 4], g: f64) -> [String; 6] {
     let wall =
         format!("polygon = [[{end:?}, -99, -99], [{end:?}, -99, 99], [{end:?}, 99, 99], [{end:?}, 99, -99]]");
@@ -25,7 +27,8 @@ fn evenly(name: &'static str, [beta, h, s, end]: [f64; 4]) -> Claim {
     Claim::new(name, &lit([beta, h, s, end], 0.0)).radiance("ray", airlight(beta, h, s, end))
 }
 
-/// Scattering with mean cosine g and absorption: ∫ σₛ p(cos θ) e^(−σ (x + r))/r² dx, where light goes on from the way to x, of length r, to −x.
+/// Claims scattering with mean cosine g and absorption: ∫ σₛ p(cos θ) e^(−σ (x + r))/r² dx. Light
+/// travels the length r to x, and is scattered there into the direction −x.
 fn unevenly(name: &'static str, [beta, absorption, g]: [f64; 3]) -> Claim {
     let [h, s, end] = [1.0, 2.0, 5.0];
     let mut tables = lit([beta, h, s, end], g);

@@ -1,4 +1,5 @@
-//! Effects that the file turns off, or limits to orders: what is left has its own known answer.
+//! Effects that the file turns off, or limits to orders: the reduced scene has its own known
+//! answer.
 
 use super::Claim;
 use super::elements::{
@@ -18,7 +19,8 @@ fn up() -> String {
     ray("ray", [0.0; 3], [0.0, 0.0, 1.0])
 }
 
-/// Light that walls of reflectance 0.5 and radiance 1 reflect up to so often, in a room with a mirror: Σ ρᵏ.
+/// Claims the light that walls of reflectance 0.5 and radiance 1 reflect up to `most` times, in a
+/// room with a mirror: Σ ρᵏ.
 fn reflections(name: &'static str, most: u32) -> Claim {
     let panel = polygon(&[[0.5, 0.2, 0.2], [0.5, 0.8, 0.2], [0.5, 0.8, 0.8], [0.5, 0.2, 0.8]]);
     let tables = [

@@ -1,5 +1,5 @@
-//! Furnaces: in a closed room whose walls all shine, L = Lₑ/(1 − ρ) in vacuum, whatever stands or floats in it that absorbs nothing, and
-//! n² times that where the index is n.
+//! Furnaces: in a closed room whose walls all emit, L = Lₑ/(1 − ρ) in vacuum, whatever objects are
+//! in it that absorb nothing, and n² times that where the index is n.
 
 use super::Claim;
 use super::elements::{
@@ -8,9 +8,9 @@ use super::elements::{
 use super::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
 use std::f64::consts::PI;
 
-/// The reflectance of the walls, which emit Lₑ = 1.
+/// Reflectance of the walls, which emit Lₑ = 1.
 const WALLS: f64 = 0.5;
-/// Their radiance with what is reflected.
+/// Radiance of the walls, including reflected light.
 const RADIANCE: f64 = 2.0;
 const UNIT: [[f64; 3]; 2] = [[0.0; 3], [1.0; 3]];
 
@@ -22,7 +22,7 @@ fn shell(reflectance: f64) -> String {
     material("white", reflectance) + &surface("shell", "white", &shining(&sphere([0.0; 3], 2.0, true), 1))
 }
 
-/// A receiver of each kind in the cube.
+/// Returns a receiver of each kind in the cube.
 fn receivers() -> String {
     [
         point_receiver("point", [0.2, 0.3, 0.0], [0.0, 0.0, 1.0]),
@@ -34,7 +34,7 @@ fn receivers() -> String {
     .concat()
 }
 
-/// A claim of what those receivers get from radiance that is the same everywhere.
+/// Claims the answers of those receivers under a radiance that is the same everywhere.
 fn everywhere(name: &'static str, tables: &[String], radiance: f64) -> Claim {
     let tables = [tables, &[receivers()]].concat();
     Claim::new(name, &tables)
@@ -46,12 +46,13 @@ fn everywhere(name: &'static str, tables: &[String], radiance: f64) -> Claim {
         .radiance("camera", radiance)
 }
 
-/// A room of black walls that shine, full of fog: near walls are found by chance, and those far away are looked for.
+/// Claims a room of black walls that emit, full of fog. Near walls are found by chance, and distant
+/// walls by next-event estimation.
 fn fog_in_the_dark(name: &'static str, sigma: f64, g: f64) -> Claim {
     everywhere(name, &[room(0.0), gas("fog", 0, sigma, g), filled_with("fog")], 1.0).within(5e-3)
 }
 
-/// A furnace with a mirror in it, and the irradiance of one point.
+/// Claims the irradiance of a point in a furnace with a mirror in it.
 pub(crate) fn furnace_of(reflectance: f64) -> Claim {
     let ball = mirror("silver", 1) + &surface("ball", "silver", &sphere([0.5; 3], 0.25, false));
     let here = point_receiver("here", [0.2, 0.3, 0.0], [0.0, 0.0, 1.0]);
@@ -59,8 +60,9 @@ pub(crate) fn furnace_of(reflectance: f64) -> Claim {
         .irradiance("here", PI / (1.0 - reflectance))
 }
 
-/// A cube of glass in a furnace. The cosines to its faces stay what they are, so that of light inside only what lies in one of the six cones
-/// of total reflection ever came from outside: the project's reference `n2-escape-cone` is half of one of them, (1 − √(1 − 1/n²))/2.
+/// Claims the light in a cube of glass in a furnace. The cosines of light inside to the faces do
+/// not change, so only light in one of the six cones of total reflection ever came from outside.
+/// The project's reference `n2-escape-cone` is half of one of them, (1 − √(1 − 1/n²))/2.
 fn glass_cube() -> Claim {
     const CONE: f64 = 0.127_322_003_750_035_05;
     let radiance = 1.5 * 1.5 * RADIANCE;

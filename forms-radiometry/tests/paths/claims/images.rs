@@ -1,4 +1,4 @@
-//! Images: the mean of all pixels is that of the radiance over the film.
+//! Images: the mean of all pixels is the mean radiance over the film.
 
 use super::Claim;
 use super::elements::{
@@ -9,13 +9,15 @@ use super::integral::integral;
 use super::scene_text::{material, surface};
 use std::f64::consts::PI;
 
-/// How wide and how high half of the film is at unit distance, at a vertical field of view of 60 degrees and a shape of 4 to 3.
+/// Returns half of the width and half of the height of the film at unit distance, for a vertical
+/// field of view of 60 degrees and an aspect ratio of 4 to 3.
 fn half_film() -> [f64; 2] {
     let high = 30.0_f64.to_radians().tan();
     [high * 4.0 / 3.0, high]
 }
 
-/// The mean over the film of what is seen at the secant of the angle to the line of sight.
+/// Returns the mean over the film of a radiance that depends on the secant of the angle to the line
+/// of sight.
 fn mean(seen: impl Fn(f64) -> f64) -> f64 {
     let [wide, high] = half_film();
     let row = |b: f64| integral([0.0, wide], |a| seen((1.0 + a * a + b * b).sqrt()));
@@ -26,7 +28,7 @@ fn looking_down() -> String {
     camera([[0.0, 0.0, 2.0], [0.0; 3], [0.0, 1.0, 0.0]], 60.0, [4, 3])
 }
 
-/// A floor that shines below a haze that absorbs.
+/// Claims a floor that emits below a haze that absorbs.
 pub(crate) fn floor_in_haze() -> Claim {
     let tables = [
         medium("haze", [&0.4, &0, &0, &1]),

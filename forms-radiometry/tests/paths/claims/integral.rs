@@ -1,9 +1,10 @@
-//! Integrals and special functions of known answers, to nearly all digits of `f64`.
+//! Integrals and special functions of known answers, nearly to the precision of `f64`.
 
 use std::f64::consts::FRAC_PI_2;
 
-/// ∫ f from a to b by the substitution x = tanh(π/2 sinh t), which takes singular derivatives at the ends. Source: H. Takahasi, M. Mori,
-/// Double exponential formulas for numerical integration (1974).
+/// Returns ∫ f from a to b by the substitution x = tanh(π/2 sinh t), which tolerates singular
+/// derivatives at the ends. Source: H. Takahasi, M. Mori, Double exponential formulas for numerical
+/// integration (1974).
 pub(crate) fn integral([a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 1.0 / 16.0;
     const STEPS: i32 = 56;
@@ -18,12 +19,13 @@ pub(crate) fn integral([a, b]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     STEP * half * (-STEPS..=STEPS).map(term).sum::<f64>()
 }
 
-/// The exponential integral Eₙ(x) = ∫ μⁿ⁻² e^(−x/μ) dμ over 0 to 1, for n of 2 and more.
+/// Returns the exponential integral Eₙ(x) = ∫ μⁿ⁻² e^(−x/μ) dμ over 0 to 1, for n of 2 and more.
 pub(crate) fn exponential_integral(n: i32, x: f64) -> f64 {
     integral([0.0, 1.0], |mu| mu.powi(n - 2) * (-x / mu).exp())
 }
 
-/// Fresnel's reflectance for unpolarised light by the amplitudes as they are usually written: n is the index beyond over that before.
+/// Returns Fresnel's reflectance for unpolarised light, from the amplitudes in their usual form: n
+/// is the index behind the boundary over the index in front of it.
 pub(crate) fn fresnel(n: f64, cosine: f64) -> f64 {
     let squared = 1.0 - (1.0 - cosine * cosine) / (n * n);
     if squared <= 0.0 {

@@ -1,4 +1,4 @@
-//! Small lamps in mirrors, which hardly any ray meets by chance: closed forms of their images.
+//! Small lamps in mirrors, which hardly any random ray meets: closed forms of their images.
 
 use super::Claim;
 use super::elements::{metal, mirror, probe, shining, sphere};
@@ -14,7 +14,8 @@ const RHO: f64 = 0.8;
 const RADIUS: f64 = 0.02;
 const LAMP: Point = [0.7, 0.4, 1.1];
 
-/// A mirror in the plane x = 0 or y = 0 where these are above 0; it looks at where the other one is above 0, too.
+/// Returns a mirror in the plane x = 0 or y = 0, where the other coordinate is above 0; it faces
+/// the side where its own coordinate is above 0.
 fn quarter(axis: usize) -> String {
     let corners: [Point; 4] = if axis == 0 {
         [[0.0, 0.0, -FAR], [0.0, FAR, -FAR], [0.0, FAR, FAR], [0.0, 0.0, FAR]]
@@ -24,7 +25,7 @@ fn quarter(axis: usize) -> String {
     surface(["in_x", "in_y"][axis], "silver", &polygon(&corners))
 }
 
-/// The plane x = 0 or x = 2, as a mirror that looks at the other one.
+/// Returns the plane x = 0 or x = 2, as a mirror that faces the other plane.
 fn whole(is_first: bool, of: &str) -> String {
     let x = if is_first { 0.0 } else { 2.0 };
     let mut corners = [[x, -FAR, -FAR], [x, FAR, -FAR], [x, FAR, FAR], [x, -FAR, FAR]];
@@ -38,7 +39,7 @@ fn lamp() -> String {
     material("black", 0) + &surface("lamp", "black", &shining(&sphere(LAMP, RADIUS, false), 9))
 }
 
-/// The irradiance of a sphere of radiance 9 at a point, across this normal.
+/// Returns the irradiance of a sphere of radiance 9 at a point, for this normal.
 fn of_sphere([x, y, z]: Point, at: Point, normal: Point) -> f64 {
     let way = [x - at[0], y - at[1], z - at[2]];
     let distance = way.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -53,7 +54,7 @@ pub(super) fn claims() -> Vec<Claim> {
     let point = || point_receiver("here", here, up);
     let silver = || mirror("silver", RHO);
     let three = at([x, y, z]) + RHO * (at([-x, y, z]) + at([x, -y, z])) + RHO * RHO * at([-x, -y, z]);
-    // the n-th image to each side is shifted by two widths, or turned over besides
+    // image n is shifted by n times two widths, and exists in a mirrored form too
     let facing = |n: i32| {
         let shifted = at([x + 4.0 * f64::from(n), y, z]);
         let turned = at([-x + 4.0 * f64::from(n), y, z]);
@@ -70,7 +71,7 @@ pub(super) fn claims() -> Vec<Claim> {
     };
     let on_floor =
         |u: f64, v: f64| of_sphere(LAMP, [u, v, 0.0], up) + RHO * of_sphere([-x, y, z], [u, v, 0.0], up);
-    // where the mirror shows the lamp
+    // cosine at the point where the mirror shows the lamp
     let steep =
         (x + here[0]) / ((x + here[0]).powi(2) + (y - here[1]).powi(2) + (z - here[2]).powi(2)).sqrt();
     vec![

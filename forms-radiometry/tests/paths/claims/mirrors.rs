@@ -1,4 +1,5 @@
-//! Mirrors: what a plane mirror shows is its image, with the mirror's reflectance for each time it is met.
+//! Mirrors: a plane mirror shows the image of a scene, times the mirror's reflectance for each
+//! reflection.
 
 use super::Claim;
 use super::elements::{mirror, point_light, ray, shining};
@@ -8,23 +9,24 @@ use std::f64::consts::PI;
 
 const FAR: f64 = 1e3;
 
-/// The form factor at the origin's height of a unit square above, whose corner nearest to the axis is (x, y, 1).
+/// Returns the form factor, at the origin's height, of a unit square above whose corner nearest to
+/// the axis is (x, y, 1).
 fn seen(at: [f64; 2], [x, y]: [f64; 2]) -> f64 {
     form_factor_point_rectangle(at[0], at[1], 0.0, 0.0, 0.0, 1.0, x, y, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 }
 
-/// A lamp of radiance 1 over (0.2, 0.3) to (1.2, 1.3), at the height of 1.
+/// Returns a lamp of radiance 1 over (0.2, 0.3) to (1.2, 1.3), at the height 1.
 fn lamp() -> String {
     let corners = [[0.2, 0.3, 1.0], [0.2, 1.3, 1.0], [1.2, 1.3, 1.0], [1.2, 0.3, 1.0]];
     material("black", 0) + &surface("lamp", "black", &shining(&polygon(&corners), 1))
 }
 
-/// Mirrors in the planes x = 0 and y = 0.
+/// Returns a mirror in the plane x = 0 or y = 0.
 fn wall(axis: usize) -> String {
     let corner = |along: f64, up: f64| if axis == 0 { [0.0, along, up] } else { [along, 0.0, up] };
     let mut corners = [corner(-FAR, -FAR), corner(FAR, -FAR), corner(FAR, FAR), corner(-FAR, FAR)];
     if axis == 0 {
-        // looks along x
+        // faces along x
         return surface("mirror_x", "silver", &polygon(&corners));
     }
     corners.reverse();
@@ -38,7 +40,7 @@ pub(super) fn claims() -> Vec<Claim> {
     let silver = || mirror("silver", RHO);
     let direct = seen(here, [0.2, 0.3]);
     let (in_x, in_y, in_both) = (seen(here, [-1.2, 0.3]), seen(here, [0.2, -1.3]), seen(here, [-1.2, -1.3]));
-    // the back of a mirror is black, so that only a quarter of space is left between both
+    // the back of a mirror is black, so only a quarter of space remains between both
     let corner = direct + RHO * (in_x + in_y) + RHO * RHO * in_both;
     let quarter = |axis: usize| {
         let corners: [[f64; 3]; 4] = if axis == 0 {

@@ -1,8 +1,9 @@
-//! Known answers of scenes whose light is followed along paths: each claim is a scene, and what its receivers get by a closed form, an integral
-//! that is taken here, or a number of the project's table of references.
+//! Known answers of scenes that are path traced. Each claim is a scene and the answers of its
+//! receivers: by a closed form, by an integral that is evaluated here, or by a number of the
+//! project's table of references.
 //!
 //! ```text
-//! name, tables of a scene file ─▶ scene ─ seed, tolerance ─▶ answers beside their true values
+//! name, tables of a scene file ─▶ scene ─ seed, tolerance ─▶ answers, compared with true values
 //! ```
 
 mod absorption;
@@ -32,16 +33,16 @@ use forms_radiometry::simulation::{
     Answer, Budget, ErrorKind, Job, Plan, Quantity, Unwatched, plan, simulate, simulate_job,
 };
 
-/// A scene whose answers are known.
+/// Scene whose answers are known.
 pub(crate) struct Claim {
     pub(crate) name: &'static str,
     text: String,
     expected: Vec<Expected>,
-    /// The tolerance that tests ask for.
+    /// Tolerance of the tests.
     pub(crate) tolerance: f64,
 }
 
-/// What a receiver is known to get.
+/// Known answer of a receiver.
 struct Expected {
     receiver: &'static str,
     quantity: Quantity,
@@ -50,7 +51,7 @@ struct Expected {
     value: f64,
 }
 
-/// An answer beside the true value, and the largest true value of its receiver in its band.
+/// An answer, its true value, and the largest true value of its receiver in its band.
 #[derive(Debug)]
 pub(crate) struct Compared {
     pub(crate) answer: Answer,
@@ -63,7 +64,7 @@ impl Claim {
         Self { name, text: tables.concat(), expected: Vec::new(), tolerance: 5e-2 }
     }
 
-    /// The same claim with another tolerance in tests.
+    /// Returns the same claim with another tolerance of its tests.
     fn within(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
@@ -92,7 +93,7 @@ impl Claim {
         self.expects(receiver, Quantity::Flux, [None; 2], value)
     }
 
-    /// The fluence rate and the components of vector irradiance.
+    /// Claims the fluence rate and the components of vector irradiance.
     fn fluence(self, receiver: &'static str, value: f64, vector: [f64; 3]) -> Self {
         let rate = self.expects(receiver, Quantity::FluenceRate, [None; 2], value);
         let component = |claim: Self, (axis, &value): (usize, &f64)| {
@@ -101,7 +102,7 @@ impl Claim {
         vector.iter().enumerate().fold(rate, component)
     }
 
-    /// One value for each band.
+    /// Claims one value for each band.
     fn bands(self, receiver: &'static str, quantity: Quantity, values: &[f64]) -> Self {
         let of_band = |claim: Self, (band, &value): (usize, &f64)| {
             claim.expects(receiver, quantity, [Some(band), None], value)
@@ -109,7 +110,7 @@ impl Claim {
         values.iter().enumerate().fold(self, of_band)
     }
 
-    /// One value for each bin of time.
+    /// Claims one value for each time bin.
     fn bins(self, receiver: &'static str, quantity: Quantity, values: &[f64]) -> Self {
         let of_bin = |claim: Self, (bin, &value): (usize, &f64)| {
             claim.expects(receiver, quantity, [None, Some(bin)], value)
@@ -117,20 +118,20 @@ impl Claim {
         values.iter().enumerate().fold(self, of_bin)
     }
 
-    /// The scene.
+    /// Returns the scene.
     pub(crate) fn scene(&self) -> Scene {
         read(&self.text, "claim.toml")
             .unwrap_or_else(|errors| panic!("{}: {}\n{}", self.name, errors[0], self.text))
     }
 
-    /// What is found with a seed and a tolerance, beside what is known.
+    /// Compares the answers for a seed and a tolerance with the known ones.
     pub(crate) fn compared(&self, seed: u64, tolerance: f64) -> Vec<Compared> {
         let mut scene = self.scene();
         (scene.solve.seed, scene.solve.tolerance) = (seed, tolerance);
         self.beside(&answers(self.name, &scene))
     }
 
-    /// What is found with a seed and so many samples, beside what is known.
+    /// Compares the answers for a seed and a fixed number of samples with the known ones.
     pub(crate) fn sampled(&self, seed: u64, budget: Budget) -> Vec<Compared> {
         let mut scene = self.scene();
         scene.solve.seed = seed;
@@ -140,7 +141,7 @@ impl Claim {
         self.beside(&found.unwrap_or_else(|error| panic!("{}: {error}", self.name)).answers)
     }
 
-    /// Answers beside what is known.
+    /// Compares answers with the known ones.
     pub(crate) fn beside(&self, answers: &[Answer]) -> Vec<Compared> {
         self.expected.iter().map(|expected| self.one_beside(answers, expected)).collect()
     }
@@ -163,8 +164,9 @@ impl Claim {
 }
 
 impl Compared {
-    /// How far the answer is off, in its standard errors; none where it is exact but for rounding of so much, relative to the largest of its
-    /// receiver, for a bound that it keeps, or where no sample found anything and the error allows for that.
+    /// Returns the deviation of the answer in its standard errors. `None` where it is exact except
+    /// for this rounding error, relative to the largest value of its receiver; for a bound that
+    /// holds; or where no sample found anything and the error covers the difference.
     pub(crate) fn deviations(&self, rounding: f64) -> Option<f64> {
         let off = (self.answer.value - self.truth).abs();
         let least = rounding * self.largest;
@@ -179,7 +181,7 @@ impl Compared {
     }
 }
 
-/// What the receivers of a scene get, as planned.
+/// Simulates a scene as planned and returns the answers of its receivers.
 pub(crate) fn answers(name: &str, scene: &Scene) -> Vec<Answer> {
     simulate(scene, &planned(name, scene), &Unwatched).answers
 }
@@ -188,21 +190,21 @@ fn planned(name: &str, scene: &Scene) -> Plan {
     plan(scene).unwrap_or_else(|errors| panic!("{name}: {}", errors[0]))
 }
 
-/// A claim about a floor in haze that is wrong by a factor.
+/// Returns a claim about a floor in haze that is wrong by a factor.
 pub(crate) fn off_by(factor: f64) -> Claim {
     let mut claim = floor_in_haze();
     claim.expected.iter_mut().for_each(|expected| expected.value *= factor);
     claim
 }
 
-/// All claims, and those that take long.
+/// Returns all claims, including those that take long.
 pub(crate) fn all_and_long() -> Vec<Claim> {
     let mut claims = all();
     claims.push(furnace_of(0.99));
     claims
 }
 
-/// All claims.
+/// Returns all claims, except those that take long.
 pub(crate) fn all() -> Vec<Claim> {
     let families = [
         furnaces::claims(),

@@ -1,5 +1,5 @@
-//! Slabs of a medium that scatters, as boxes so wide that their ends are not seen: reflectance and transmittance of light that is the same
-//! from all directions above, and of a beam.
+//! Slabs of a medium that scatters, as boxes so wide that their ends are not visible: reflectance
+//! and transmittance for isotropic light from above, and for a beam.
 
 use super::Claim;
 use super::elements::{cuboid, distant_light, effects, filled_with, gas, ray, shining, square};
@@ -11,7 +11,7 @@ use forms_radiometry::kernels::{
 };
 use std::f64::consts::PI;
 
-/// Half of the width of a slab, whose thickness is 1: what is missing beyond is 1e-8 of the light.
+/// Half width of a slab whose thickness is 1: the part missing beyond it is 1e-8 of the light.
 const WIDE: f64 = 1e4;
 
 fn slab(thickness: f64, absorption: f64, scattering: f64, g: f64) -> String {
@@ -19,7 +19,8 @@ fn slab(thickness: f64, absorption: f64, scattering: f64, g: f64) -> String {
     gas("fog", absorption, scattering, g) + &cuboid("slab", "fog", body, false, "")
 }
 
-/// Isotropic light of radiance 1 from above, and receivers of what is reflected and of what is transmitted.
+/// Returns isotropic light of radiance 1 from above, and receivers of the reflected and of the
+/// transmitted light.
 fn lit_from_above() -> String {
     material("black", 0)
         + &surface("lamp", "black", &shining(&square(1.0, WIDE, false), 1))
@@ -27,14 +28,15 @@ fn lit_from_above() -> String {
         + &point_receiver("transmitted", [0.0, 0.0, -1.5], [0.0, 0.0, 1.0])
 }
 
-/// A slab of albedo ω and optical thickness τ that reflects R.
+/// Claims that a slab of albedo ω and optical thickness τ reflects R.
 fn reflects(name: &'static str, [omega, tau]: [f64; 2], reflectance: f64) -> Claim {
     let tables = [slab(1.0, (1.0 - omega) * tau, omega * tau, 0.0), lit_from_above()];
     let claim = Claim::new(name, &tables).irradiance("reflected", PI * reflectance);
     if omega == 1.0 { claim.irradiance("transmitted", PI * (1.0 - reflectance)) } else { claim }
 }
 
-/// A medium without end between a plate of radiance 1 and a black one, and receivers on both: no path goes on from a plate.
+/// Returns an infinite medium between a plate of radiance 1 and a black one, and receivers on both:
+/// every path ends at a plate.
 pub(super) fn between_plates(medium: &str) -> [String; 3] {
     let plates = surface("lamp", "black", &shining(&square(1.0, WIDE, false), 1))
         + &surface("floor", "black", &square(0.0, WIDE, true));
@@ -43,7 +45,7 @@ pub(super) fn between_plates(medium: &str) -> [String; 3] {
     [material("black", 0) + &plates, medium.to_owned() + &filled_with("fog"), receivers]
 }
 
-/// A slab between plates that absorbs nothing and reflects R.
+/// Claims that a slab between plates, which absorbs nothing, reflects R.
 fn passes(name: &'static str, tau: f64, reflectance: f64) -> Claim {
     Claim::new(name, &between_plates(&gas("fog", 0, tau, 0)))
         .irradiance("reflected", PI * reflectance)
@@ -51,8 +53,9 @@ fn passes(name: &'static str, tau: f64, reflectance: f64) -> Claim {
         .within(5e-3)
 }
 
-/// What light that was scattered up to twice adds to reflectance and transmittance of a slab: with S₁ = ω/2 E₂(t),
-/// Sₙ₊₁(t) = ω/2 ∫ E₁(|t − t′|) Sₙ(t′) dt′, 2 ∫ Sₙ(t) E₂(t) dt and 2 ∫ Sₙ(t) E₂(τ − t) dt.
+/// Returns the contributions of light scattered once, and twice, to the reflectance and
+/// transmittance of a slab: with S₁ = ω/2 E₂(t), Sₙ₊₁(t) = ω/2 ∫ E₁(|t − t′|) Sₙ(t′) dt′, these are
+/// 2 ∫ Sₙ(t) E₂(t) dt and 2 ∫ Sₙ(t) E₂(τ − t) dt.
 fn orders(omega: f64, tau: f64) -> [[f64; 2]; 2] {
     let e2 = |t: f64| exponential_integral(2, t);
     let first = |t: f64| 0.5 * omega * e2(t);
@@ -68,7 +71,8 @@ fn orders(omega: f64, tau: f64) -> [[f64; 2]; 2] {
         let source = 2.0 * second(t);
         [source * e2(t), source * e2(tau - t)]
     };
-    // Gauss–Legendre of five points in eight parts: the source is smooth but for t log t at the ends
+    // Gauss–Legendre of five points in eight parts: the source is smooth but for t log t at the
+    // ends
     const NODES: [[f64; 2]; 5] = [
         [-0.906_179_845_938_664, 0.236_926_885_056_189],
         [-0.538_469_310_105_683, 0.478_628_670_499_366],
@@ -88,7 +92,7 @@ fn orders(omega: f64, tau: f64) -> [[f64; 2]; 2] {
     [once, sums]
 }
 
-/// A slab lit by light that was scattered so often at most.
+/// Claims the light of a slab that is scattered up to `most` times.
 fn scattered(name: &'static str, most: u32) -> Claim {
     const OMEGA: f64 = 0.8;
     const TAU: f64 = 1.5;
@@ -104,7 +108,8 @@ fn scattered(name: &'static str, most: u32) -> Claim {
         .irradiance("transmitted", PI * (slab_transmittance(TAU) + sum(1)))
 }
 
-/// Light of a beam that a slab scatters once, along rays from outside: π I/F₀ of isotropic scattering times 4π times the phase function.
+/// Claims the light of a beam that a slab scatters once, along rays from outside: π I/F₀ of
+/// isotropic scattering times 4π times the phase function.
 fn beam(name: &'static str, [omega, tau, g]: [f64; 3]) -> Claim {
     const FLUX: f64 = 3.0;
     let [mu0, mu]: [f64; 2] = [0.8, 0.5];
@@ -127,7 +132,8 @@ fn beam(name: &'static str, [omega, tau, g]: [f64; 3]) -> Claim {
         .radiance("transmitted", FLUX / PI * phase(on) * single_scatter_transmitted(omega, tau, mu0, mu))
 }
 
-/// A half-space in a beam: π I/F₀ = ω/4 μ₀/(μ₀ + μ) H(μ) H(μ₀). What comes back from the depth of 40 is 1e-18.
+/// Claims the reflection of a half-space in a beam: π I/F₀ = ω/4 μ₀/(μ₀ + μ) H(μ) H(μ₀). Light that
+/// returns from the depth of 40 is 1e-18.
 fn half_space(name: &'static str, omega: f64) -> Claim {
     let [mu0, mu]: [f64; 2] = [1.0, 0.5];
     let across = (1.0 - mu * mu).sqrt();

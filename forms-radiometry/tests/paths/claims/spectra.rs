@@ -1,4 +1,5 @@
-//! Bands: each gets what the same scene gives in that band alone, whether bands share their paths or go ways of their own.
+//! Bands: each has the answer of the same scene in that band alone, whether bands share their paths
+//! or have their own.
 
 use super::Claim;
 use super::elements::{
@@ -12,7 +13,7 @@ use forms_radiometry::kernels::airlight;
 use forms_radiometry::simulation::Quantity;
 use std::f64::consts::PI;
 
-/// So many bands.
+/// Returns this number of bands.
 fn bands(count: usize) -> String {
     let ends: Vec<[usize; 2]> = (0..count).map(|band| [400 + 50 * band, 450 + 50 * band]).collect();
     format!("bands = {ends:?}\n")
@@ -22,7 +23,8 @@ fn list(values: &[f64]) -> String {
     format!("{values:?}")
 }
 
-/// What a sky of radiance 1 makes of a plate at the cosine 0.6: R + R (1 − R)²/(1 − R²).
+/// Returns the radiance that a plate reflects at the cosine 0.6 of a sky of radiance 1: R + R (1 −
+/// R)²/(1 − R²).
 fn plate(n: f64) -> f64 {
     let r = fresnel(n, 0.6);
     r + r * (1.0 - r) / (1.0 + r)

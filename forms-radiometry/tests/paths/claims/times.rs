@@ -1,4 +1,5 @@
-//! Time: light arrives when its optical length says, ∫ n ds/c after the pulse, and what all bins hold together is the answer without time.
+//! Time: light arrives at the time of its optical path length, ∫ n ds/c after the pulse, and the
+//! sum of all bins is the answer without time.
 
 use super::Claim;
 use super::elements::{
@@ -9,10 +10,10 @@ use super::scene_text::{material, point_receiver, polygon, surface};
 use forms_radiometry::simulation::Quantity;
 use std::f64::consts::PI;
 
-/// The time in which light goes a metre, in seconds.
+/// Time in which light travels a metre, in seconds.
 const METRE: f64 = 1.0 / 299_792_458.0;
 
-/// Nothing but this value in one of so many bins.
+/// Returns bins: one has this value, and all others are zero.
 fn alone<const BINS: usize>(bin: usize, value: f64) -> [f64; BINS] {
     std::array::from_fn(|other| if other == bin { value } else { 0.0 })
 }
@@ -21,8 +22,9 @@ fn lamp(height: f64) -> String {
     material("black", 0) + &surface("lamp", "black", &shining(&square(height, 1.0, false), 2))
 }
 
-/// A sphere of radius 1 that emits radiance 1 and reflects ρ, with all light that is reflected once at most; seen from its middle. Light that is
-/// reflected goes a chord s whose square is even between 0 and 4.
+/// Claims the light at the centre of a sphere of radius 1 that emits radiance 1 and reflects ρ,
+/// with at most one reflection. Reflected light travels a chord s whose square is uniformly
+/// distributed between 0 and 4.
 fn echo() -> Claim {
     const RHO: f64 = 0.6;
     let once = |from: f64, to: f64| 4.0 * PI * RHO * (to * to - from * from) / 4.0;
@@ -37,7 +39,8 @@ fn echo() -> Claim {
     Claim::new("an echo in a sphere comes after chords", &tables).bins("middle", Quantity::FluenceRate, &bins)
 }
 
-/// A plate of glass between a ray and a lamp: what is reflected twice inside comes 2 n d later.
+/// Claims the light through a plate of glass between a ray and a lamp: light that is reflected
+/// twice inside arrives 2 n d later.
 fn plate() -> Claim {
     let tables = [
         glass("glass", 1.5),

@@ -1,4 +1,4 @@
-//! Four numbers in a register of AVX2, with fused multiply-add.
+//! Four numbers in an AVX2 register, with fused multiply-add.
 
 use super::Vector;
 use crate::expert::elementary;
@@ -8,11 +8,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy)]
 pub(crate) struct F64x4(__m256d);
 
-/// 3 · 2⁵¹: of its sum with a whole number below 2⁵¹ in size, the low bits are that number.
+/// 3 · 2⁵¹. The low bits of its sum with an integer below 2⁵¹ in magnitude are that integer.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 impl F64x4 {
-    /// 2ᵏ of a whole number −1022 ≤ k ≤ 1023: its bits become the exponent.
+    /// Returns 2ᵏ for an integer −1022 ≤ k ≤ 1023: its bits become the exponent.
     #[inline(always)]
     fn power_of_two(k: Self) -> Self {
         // SAFETY: the caller has AVX2.
@@ -46,12 +46,12 @@ impl Vector for F64x4 {
     }
     #[inline(always)]
     unsafe fn load(from: *const f64) -> Self {
-        // SAFETY: the caller has AVX2, and the numbers stand there.
+        // SAFETY: the caller has AVX2, and `from` points to that many numbers.
         F64x4(unsafe { _mm256_loadu_pd(from) })
     }
     #[inline(always)]
     unsafe fn store(self, to: *mut f64) {
-        // SAFETY: the caller has AVX2, and there is room.
+        // SAFETY: the caller has AVX2, and `to` points to memory for that many numbers.
         unsafe { _mm256_storeu_pd(to, self.0) }
     }
     #[inline(always)]
@@ -103,7 +103,7 @@ impl Vector for F64x4 {
     }
 }
 
-/// An operator of the language as an instruction.
+/// Implements an operator of the language by an instruction.
 macro_rules! operator {
     ($operator:ident, $method:ident, $instruction:ident) => {
         impl $operator for F64x4 {

@@ -1,4 +1,4 @@
-//! Eight numbers in a register of AVX-512.
+//! Eight numbers in an AVX-512 register.
 
 use super::Vector;
 use crate::expert::elementary;
@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub(crate) struct F64x8(__m512d);
 
 impl F64x8 {
-    /// 2ᵏ of a whole number k.
+    /// Returns 2ᵏ for an integer k.
     #[inline(always)]
     fn power_of_two(k: Self) -> Self {
         // SAFETY: the caller has AVX-512.
@@ -38,12 +38,12 @@ impl Vector for F64x8 {
     }
     #[inline(always)]
     unsafe fn load(from: *const f64) -> Self {
-        // SAFETY: the caller has AVX-512, and the numbers stand there.
+        // SAFETY: the caller has AVX-512, and `from` points to that many numbers.
         F64x8(unsafe { _mm512_loadu_pd(from) })
     }
     #[inline(always)]
     unsafe fn store(self, to: *mut f64) {
-        // SAFETY: the caller has AVX-512, and there is room.
+        // SAFETY: the caller has AVX-512, and `to` points to memory for that many numbers.
         unsafe { _mm512_storeu_pd(to, self.0) }
     }
     #[inline(always)]
@@ -97,7 +97,7 @@ impl Vector for F64x8 {
     }
 }
 
-/// An operator of the language as an instruction.
+/// Implements an operator of the language by an instruction.
 macro_rules! operator {
     ($operator:ident, $method:ident, $instruction:ident) => {
         impl $operator for F64x8 {
