@@ -14,9 +14,9 @@ use forms_core::derivation::{Derivation, Line, derive};
 use forms_core::diagnostic::Span;
 use forms_core::expression::Symbol;
 use forms_core::notation::{latex_of_name, latex_of_named};
-use forms_core::resolve::{Named, Theory};
 use forms_core::syntax::Source;
 use forms_core::syntax::ast::{File, ItemKind};
+use forms_core::theory::{Named, Theory};
 use rayon::prelude::*;
 use std::ops::Range;
 

@@ -3,8 +3,8 @@
 use crate::files::{reason, replace};
 use forms::core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms::core::decide::Verdict;
-use forms::core::resolve::{Statement, Theory};
 use forms::core::syntax::Source;
+use forms::core::theory::{Statement, Theory};
 use forms_check::Outcome;
 use std::io::Write;
 use std::path::{Component, Path, PathBuf};

@@ -4,7 +4,7 @@ use crate::streams::tell;
 use crate::theory_file::{self, FileError, TheoryFile};
 use forms::core::compile::compile_kernel;
 use forms::core::generation::Generated;
-use forms::core::resolve::Kernel;
+use forms::core::theory::Kernel;
 
 /// Where FILE is this, the library is meant.
 pub(crate) const LIBRARY: &str = "-";

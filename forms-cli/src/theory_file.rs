@@ -3,9 +3,9 @@
 use crate::streams::tell;
 use forms::core::check::read_theory;
 use forms::core::diagnostic::{Diagnostic, Span};
-use forms::core::resolve::Theory;
 use forms::core::stability::{Choices, EXTENSION};
 use forms::core::syntax::Source;
+use forms::core::theory::Theory;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};

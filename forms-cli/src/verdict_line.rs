@@ -3,8 +3,8 @@
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use forms::core::decide::{Verdict, Witness};
-use forms::core::resolve::Statement;
 use forms::core::syntax::ast::Claim;
+use forms::core::theory::Statement;
 use std::time::Duration;
 
 /// Columns for the name of a statement, beyond which the verdict moves to the right.

@@ -27,9 +27,8 @@ pub(crate) use facts::Facts;
 pub(crate) use open::is_open;
 pub(crate) use range::Range;
 
-use crate::expression::{Condition, Expr, Pool};
+use crate::expression::{Condition, Expr, Pool, Relation};
 use crate::normal::{Fraction, Normalised, Obstacle, Sign, SignConstraint, Tower, Trigonometry, normalise};
-use crate::syntax::ast::Relation;
 use region::{Constraint, MOST_FACTORS, NoCases, Region};
 
 /// Number of times that the assumptions can refine the tower.

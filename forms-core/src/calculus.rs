@@ -27,7 +27,7 @@ mod pullback;
 mod wedge;
 
 pub use blade::{Blade, Coordinate, MAXIMUM_COORDINATES};
-pub use coefficient::{Coefficients, Product, Structured};
+pub use coefficient::{Coefficients, Product, Quotients, Structured};
 pub use exterior::{Contribution, contributions, exterior_derivative};
 pub use field::{Field, bracket, derivative_along};
 pub use form::Form;
@@ -35,7 +35,7 @@ pub use gradient::{curl, divergence, gradient};
 pub use hodge::{codifferential, hodge, laplacian, volume};
 pub use interior::{interior, pairing};
 pub use lie::{lie_of_form, lie_of_scalar};
-pub use metric::{Metric, Quotients};
+pub use metric::Metric;
 pub use musical::{flat, inner_of_fields, inner_of_forms, sharp};
 pub use power::power;
 pub use pullback::{Pullback, pullback};

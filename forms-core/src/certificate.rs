@@ -10,11 +10,8 @@
 mod reason;
 mod writer;
 
-use crate::assume::Facts;
 use crate::decide::{Verdict, retrace, retrace_integration};
-use crate::expression::{Expr, Pool};
-use crate::normal::{Sign, Tower};
-use crate::resolve::{Statement, Theory};
+use crate::theory::{Statement, Theory};
 use std::fmt::Write;
 use writer::Writer;
 
@@ -79,19 +76,4 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
             format!("\nuncovered {name} the statement is not decided\n")
         }
     }
-}
-
-/// Receiver of the steps of a proof.
-pub(crate) trait Observer {
-    /// The differences, which are expressions of this pool, are zero in this case.
-    fn zero(&mut self, pool: &Pool, tower: &Tower, differences: &[Expr]);
-    /// In this case a side divides by zero everywhere.
-    fn undefined(&mut self);
-    /// The proof continues by cases; `factors` are the factors on which they rest, first those
-    /// whose signs distinguish the cases.
-    fn split(&mut self, tower: &Tower, factors: &[usize], facts: &Facts, cases: &[Vec<(usize, Sign)>]);
-    /// One of the cases begins.
-    fn case(&mut self, signs: &[(usize, Sign)]);
-    /// All cases of the last split are complete.
-    fn end(&mut self);
 }

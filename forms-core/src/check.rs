@@ -10,10 +10,11 @@
 use crate::decide::{Verdict, Witness, decide};
 use crate::diagnostic::{Diagnostic, Kind, Span, limited};
 use crate::generation::faults;
-use crate::resolve::{Statement, Theory, resolve, resolve_traced};
+use crate::resolve::{resolve, resolve_traced};
 use crate::syntax::ast::{Claim, File, Item, ItemKind};
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::{Source, end_of, lex, parse_text};
+use crate::theory::{Statement, Theory};
 use crate::units;
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -15,9 +15,9 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
 use crate::generation::{self, Fault, Generated};
 use crate::kernel::Program;
-use crate::resolve::{Kernel, Statement, Theory};
 use crate::rounding::{ErrorBound, Unbounded};
 use crate::stability::{Choices, by_rules};
+use crate::theory::{Kernel, Statement, Theory};
 
 /// Options of a compilation.
 #[derive(Clone, Copy, Debug, Default)]

@@ -15,11 +15,15 @@
 
 mod account;
 mod angle;
+mod angle_equation;
+mod cases;
 mod empty;
 mod equation;
 mod finding;
+mod goal;
 mod instance;
-mod part;
+mod observer;
+mod principal_branch;
 mod problem;
 mod proof;
 mod ratio;
@@ -31,28 +35,28 @@ mod separation;
 mod soundness;
 mod special;
 mod strata;
+mod tactics;
 mod translation;
+mod trigonometric_signs;
 mod verdict;
-mod wave;
 mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
-pub use angle::vanishing_angles;
+pub use angle_equation::vanishing_angles;
 pub(crate) use finding::{Effort, Equations, Finding, contradiction};
-pub use ratio::Ratio;
+pub(crate) use observer::Observer;
+
 pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
-pub use verdict::{Theorem, Verdict, Witness};
+pub use verdict::{Ratio, Theorem, Verdict, Witness};
 
 use crate::assume::{is_not_zero_densely, is_open, vanishes};
-use crate::certificate::Observer;
-use crate::expression::{Condition, Expr, Pool};
+use crate::expression::{Condition, Expr, Pool, Relation};
 use crate::normal::{Tower, Trigonometry};
-use crate::resolve::{Integration, Statement, Theory};
 use crate::steps;
-use crate::syntax::ast::Relation;
+use crate::theory::{Integration, Statement, Theory};
 use problem::Problem;
 
 /// Limit on the products of terms in one normal form of a retraced proof.
@@ -192,7 +196,7 @@ fn retrace_problem(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observ
         observer.zero(pool, &tower, &[]);
         return true;
     }
-    proof::settled_cases(pool, problem, &mut tower, Some(observer)).is_some()
+    cases::settled_cases(pool, problem, &mut tower, Some(observer)).is_some()
 }
 
 /// Returns the conditions that a verdict on a statement assumes; the verdict carries their texts.

@@ -19,9 +19,10 @@ pub use scribe::Formula;
 
 use crate::decide::{Verdict, decide};
 use crate::expression::Condition;
-use crate::resolve::{Theory, resolve_traced};
+use crate::resolve::resolve_traced;
 use crate::syntax::ast::{File, Item, ItemKind};
 use crate::syntax::{Source, read};
+use crate::theory::Theory;
 use scribe::Scribe;
 
 /// The steps that decide one statement.

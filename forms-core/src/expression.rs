@@ -31,4 +31,5 @@ pub(crate) use nature::Nature;
 pub use node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol, SymbolKind, Unknown};
 pub use operation::{Operation, Row, Spelling, TABLE};
 pub(crate) use quadrature::Quadrature;
+pub use relation::Relation;
 pub use substitution::Substitution;

@@ -37,7 +37,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::notation::results;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 
 /// Programs of a kernel.
 #[derive(Clone, Debug)]

@@ -18,6 +18,7 @@ mod exponential;
 mod half_tangent;
 mod harmonic;
 mod improper;
+mod known_sign;
 mod moments;
 mod parts;
 mod pieces;
@@ -32,8 +33,9 @@ mod substitution;
 mod unknown;
 mod wave;
 
+pub(crate) use known_sign::Strictness;
 pub(crate) use moments::power_integral;
-pub(crate) use signs::{Region, Strictness};
+pub(crate) use signs::Region;
 
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Condition, Expr, Pool};

@@ -12,7 +12,8 @@
 //!
 //! ```
 //! use forms_core::expression::{Pool, SymbolKind};
-//! use forms_core::kernel::{KernelSource, KernelDocs, emit_rust, lower};
+//! use forms_core::emission::{KernelDocs, emit_rust};
+//! use forms_core::kernel::{KernelSource, lower};
 //!
 //! let mut pool = Pool::new();
 //! let x = pool.declare_symbol("x", SymbolKind::Local);
@@ -34,7 +35,6 @@
 mod chain;
 mod constant;
 mod count;
-mod emit;
 mod evaluate;
 mod expand;
 mod factor;
@@ -44,7 +44,7 @@ mod in_order;
 mod interpret;
 mod linearise;
 mod lower;
-mod numbering;
+pub(crate) mod numbering;
 mod optimise;
 mod products;
 mod program;
@@ -59,10 +59,6 @@ mod tally;
 pub use constant::Constant;
 pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
-pub use emit::{
-    EmitError, KernelDocs, MANY_ARGUMENTS, Precision, Source, Target, broken_promises, emit, emit_formula,
-    emit_rust, emit_rust_within,
-};
 pub use evaluate::evaluate_f64;
 pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};
@@ -72,6 +68,6 @@ pub use raise::Raised;
 #[cfg(test)]
 #[allow(dead_code, reason = "shared with the integration tests, which use the rest")]
 #[path = "../tests/kernel/formula.rs"]
-mod formula;
+pub(crate) mod formula;
 #[cfg(test)]
 mod laws;

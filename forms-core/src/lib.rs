@@ -18,6 +18,7 @@ pub mod compile;
 pub mod decide;
 pub mod derivation;
 pub mod diagnostic;
+pub mod emission;
 pub mod enclosure;
 pub mod expression;
 pub mod generation;
@@ -33,6 +34,7 @@ pub mod rounding;
 pub mod stability;
 mod steps;
 pub mod syntax;
+pub mod theory;
 pub mod topology;
 pub mod units;
 

@@ -42,7 +42,7 @@ mod tower;
 mod univariate;
 mod work;
 
-pub(crate) use arc::is_arc;
+pub(crate) use arc::{arcs_occur_in, is_arc};
 pub(crate) use chord::chord_bounds;
 pub use common::Together;
 pub use derivation::Normal;

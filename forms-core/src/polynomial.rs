@@ -16,6 +16,7 @@
 mod arithmetic;
 mod basis;
 mod coefficient;
+mod content;
 mod division;
 mod evaluation;
 mod gcd;

@@ -2,7 +2,7 @@
 //! statements, kernels.
 //!
 //! ```text
-//! ast::File ─ names ─▶ items ─ evaluation ─▶ Theory
+//! ast::File ─ items ─ evaluation ─▶ Theory
 //!                                 │
 //!                                 └─ value + domain + variables used
 //! ```
@@ -14,26 +14,18 @@
 mod arithmetic;
 mod boundary;
 mod call;
+mod declarations;
 mod evaluation;
 mod integration;
 mod items;
 mod kernels;
 mod maps;
 mod metric;
-mod names;
 mod potential;
 mod quadratic;
 mod scope;
 mod statement;
-mod theory;
-mod value;
 mod warps;
 
 pub use evaluation::Trace;
 pub use items::{resolve, resolve_traced};
-pub(crate) use metric::METRIC_OPERATIONS;
-pub(crate) use theory::Integration;
-pub use theory::{
-    Chart, Effect, Kernel, KernelUnits, Map, Named, NamedMetric, Object, Statement, Theory, Warp,
-};
-pub use value::Value;

@@ -25,8 +25,8 @@ pub use report::{Line, Report};
 use crate::calculus::Form;
 use crate::decide::Verdict;
 use crate::expression::{Condition, Expr};
-use crate::resolve::{Named, Value};
 use crate::syntax::Source;
+use crate::theory::{Named, Value};
 use session::Session;
 use shape::{Hole, Shape};
 

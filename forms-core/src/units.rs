@@ -22,8 +22,9 @@ mod unit;
 
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::Symbol;
-use crate::resolve::{Kernel, KernelUnits, Theory, Trace};
+use crate::resolve::Trace;
 use crate::syntax::ast::{Declared, File, ItemKind};
+use crate::theory::{Kernel, KernelUnits, Theory};
 
 /// Whether a source states any unit.
 pub(crate) fn are_stated(file: &File) -> bool {

@@ -10,7 +10,7 @@ use forms_core::accuracy::{Format, Truth, Value};
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Pool, Rational, Symbol};
-use forms_core::resolve::Kernel;
+use forms_core::theory::Kernel;
 use forms_testing::SplitMix;
 
 /// Returns the number of pairs.

@@ -1,8 +1,9 @@
 //! Notation: simplified values as text and as LaTeX.
 
 use forms_core::notation::{latex, simplify, text};
-use forms_core::resolve::{Named, Theory, Value, resolve};
+use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+use forms_core::theory::{Named, Theory, Value};
 
 const DECLARATIONS: &str = "
     chart R3(x, y, z) where x**2 + y**2 + z**2 > 0;

@@ -5,7 +5,7 @@ use forms_core::check::{decide_all, read_theory};
 use forms_core::compile::compile_kernel;
 use forms_core::expression::{Rational, Symbol};
 use forms_core::kernel::{Instruction, evaluate_f64};
-use forms_core::resolve::Theory;
+use forms_core::theory::Theory;
 
 fn theory(text: &str) -> Theory {
     let (theory, errors) = read_theory(text);

@@ -5,8 +5,8 @@ use forms_core::accuracy::{Regime, Samples, Score, Width, sample};
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::kernel::Program;
-use forms_core::resolve::{Kernel, Theory};
 use forms_core::stability::Choices;
+use forms_core::theory::{Kernel, Theory};
 
 const CASES: &str = include_str!("../../tests/stability/hamming.forms");
 const CHOICES: &str = include_str!("../../tests/stability/hamming.stable");

@@ -4,8 +4,8 @@ use forms_core::check::{decide_all, read_theory};
 use forms_core::compile::compile_kernel;
 use forms_core::decide::Verdict;
 use forms_core::derivation::derive;
-use forms_core::resolve::Theory;
 use forms_core::syntax::Source;
+use forms_core::theory::Theory;
 
 const HEMISPHERE: &str = "chart Directions(x, y, z) where z > 0;
     form omega on Directions = x*dy^dz + y*dz^dx + z*dx^dy;

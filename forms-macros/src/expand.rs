@@ -5,23 +5,22 @@
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
 
-use crate::lattice;
 use crate::report::{Origin, warned};
-use crate::tiers;
 use crate::tokens::Body;
+use crate::{lattice, tiers};
 use forms_core::accuracy::removable_singularities;
 use forms_core::check::resolve_parsed;
 use forms_core::compile::{Compiled, CompiledKernel, Options, compile_theory};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
+use forms_core::emission::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::generation::Generated;
-use forms_core::kernel::{KernelDocs, emit_rust, emit_rust_within};
 use forms_core::notation::results;
-use forms_core::resolve::{Kernel, Theory};
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
 use forms_core::syntax::{parse, parse_equation};
+use forms_core::theory::{Kernel, Theory};
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// `forms! { items }`

@@ -3,9 +3,9 @@
 use crate::expand::theory_checked;
 use crate::report::{Origin, compile_error, warned};
 use forms_core::check::read_theory;
-use forms_core::resolve::Theory;
 use forms_core::stability::{Choices, EXTENSION};
 use forms_core::syntax::Source;
+use forms_core::theory::Theory;
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::path::{Path, PathBuf};

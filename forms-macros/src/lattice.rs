@@ -8,11 +8,12 @@
 use crate::tiers::{MATH, Tiers, operations};
 use forms_core::compile::compile_kernel;
 use forms_core::diagnostic::Diagnostic;
+use forms_core::emission::emit_formula;
 use forms_core::expression::Pool;
 use forms_core::generation::{Generated, specialisations};
-use forms_core::kernel::{KernelSource, Program, emit_formula, lower};
+use forms_core::kernel::{KernelSource, Program, lower};
 use forms_core::notation::results;
-use forms_core::resolve::Kernel;
+use forms_core::theory::Kernel;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
@@ -61,7 +62,7 @@ pub(crate) fn items(
 
 /// What vanishes where each effect does: the argument that switches it off, less the value at which it does.
 fn conditions(pool: &mut Pool, kernel: &Kernel) -> Result<Program, Diagnostic> {
-    let difference = |effect: &forms_core::resolve::Effect| {
+    let difference = |effect: &forms_core::theory::Effect| {
         let variable = pool.symbol(effect.variable);
         pool.subtract(variable, effect.value)
     };

@@ -6,7 +6,7 @@ use crate::report::Origin;
 use forms_core::check::read_theory;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::generation::makes_claims;
-use forms_core::resolve::Statement;
+use forms_core::theory::Statement;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -10,8 +10,9 @@
 //! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
 //! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
 
+use forms_core::emission::{MANY_ARGUMENTS, emit_formula};
 use forms_core::generation::Generated;
-use forms_core::kernel::{MANY_ARGUMENTS, Program, emit_formula};
+use forms_core::kernel::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 

@@ -9,7 +9,7 @@ use forms::core::compile::compile_kernel;
 use forms::core::expression::{Rational, Symbol};
 use forms::core::generation::Generated;
 use forms::core::kernel::Instruction;
-use forms::core::resolve::{Kernel, Theory};
+use forms::core::theory::{Kernel, Theory};
 use forms::math::Tier;
 use std::fmt;
 

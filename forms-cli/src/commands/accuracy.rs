@@ -19,7 +19,7 @@ use crate::kernel::{LIBRARY, files, find};
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
 use forms::core::expression::Node;
-use forms::core::resolve::Kernel;
+use forms::core::theory::Kernel;
 use report::Report;
 use std::io::{self, Write};
 use std::path::Path;

@@ -4,9 +4,10 @@ use crate::commands::refuse;
 use crate::kernel::{LIBRARY, files, find, generated};
 use crate::status::Status;
 use crate::theory_file::{FileError, TheoryFile, complain};
+use forms::core::emission;
+use forms::core::emission::{KernelDocs, Precision, Source, Target};
 use forms::core::generation::{Specialisation, specialisations};
-use forms::core::kernel::{self, KernelDocs, Precision, Source, Target};
-use forms::core::resolve::Kernel;
+use forms::core::theory::Kernel;
 use forms::core::units::sentence;
 use std::io::{self, Write};
 
@@ -48,7 +49,7 @@ pub(crate) fn emit(
             return Ok(Status::Error);
         }
     };
-    match kernel::emit(&sources, target, precision) {
+    match emission::emit(&sources, target, precision) {
         Ok(text) => {
             for line in kernel::broken_promises(&sources, target, precision) {
                 eprintln!("warning: {line}");

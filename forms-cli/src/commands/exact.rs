@@ -5,7 +5,7 @@ use crate::decimal;
 use crate::theory_file::TheoryFile;
 use forms::core::accuracy::{Format, Rounded, Truth, Value};
 use forms::core::expression::{Rational, Symbol};
-use forms::core::resolve::Kernel;
+use forms::core::theory::Kernel;
 
 /// Significant digits that are written.
 const DIGITS: u32 = 50;

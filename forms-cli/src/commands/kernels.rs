@@ -7,7 +7,7 @@ use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
 use forms::core::expression::Symbol;
 use forms::core::notation::{simplify_expression, text};
-use forms::core::resolve::{Kernel, KernelUnits, Value};
+use forms::core::theory::{Kernel, KernelUnits, Value};
 use std::io::{self, Write};
 
 /// Where descriptions begin.

@@ -4,7 +4,7 @@ use crate::commands::refuse;
 use crate::kernel::files;
 use crate::status::Status;
 use crate::theory_file::complain;
-use forms::core::resolve::Named;
+use forms::core::theory::Named;
 use forms::core::topology::topology as report_of;
 use std::io::{self, Write};
 

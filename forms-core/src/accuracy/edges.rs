@@ -3,7 +3,7 @@
 use crate::decide::simple_bounds;
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol};
 use crate::kernel::{KernelSource, Program, lower, nearest_f64};
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use rustc_hash::FxHashSet;
 
 /// Limit on the number of tracked parts of a formula.

@@ -15,7 +15,7 @@ use super::truth::{Truth, Value};
 use crate::expression::{Expr, Node, Pool, Rational, Symbol};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::random::SplitMix;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use forms_math::{Real, Wide};
 
 /// Number of points that have to agree.

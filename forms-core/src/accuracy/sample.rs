@@ -6,11 +6,10 @@ use super::format::{Format, Rounded};
 use super::ordinal::Width;
 use super::regime::Regime;
 use super::truth::{Truth, Value};
-use crate::expression::{Pool, Rational, Symbol};
+use crate::expression::{Pool, Rational, Relation, Symbol};
 use crate::kernel::evaluate_f64;
 use crate::random::SplitMix;
-use crate::resolve::Kernel;
-use crate::syntax::ast::Relation;
+use crate::theory::Kernel;
 
 /// Number of candidates tried for each requested sample.
 const CANDIDATES: usize = 24;

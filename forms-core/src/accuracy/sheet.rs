@@ -8,7 +8,7 @@ use super::score::Score;
 use crate::expression::Pool;
 use crate::generation::Generated;
 use crate::kernel::Program;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use forms_math::{DoubleDouble, Lane32, Lane64, Real};
 
 /// One way to run a kernel.

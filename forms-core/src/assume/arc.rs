@@ -112,9 +112,9 @@ impl Facts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expression::Relation;
     use crate::expression::{Pool, SymbolKind};
     use crate::normal::{Trigonometry, normalise};
-    use crate::syntax::ast::Relation;
     use std::cmp::Ordering;
 
     /// Signs of the arguments of inverse functions, and their values as fractions of π.

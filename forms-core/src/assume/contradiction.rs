@@ -2,9 +2,8 @@
 //! combining conditions.
 
 use super::{Assumptions, Facts};
-use crate::expression::{Condition, Pool};
+use crate::expression::{Condition, Pool, Relation};
 use crate::normal::{Fraction, Sign, Tower, Trigonometry, normalise};
-use crate::syntax::ast::Relation;
 
 /// Reason why no point meets some conditions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -75,8 +75,9 @@ fn is_somewhere_not_zero(pool: &mut Pool, expression: Expr) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::resolve::{Value, resolve};
+    use crate::resolve::resolve;
     use crate::syntax::read;
+    use crate::theory::Value;
 
     fn is_dense(text: &str) -> bool {
         let (file, errors) = read(&format!("chart L(x, y, z); let q = {text};"));

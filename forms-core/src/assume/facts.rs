@@ -3,10 +3,9 @@
 
 use super::linear::{Inequality, contradict};
 use super::range::Ranges;
-use crate::expression::Operation;
+use crate::expression::{Operation, Relation};
 use crate::normal::{Fraction, Generator, Sign, Tower, Unit, chord_bounds};
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};

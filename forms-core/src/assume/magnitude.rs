@@ -4,8 +4,7 @@
 //! A condition whose normal form depends on an open sign is left out; its consequences without that
 //! sign are not.
 
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
 use num_traits::{Signed, Zero};
 use rustc_hash::FxHashMap;
 

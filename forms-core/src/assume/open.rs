@@ -12,8 +12,7 @@
 //! point, and so does the domain of √(−x²).
 
 use super::is_at_most;
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
 
 /// Whether the points that meet the conditions are known to form an open set on which some
 /// expressions are continuous. `conditions` has to include the conditions under which these

@@ -8,9 +8,8 @@
 //! numbers.
 
 use crate::enclosure::{Enclosure, Precision};
-use crate::expression::Rational;
+use crate::expression::{Rational, Relation};
 use crate::normal::Fraction;
-use crate::syntax::ast::Relation;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;

@@ -1,7 +1,6 @@
 //! Coefficients of the calculus: a commutative ring with commuting partial derivatives.
 
 use super::blade::Coordinate;
-use super::metric::Quotients;
 use crate::expression::{Expr, Nature, Operation, Pool, Symbol};
 
 /// A signed product ±a b.
@@ -108,6 +107,14 @@ impl Coefficients for Structured<'_> {
     fn derivative(&mut self, a: &Expr, by: Coordinate) -> Expr {
         self.pool.derivative(*a, self.coordinates[by.0 as usize])
     }
+}
+
+/// Coefficients that support division and roots of magnitudes.
+pub trait Quotients: Coefficients {
+    /// a / b
+    fn divide(&mut self, a: &Self::Scalar, b: &Self::Scalar) -> Self::Scalar;
+    /// √|a| and the sign a/|a|.
+    fn magnitude(&mut self, a: &Self::Scalar) -> (Self::Scalar, Self::Scalar);
 }
 
 impl Quotients for Structured<'_> {

@@ -1,11 +1,12 @@
 //! Gradient, curl and divergence: the exterior derivative in terms of fields.
 
+use super::coefficient::Quotients;
 use super::exterior::exterior_derivative;
 use super::field::Field;
 use super::form::Form;
 use super::hodge::{half_logarithmic_derivative, hodge};
 use super::interior::pairing;
-use super::metric::{Metric, Quotients};
+use super::metric::Metric;
 use super::musical::{flat, sharp};
 
 /// grad f = (df)♯

@@ -4,10 +4,10 @@
 //! Iᶜ) Σ_J det(gᵢⱼ; i ∈ Iᶜ, j ∈ J) dx_J: the complement of I with its indices lowered. This needs
 //! no inverse, and no division except by √|g|.
 
-use super::coefficient::Coefficients;
+use super::coefficient::{Coefficients, Quotients};
 use super::exterior::exterior_derivative;
 use super::form::Form;
-use super::metric::{Metric, Quotients};
+use super::metric::Metric;
 use super::wedge::wedge;
 
 /// vol = √|g| dx₁∧…∧dxₙ in the order of the chart.

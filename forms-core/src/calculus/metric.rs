@@ -6,18 +6,10 @@
 //! that the metric does not couple form blocks; the determinant is the product over the blocks.
 
 use super::blade::{Blade, Coordinate};
-use super::coefficient::Coefficients;
+use super::coefficient::{Coefficients, Quotients};
 use super::form::Form;
 use super::pullback::{Pullback, pullback};
 use std::collections::BTreeMap;
-
-/// Coefficients that support division and roots of magnitudes.
-pub trait Quotients: Coefficients {
-    /// a / b
-    fn divide(&mut self, a: &Self::Scalar, b: &Self::Scalar) -> Self::Scalar;
-    /// √|a| and the sign a/|a|.
-    fn magnitude(&mut self, a: &Self::Scalar) -> (Self::Scalar, Self::Scalar);
-}
 
 /// A metric, possibly indefinite, with the quantities that its operations share.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! The musical isomorphisms ♭ and ♯, and the inner products of fields and of forms.
 
 use super::blade::{Blade, Coordinate};
-use super::coefficient::Coefficients;
+use super::coefficient::{Coefficients, Quotients};
 use super::field::Field;
 use super::form::Form;
-use super::metric::{Metric, Quotients};
+use super::metric::Metric;
 use super::pullback::{Pullback, pullback};
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! Writer of proofs as lines: each step lists the bases and units it uses, each after its
 //! constituents.
 
-use super::Observer;
 use super::reason::reason;
 use crate::assume::Facts;
+use crate::decide::Observer;
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Generator, Sign, Tower, Unit};
 use crate::polynomial::Polynomial;

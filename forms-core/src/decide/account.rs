@@ -5,12 +5,12 @@
 //! summands are numerators in the generators of the tower, and the proof is that the numerators add
 //! up to the zero polynomial.
 
+use super::cases::settled_cases;
 use super::problem::{Component, Problem};
-use super::proof::settled_cases;
 use super::translation;
 use crate::expression::{Expr, Pool};
 use crate::normal::{Fraction, Generator, Obstacle, Sign, Tower, Trigonometry, normalise};
-use crate::resolve::{Statement, Theory};
+use crate::theory::{Statement, Theory};
 use std::collections::BTreeSet;
 
 /// Components with more summands are shown as their two sides.

@@ -1,8 +1,9 @@
 //! Contradictory conditions: a statement whose conditions no point meets is vacuous, which is an
 //! error.
 
+use super::goal::Outcome;
 use super::problem::Problem;
-use super::proof::{Outcome, prove_zero};
+use super::proof::prove_zero;
 use crate::assume::{Assumptions, Contradiction};
 use crate::expression::Pool;
 use crate::normal::WORK_LIMIT;

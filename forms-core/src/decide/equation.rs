@@ -7,12 +7,12 @@
 //! linear: 1 − sin x = 0 gives sin x = 1. At each point of the statement one of the factors is
 //! zero, so it is enough to prove the remaining problem for each of them.
 
+use super::goal::Outcome;
 use super::problem::Problem;
-use super::proof::{Outcome, by_normal_forms};
+use super::proof::by_normal_forms;
 use super::special::{Stratum, mapped, solved, vanishing_together};
 use crate::assume::is_at_most;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, SymbolKind};
 use num_traits::One;
 use rustc_hash::FxHashMap;
 

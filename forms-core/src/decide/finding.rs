@@ -1,13 +1,13 @@
 //! Decision procedure for equations: points first, then the normal form, then more points.
 
 use super::empty;
-use super::equation::by_equations;
+use super::goal::Outcome;
 use super::instance::{FIRST_CHOICE, Instance, MORE_CHOICES, instances};
 use super::problem::Problem;
-use super::proof::{self, Outcome};
+use super::proof;
 use super::report;
-use super::separation;
 use super::special;
+use super::tactics;
 use super::verdict::Witness;
 use super::witness::{Difference, Found, Search};
 use crate::expression::{Condition, Expr, Pool};
@@ -92,11 +92,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     if let Some(difference) = survey.difference.take() {
         return Finding::Different(report::witness(pool, problem, &difference));
     }
-    let outcome = early.unwrap_or_else(|| proof::by_normal_forms(pool, problem, effort.work));
-    let outcome = proof::as_angles(pool, problem, effort.work, outcome);
-    let outcome = proof::as_parts(pool, problem, effort.work, outcome);
-    let outcome = separation::as_numbers(pool, problem, outcome);
-    let outcome = by_equations(pool, problem, effort.work, outcome);
+    let outcome = tactics::prove(pool, problem, effort.work, early);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }

@@ -3,7 +3,7 @@
 
 use crate::calculus::Blade;
 use crate::expression::{Condition, Expr, Pool};
-use crate::resolve::{Statement, Theory, Value};
+use crate::theory::{Statement, Theory, Value};
 use std::collections::BTreeMap;
 
 /// One component of an equation.

@@ -1,46 +1,14 @@
-//! Proof by normal forms: every difference has the normal form zero, in every case of the signs
-//! that matter.
+//! Proof by normal forms: in the frame of the translations that change nothing, under the stated
+//! conditions and the signs of sines and cosines that they imply, on every stratum.
 
-use super::angle;
-use super::part::with_whole_parts;
+use super::cases::Goal;
+use super::goal::{Given, Outcome, Task, Turn};
 use super::problem::Problem;
-use super::strata::{self, Given};
-use super::translation;
-use super::wave::signs_of_waves;
-use crate::assume::{Assumptions, Cases};
-use crate::certificate::Observer;
+use super::trigonometric_signs::trigonometric_signs;
+use super::{strata, translation};
+use crate::assume::Assumptions;
 use crate::expression::{Condition, Expr, Pool};
-use crate::normal::{Drift, Fraction, Obstacle, Sign, Tower, Trigonometry, normalise};
-
-/// Outcome of a proof by normal forms.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
-    /// Every difference is zero in every case.
-    Zero,
-    /// Some difference is not zero in some case; that case may still contain no point.
-    NotZero,
-    /// There is no normal form, for the given reason.
-    Outside(String),
-    /// No point meets the assumptions, for the given reason.
-    Empty(String),
-}
-
-impl Outcome {
-    /// Whether another method may still prove the problem.
-    pub(super) fn is_open(&self) -> bool {
-        matches!(self, Outcome::NotZero | Outcome::Outside(_))
-    }
-}
-
-/// Limit on the number of cases.
-const MOST_CASES: usize = 512;
-
-/// A problem to prove, and the limit on the products of terms in one normal form.
-#[derive(Clone, Copy)]
-pub(super) struct Task<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) work: u64,
-}
+use crate::normal::{Drift, Tower, Trigonometry};
 
 /// Tries to prove that every component vanishes, by normal forms.
 pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
@@ -50,43 +18,9 @@ pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> 
     prove_zero(pool, problem, problem.differences(), work)
 }
 
-/// Tries to prove the problem as equations between angles, if the normal forms do not decide it.
-pub(super) fn as_angles(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
-    let differences = problem.differences();
-    if !outcome.is_open() || !angle::occur_in(pool, &differences) {
-        return outcome;
-    }
-    match angle::prove(pool, Task { problem, work }, &differences, &mut Vec::new()) {
-        Outcome::Zero => Outcome::Zero,
-        _ => outcome,
-    }
-}
-
-/// Tries to prove the problem with parts of inverse functions as variables, if there is no proof
-/// yet.
-pub(super) fn as_parts(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
-    if !outcome.is_open() || !angle::occur_in(pool, &problem.differences()) {
-        return outcome;
-    }
-    let Some(whole) = with_whole_parts(pool, problem) else { return outcome };
-    let inner = by_normal_forms(pool, &whole, work);
-    match as_angles(pool, &whole, work, inner) {
-        Outcome::Zero => Outcome::Zero,
-        _ => outcome,
-    }
-}
-
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
 pub(super) fn prove_zero(pool: &mut Pool, problem: &Problem, differences: Vec<Expr>, work: u64) -> Outcome {
     prove_in_all_cases(pool, Task { problem, work }, differences, None)
-}
-
-/// An angle that has to stay within (−2π, 2π), and expressions whose signs are distinguished for
-/// that.
-#[derive(Clone)]
-pub(super) struct Turn {
-    pub(super) angle: Expr,
-    pub(super) signs: Vec<Expr>,
 }
 
 /// Tries to prove that the expressions vanish and that an angle stays within a full turn in either
@@ -99,16 +33,16 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
 /// they imply.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
     let stated = &task.problem.assumptions;
-    let given = Given { conditions: stated, work: task.work, depth: strata::DEEPEST };
+    let given = Given { conditions: stated, work: task.work, depth: strata::DEEPEST, prove: prove_under };
     let outcome = prove_under(pool, given, &differences, turn.as_ref());
     if !outcome.is_open() {
         return outcome;
     }
-    let waves = signs_of_waves(pool, &differences, stated);
-    if waves.is_empty() {
+    let signs = trigonometric_signs(pool, &differences, stated);
+    if signs.is_empty() {
         return outcome;
     }
-    let conditions: Vec<Condition> = stated.iter().copied().chain(waves).collect();
+    let conditions: Vec<Condition> = stated.iter().copied().chain(signs).collect();
     match prove_under(pool, Given { conditions: &conditions, ..given }, &differences, turn.as_ref()) {
         Outcome::Zero => Outcome::Zero,
         _ => outcome,
@@ -119,12 +53,7 @@ fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn:
 /// variables say less in that frame: if it leaves several cases and no proof, the expressions are
 /// tried as they stand, unless the work limit was exceeded. The last attempt has fewer cases, at
 /// the cost of testing whether each one is possible.
-pub(super) fn prove_under(
-    pool: &mut Pool,
-    given: Given,
-    differences: &[Expr],
-    turn: Option<&Turn>,
-) -> Outcome {
+fn prove_under(pool: &mut Pool, given: Given, differences: &[Expr], turn: Option<&Turn>) -> Outcome {
     let frame = translation::frame(pool, differences);
     let in_frame = (!frame.is_empty()).then_some((frame, false));
     let mut outcome = Outcome::NotZero;
@@ -169,183 +98,4 @@ fn explored(
     }
     let outcome = strata::everywhere(pool, &goal, given, &mut tower, outcome);
     Explored { in_doubt: outcome.is_open(), outcome, several }
-}
-
-/// Goal of a proof: all differences vanish wherever the assumptions hold, and an angle stays within
-/// a full turn.
-pub(super) struct Goal<'a> {
-    pub(super) assumptions: &'a Assumptions,
-    pub(super) differences: &'a [Expr],
-    pub(super) turn: Option<&'a Turn>,
-}
-
-impl Goal<'_> {
-    /// Returns the outcome in one tower, which holds wherever the normal forms of the tower do, and
-    /// whether several cases were distinguished.
-    pub(super) fn explored(&self, pool: &mut Pool, tower: &mut Tower) -> (Outcome, bool) {
-        let differences = self.differences.to_vec();
-        let mut proof = Proof::new(pool, tower, self.assumptions.clone(), differences, self.turn.cloned());
-        let explored = proof.explore(&[]);
-        let several = proof.several;
-        (outcome_of(pool, explored, tower), several)
-    }
-}
-
-fn outcome_of(pool: &mut Pool, explored: Result<Outcome, Obstacle>, tower: &Tower) -> Outcome {
-    match explored {
-        Ok(Outcome::NotZero) => match tower.nested_radical() {
-            Some(radical) => {
-                let radical = tower.raise(pool, &radical);
-                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
-            }
-            None => Outcome::NotZero,
-        },
-        Ok(outcome) => outcome,
-        Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
-        Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
-        Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
-    }
-}
-
-const OUTSIDE: &str = "outside the class that is decided";
-
-/// Returns the cases in which the normal forms are zero, each given by its signs; `None` if they
-/// are not a proof. The steps are reported to an observer.
-pub(super) fn settled_cases<'a>(
-    pool: &'a mut Pool,
-    problem: &Problem,
-    tower: &'a mut Tower,
-    observer: Option<&'a mut (dyn Observer + 'a)>,
-) -> Option<Vec<Vec<(usize, Sign)>>> {
-    let assumptions = Assumptions::new(pool, &problem.assumptions);
-    let differences = problem.differences();
-    let mut proof = Proof::new(pool, tower, assumptions, differences, None);
-    proof.observer = observer;
-    let outcome = proof.explore(&[]);
-    (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
-}
-
-const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
-
-struct Proof<'a> {
-    pool: &'a Pool,
-    tower: &'a mut Tower,
-    differences: Vec<Expr>,
-    turn: Option<Turn>,
-    assumptions: Assumptions,
-    cases: usize,
-    /// Signs of the cases in which everything is zero.
-    settled: Vec<Vec<(usize, Sign)>>,
-    observer: Option<&'a mut (dyn Observer + 'a)>,
-    /// Whether a split had more than one case.
-    several: bool,
-}
-
-impl<'a> Proof<'a> {
-    fn new(
-        pool: &'a Pool,
-        tower: &'a mut Tower,
-        assumptions: Assumptions,
-        differences: Vec<Expr>,
-        turn: Option<Turn>,
-    ) -> Self {
-        let (cases, settled, observer, several) = (0, Vec::new(), None, false);
-        Proof { pool, tower, differences, turn, assumptions, cases, settled, observer, several }
-    }
-
-    /// Decides the goal under the given signs by splitting into the cases of the open signs.
-    fn explore(&mut self, given: &[(usize, Sign)]) -> Result<Outcome, Obstacle> {
-        self.cases += 1;
-        match self.settle(given) {
-            Ok(Some(Outcome::Zero)) => {
-                if let Some(observer) = &mut self.observer {
-                    observer.zero(self.pool, self.tower, &self.differences);
-                }
-                self.settled.push(given.to_vec());
-                return Ok(Outcome::Zero);
-            }
-            Ok(_) => {}
-            Err(Obstacle::DivisionByZero) => {
-                self.observe(|observer| observer.undefined());
-                return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
-            }
-            Err(obstacle) => return Err(obstacle),
-        }
-        let cases = match self.assumptions.cases(self.tower, self.pool, &self.expressions(), given)? {
-            Cases::Empty => {
-                self.observe_split(given, &[])?;
-                self.observe(|observer| observer.end());
-                return Ok(Outcome::Empty("no point meets its conditions".into()));
-            }
-            Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
-            Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
-            Cases::Signs(_) | Cases::TooMany => {
-                return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
-            }
-        };
-        self.several |= cases.len() > 1;
-        let mut together: Option<Outcome> = None;
-        self.observe_split(given, &cases)?;
-        for case in cases {
-            self.observe(|observer| observer.case(&case));
-            let signs: Vec<(usize, Sign)> = given.iter().copied().chain(case).collect();
-            together = match (self.explore(&signs)?, together) {
-                (failure @ (Outcome::NotZero | Outcome::Outside(_)), _) => return Ok(failure),
-                (Outcome::Empty(reason), None) => Some(Outcome::Empty(reason)),
-                (Outcome::Empty(_), known) => known,
-                (Outcome::Zero, _) => Some(Outcome::Zero),
-            };
-        }
-        self.observe(|observer| observer.end());
-        Ok(together.unwrap_or(Outcome::NotZero))
-    }
-
-    fn observe(&mut self, tell: impl FnOnce(&mut dyn Observer)) {
-        if let Some(observer) = &mut self.observer {
-            tell(*observer);
-        }
-    }
-
-    /// Reports to the observer the facts on which the cases rest.
-    fn observe_split(
-        &mut self,
-        given: &[(usize, Sign)],
-        cases: &[Vec<(usize, Sign)>],
-    ) -> Result<(), Obstacle> {
-        let Some(observer) = &mut self.observer else { return Ok(()) };
-        let (factors, facts) =
-            self.assumptions.grounds(self.tower, self.pool, &self.differences, given)?.unwrap_or_default();
-        observer.split(self.tower, &factors, &facts, cases);
-        Ok(())
-    }
-
-    /// Applies the filter first, then the exact normal forms; `None` if they depend on an open
-    /// sign.
-    fn settle(&mut self, given: &[(usize, Sign)]) -> Result<Option<Outcome>, Obstacle> {
-        self.tower.fix_signs(given);
-        let prepared = normalise(self.tower, self.pool, &self.expressions())?;
-        if !prepared.open.is_empty() {
-            return Ok(None);
-        }
-        let count = self.differences.len();
-        if prepared.certainly_not_zero(self.tower, self.pool)[..count].contains(&true) {
-            return Ok(Some(Outcome::NotZero));
-        }
-        let zero = prepared.exact(self.tower, self.pool)?[..count].iter().all(Fraction::is_zero);
-        let proved = zero && self.angle_keeps_within_a_turn(given)?;
-        Ok(Some(if proved { Outcome::Zero } else { Outcome::NotZero }))
-    }
-
-    fn angle_keeps_within_a_turn(&mut self, given: &[(usize, Sign)]) -> Result<bool, Obstacle> {
-        let Some(turn) = &self.turn else { return Ok(true) };
-        let range = self.assumptions.range(self.tower, self.pool, turn.angle, given)?;
-        Ok(range.is_within(2, 1))
-    }
-
-    /// Returns the differences, then the other expressions whose signs must be known.
-    fn expressions(&self) -> Vec<Expr> {
-        let signs = self.turn.iter().flat_map(|turn| &turn.signs);
-        self.differences.iter().chain(signs).copied().collect()
-    }
 }

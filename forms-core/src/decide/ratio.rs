@@ -4,14 +4,16 @@
 //! The factor c = left/right is read off one component, and is reported only if left − c·right has
 //! the normal form zero in every component.
 
+use super::goal::Outcome;
 use super::problem::Problem;
-use super::proof::{Outcome, prove_zero};
+use super::proof::prove_zero;
 use super::report::simplified_where;
+use super::verdict::Ratio;
 use crate::calculus::{Blade, Coordinate, Form, Pullback, Structured, pullback};
 use crate::expression::Operation::{Cos, Exp, Sin, Tan};
 use crate::expression::{Expr, Node, Pool};
 use crate::normal::WORK_LIMIT;
-use crate::resolve::{Map, Theory};
+use crate::theory::{Map, Theory};
 use num_traits::{One, Zero};
 
 /// Factors with more nodes are skipped.
@@ -22,29 +24,6 @@ const MOST_PARTS: usize = 4;
 
 /// The factor is not compared with Jacobians of maps between more coordinates.
 const LARGEST_DIMENSION: usize = 4;
-
-/// Factor between the sides: left = factor · right.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ratio {
-    /// The factor in the language's notation.
-    pub factor: String,
-    /// The map whose Jacobian, or its reciprocal, is the factor up to a number.
-    pub jacobian_of: Option<String>,
-}
-
-impl std::fmt::Display for Ratio {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match (self.factor.as_str(), &self.jacobian_of) {
-            ("-1", _) => write!(f, "the sides differ in sign only: left = -right"),
-            (factor, None) => write!(f, "the sides differ by a factor only: left/right = {factor}"),
-            (factor, Some(map)) => write!(
-                f,
-                "the sides differ by a factor only: left/right = {factor}, which is the Jacobian of `{map}` \
-                 or its inverse, up to a number"
-            ),
-        }
-    }
-}
 
 /// Returns the factor by which the two sides differ, if there is a simple one.
 pub(super) fn ratio(theory: &mut Theory, problem: &Problem) -> Option<Ratio> {

@@ -11,8 +11,8 @@
 //! conditions hold.
 
 use super::angle::prove_angle;
+use super::goal::{Outcome, Task};
 use super::problem::Problem;
-use super::proof::{Outcome, Task};
 use super::sample::{Sequence, simple_bounds};
 use crate::enclosure::{Enclosure, Precision, enclose};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};

@@ -5,9 +5,8 @@ use super::problem::Problem;
 use super::verdict::{Theorem, Witness};
 use super::witness::Difference;
 use crate::assume::{Assumptions, Cases, Facts, is_open};
-use crate::expression::{Condition, Expr, Nature, Node, Pool};
+use crate::expression::{Condition, Expr, Nature, Node, Pool, Relation};
 use crate::normal::{Fraction, Normalised, Sign, Tower, Trigonometry, normalise};
-use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
 /// Limit on the products of terms in a simplification for display; a proof may cost more.

@@ -1,9 +1,8 @@
 //! Candidate points: small exact numbers first, within the simple bounds that conditions give.
 
 use crate::enclosure::{Enclosure, Precision, enclose_number};
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Relation, Symbol};
 use crate::random::SplitMix;
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};

@@ -14,12 +14,12 @@
 //! Separation Bound for Real Algebraic Expressions* (ESA 2001). It does not construct a field, so
 //! it decides nested roots of numbers for which no normal form is known.
 
+use super::goal::Outcome;
 use super::problem::Problem;
-use super::proof::Outcome;
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::normal::prime_powers;
-use crate::resolve::{Statement, Theory};
+use crate::theory::{Statement, Theory};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -60,7 +60,7 @@ pub fn separated(theory: &mut Theory, statement: &Statement) -> Vec<Separated> {
 }
 
 /// Tries to prove the problem by separation bounds of numbers, if there is no proof yet.
-pub(super) fn as_numbers(pool: &Pool, problem: &Problem, outcome: Outcome) -> Outcome {
+pub(super) fn as_numbers(pool: &mut Pool, problem: &Problem, _: u64, outcome: Outcome) -> Outcome {
     if outcome.is_open() && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
 }
 

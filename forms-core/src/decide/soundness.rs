@@ -6,11 +6,14 @@
 //! it would prove if it went a step too far.
 
 use super::empty;
+use super::goal::Outcome;
 use super::problem::Problem;
-use super::proof::{Outcome, as_angles, by_normal_forms};
-use crate::resolve::{Statement, Theory, resolve};
+use super::proof::by_normal_forms;
+use super::tactics::as_angles;
+use crate::resolve::resolve;
 use crate::syntax::ast::Claim;
 use crate::syntax::read;
+use crate::theory::{Statement, Theory};
 use std::path::Path;
 
 /// Limit on the products of terms in one normal form.

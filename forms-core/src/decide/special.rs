@@ -12,8 +12,9 @@ use super::problem::{Component, Problem};
 use super::report::simplified;
 use super::witness::{Difference, Found, Search};
 use crate::enclosure::{Precision, enclose_number};
-use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational, Substitution, Symbol};
-use crate::syntax::ast::Relation;
+use crate::expression::{
+    Condition, Expr, Nature, Node, Operation, Pool, Rational, Relation, Substitution, Symbol,
+};
 use rustc_hash::FxHashMap;
 
 /// Limit on the number of strata.
@@ -269,8 +270,9 @@ fn is_linear(pool: &Pool, expression: Expr, symbol: Symbol) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::resolve::{Value, resolve};
+    use crate::resolve::resolve;
     use crate::syntax::read;
+    use crate::theory::Value;
 
     /// Returns the value that e = 0 gives a variable.
     fn solution_of(equation: &str) -> Option<String> {

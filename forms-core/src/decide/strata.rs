@@ -15,7 +15,8 @@
 //! known, the angles of every choice of units are put at a half turn; the variable itself stays
 //! free, so that more is shown than is needed.
 
-use super::proof::{Goal, Outcome, Turn, prove_under};
+use super::cases::Goal;
+use super::goal::{Given, Outcome, Turn};
 use crate::assume::is_open;
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Operation, Pool, Rational, Substitution};
@@ -28,15 +29,6 @@ use num_traits::Signed;
 pub(super) const DEEPEST: u32 = 3;
 
 const PRECISION: Precision = Precision(128);
-
-/// Context of a proof: its conditions, its work limit, and the number of nested equations it can
-/// still solve.
-#[derive(Clone, Copy)]
-pub(super) struct Given<'a> {
-    pub(super) conditions: &'a [Condition],
-    pub(super) work: u64,
-    pub(super) depth: u32,
-}
 
 /// Returns the outcome at every point, from an outcome that holds wherever the normal forms of a
 /// tower do.
@@ -160,7 +152,7 @@ fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &
             signs: pool.substitute_all(&turn.signs, &values),
         });
         let given = Given { conditions: &conditions, depth, ..given };
-        let found = prove_under(pool, given, &differences, turn.as_ref());
+        let found = (given.prove)(pool, given, &differences, turn.as_ref());
         outcome = together(outcome, found);
     }
     outcome

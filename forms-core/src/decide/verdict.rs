@@ -1,6 +1,5 @@
 //! The three verdicts, and the error of a vacuous statement, whose conditions no point meets.
 
-use super::ratio::Ratio;
 use crate::syntax::ast::Claim;
 use std::fmt;
 
@@ -90,5 +89,28 @@ impl fmt::Display for Witness {
             format!("the coefficient of {}: ", self.component)
         };
         write!(f, "{point}, {component}left = {}, right = {}", self.left, self.right)
+    }
+}
+
+/// Factor between the sides: left = factor · right.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ratio {
+    /// The factor in the language's notation.
+    pub factor: String,
+    /// The map whose Jacobian, or its reciprocal, is the factor up to a number.
+    pub jacobian_of: Option<String>,
+}
+
+impl std::fmt::Display for Ratio {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match (self.factor.as_str(), &self.jacobian_of) {
+            ("-1", _) => write!(f, "the sides differ in sign only: left = -right"),
+            (factor, None) => write!(f, "the sides differ by a factor only: left/right = {factor}"),
+            (factor, Some(map)) => write!(
+                f,
+                "the sides differ by a factor only: left/right = {factor}, which is the Jacobian of `{map}` \
+                 or its inverse, up to a number"
+            ),
+        }
     }
 }

@@ -7,8 +7,8 @@ use super::{Line, Step};
 use crate::calculus::{Blade, Coordinate, Form, contributions};
 use crate::expression::{Expr as Scalar, Operation};
 use crate::notation::latex_of_name;
-use crate::resolve::{Named, Value};
 use crate::syntax::ast::{Argument, Binary, Expr, ExprKind, ItemKind};
+use crate::theory::{Named, Value};
 
 /// Largest number of terms of a derivative that are listed one by one.
 const MOST_TERMS: usize = 24;

@@ -4,8 +4,8 @@ use super::scribe::{APART, Formula, Scribe};
 use super::{Line, Step};
 use crate::decide::Witness;
 use crate::notation::{latex_of_condition, latex_of_name};
-use crate::resolve::Statement;
 use crate::syntax::ast::{Claim, ItemKind};
+use crate::theory::Statement;
 
 /// Returns the step that shows the equation as it was written, with its own conditions.
 pub(super) fn claim(scribe: &Scribe, claim: &ItemKind) -> Step {

@@ -5,7 +5,7 @@ use super::{Line, Step};
 use crate::decide::{Bound, Cancellation, Case, Separated, account, separated, vanishing_angles};
 use crate::expression::{Expr, Operation};
 use crate::normal::Sign;
-use crate::resolve::Statement;
+use crate::theory::Statement;
 
 /// Numerators with more characters in total are put on separate lines.
 const LONGEST_SUM: usize = 160;

@@ -3,9 +3,10 @@
 use crate::calculus::{Blade, Form};
 use crate::expression::{Condition, Expr};
 use crate::notation::{latex, latex_as_written, latex_of_relation, simplify, text};
-use crate::resolve::{Theory, Trace, Value};
+use crate::resolve::Trace;
 use crate::syntax::Source;
 use crate::syntax::ast::{self, Binary, ExprKind};
+use crate::theory::{Theory, Value};
 
 /// A value that takes more characters is represented by its size.
 const LONGEST: usize = 600;

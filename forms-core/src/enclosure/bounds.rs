@@ -2,8 +2,7 @@
 //! them.
 
 use super::range::Range;
-use crate::expression::Rational;
-use crate::syntax::ast::Relation;
+use crate::expression::{Rational, Relation};
 use num_bigint::BigInt;
 use num_traits::{Signed, Zero};
 use std::cmp::Ordering;

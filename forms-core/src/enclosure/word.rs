@@ -7,8 +7,7 @@
 //! [`enclose`](super::enclose).
 
 use super::bounds::Undecided;
-use crate::expression::{Expr, Node, Operation, Pool, Rational, Symbol};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, Node, Operation, Pool, Rational, Relation, Symbol};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::Ratio;

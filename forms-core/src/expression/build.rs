@@ -4,7 +4,7 @@
 
 use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol};
 use super::operation::Operation;
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};
 

@@ -3,7 +3,7 @@
 
 use super::node::{Expr, Pool};
 use super::substitution::Substitution;
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 
 /// A relation between two expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

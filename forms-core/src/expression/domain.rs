@@ -4,7 +4,7 @@
 use super::condition::Condition;
 use super::node::{Expr, Node, Pool};
 use super::operation::Operation;
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 

@@ -3,7 +3,7 @@
 use super::operation::Operation;
 use super::primitive::Primitives;
 use super::quadrature::Quadratures;
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 use rustc_hash::{FxBuildHasher, FxHashMap};
 use std::collections::hash_map::Entry;
 use std::hash::{Hash, Hasher};

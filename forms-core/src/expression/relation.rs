@@ -1,7 +1,21 @@
 //! Relations between two real numbers: their meaning, notation, complement and mirror image.
 
-use crate::syntax::ast::Relation;
 use std::cmp::Ordering;
+
+/// Relation between two scalars.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Relation {
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+    /// `!=`
+    NotEqual,
+}
 
 impl Relation {
     /// Whether two numbers that compare in this way satisfy the relation.

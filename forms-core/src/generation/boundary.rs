@@ -4,8 +4,7 @@
 //! the solution, so an equation with the solution substituted for the part holds or fails there
 //! exactly as the original does.
 
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 

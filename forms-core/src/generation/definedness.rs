@@ -18,7 +18,7 @@ use super::special_points::SpecialPoints;
 use super::translation::{EFFORT, equality};
 use crate::decide::Witness;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 
 /// Number of special points tested before any proof, and, as `MORE_POINTS`, where a proof fails.
 const FIRST_POINTS: usize = 24;

@@ -20,7 +20,7 @@ use crate::decide::{contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool};
 use crate::kernel::{KernelSource, lower};
-use crate::resolve::{Effect, Kernel};
+use crate::theory::{Effect, Kernel};
 use rustc_hash::FxHashMap;
 
 /// Kernel without some of its effects.
@@ -183,7 +183,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
     use crate::decide::{Equations, Finding};
-    use crate::resolve::Theory;
+    use crate::theory::Theory;
 
     fn theory(source: &str) -> Theory {
         let (theory, errors) = read_theory(source);

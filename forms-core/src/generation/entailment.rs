@@ -10,8 +10,7 @@
 
 use super::limit::holds;
 use crate::assume::vanishes;
-use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Pool, Rational, Relation};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
 

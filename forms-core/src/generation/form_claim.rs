@@ -13,7 +13,7 @@ use super::translation::{FORM, Translation, equality};
 use crate::decide::Witness;
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 
 /// Returns the fault of a form given after `by` that is not proved to have the value of the
 /// formula, wherever the formula has one on the kernel's domain. Special points are tested first: a

@@ -12,8 +12,7 @@
 use super::pieces::negated;
 use crate::assume::vanishes;
 use crate::decide::contradiction;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Symbol, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Substitution, Symbol, SymbolKind};
 use num_rational::Ratio;
 use num_traits::Signed;
 use rustc_hash::FxHashMap;

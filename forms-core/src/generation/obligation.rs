@@ -8,8 +8,7 @@
 //! asin q, or 1 − q ≥ 0 and 1 + q ≥ 0.
 
 use super::pieces::negated;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Relation};
 use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
 

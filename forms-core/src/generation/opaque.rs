@@ -9,8 +9,7 @@
 //! values. The converse does not hold, as sin² + cos² = 1 shows.
 
 use super::cuts::Cuts;
-use crate::expression::{Expr, Node, Operation, Pool, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, Node, Operation, Pool, Relation, SymbolKind};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Kind of expression that a variable replaces.

@@ -1,8 +1,7 @@
 //! Pieces: splits expressions with `if` into expressions without, each under the conditions that
 //! lead to it.
 
-use crate::expression::{Condition, Expr, Node, Pool};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Pool, Relation};
 use rustc_hash::FxHashSet;
 
 /// Largest number of pieces that are examined.

@@ -6,8 +6,7 @@
 
 use super::limit::follow;
 use crate::decide::{Effort, Equations, Finding};
-use crate::expression::{Condition, Expr, Node, Pool, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Pool, Relation, SymbolKind};
 use rustc_hash::FxHashMap;
 
 /// Returns the number of points at which the sides of each pair were seen to be equal, if the sides

@@ -13,7 +13,7 @@ use super::pieces::{negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use rustc_hash::FxHashSet;
 use std::cmp::Ordering;
 

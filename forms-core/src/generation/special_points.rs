@@ -7,9 +7,8 @@
 
 use super::boundary::sheets;
 use super::exact_point::Point;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Symbol};
 use crate::random::SplitMix;
-use crate::syntax::ast::Relation;
 use rustc_hash::FxHashSet;
 
 /// Numbers that arguments take, the simplest first; a fraction p/q is the pair (p, q).

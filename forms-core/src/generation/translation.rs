@@ -11,10 +11,9 @@ use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
 use crate::decide::{Effort, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Condition, Expr, Pool};
+use crate::expression::{Condition, Expr, Pool, Relation};
 use crate::kernel::Program;
-use crate::resolve::Kernel;
-use crate::syntax::ast::Relation;
+use crate::theory::Kernel;
 use std::fmt;
 
 /// Effort for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
@@ -210,7 +209,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
     use crate::kernel::{Instruction, KernelSource, lower};
-    use crate::resolve::Theory;
+    use crate::theory::Theory;
 
     fn theory(source: &str) -> Theory {
         let (theory, errors) = read_theory(source);

@@ -4,10 +4,10 @@
 //! and its values at 0 and 1 are β₀ and βₙ. A polynomial in parameters is examined term by term,
 //! after known conditions are divided out as factors or subtracted as multiples.
 
-use super::signs::{KnownSign, Strictness};
+use super::known_sign::{KnownSign, Strictness};
+use crate::expression::Relation;
 use crate::normal::{Fraction, Generator, Tower};
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_integer::{Integer, binomial};
 use num_traits::Signed;

@@ -8,15 +8,15 @@
 //! sin(κx + δ) and c + k cos(κx + δ). So q has one sign between neighbouring zeros. An absolute
 //! value that does not depend on the variable is a constant for the integral.
 
+use super::known_sign::Strictness;
 use super::range::Integral;
-use super::signs::{Region, Strictness};
+use super::signs::Region;
 use super::{Failure, normal_form};
 use crate::assume::is_at_most;
 use crate::enclosure::{Precision, enclose_number};
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Symbol, SymbolKind};
 use crate::normal::{Tower, Trigonometry};
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;

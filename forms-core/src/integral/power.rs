@@ -4,14 +4,13 @@
 //! ∫ gʲ g^ν dx = g^μ/(αμ),   μ = ν + j + 1;   g^μ is continuous where g ≥ 0 if μ > 0, with the value 0 at g = 0
 //! ```
 
-use super::Failure;
-use super::normal_form;
+use super::known_sign::Strictness;
 use super::search::{Integrand, Search};
-use super::signs::{Region, Strictness};
+use super::signs::Region;
+use super::{Failure, normal_form};
 use crate::assume::is_at_most;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Symbol};
 use crate::normal::{Fraction, Generator, Tower, Trigonometry};
-use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
 /// Highest power of the variable next to the symbolic power that is expanded.

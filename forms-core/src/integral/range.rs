@@ -1,13 +1,13 @@
 //! Definite integrals from antiderivatives: the check of the derivative, the continuity over the
 //! range, and the values at the ends.
 
+use super::known_sign::Strictness;
 use super::moments::by_moments;
 use super::search::Search;
-use super::signs::{Region, Strictness};
+use super::signs::Region;
 use super::{Failure, any_normal_form, normal_form};
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, Symbol};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Substitution, Symbol};
 use crate::normal::{Tower, Trigonometry};
-use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
 /// An integral and the conditions on parameters under which it has this value.

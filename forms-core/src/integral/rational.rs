@@ -6,7 +6,8 @@
 //! 0; and ∫ 1/pʲ⁺¹ = (2ax+b)/(jδ pʲ) + (2a(2j−1)/(jδ)) ∫ 1/pʲ.
 
 use super::Failure;
-use super::signs::{Region, Strictness};
+use super::known_sign::Strictness;
+use super::signs::Region;
 use crate::expression::{Expr, Operation, Pool, Symbol};
 use crate::normal::{Fraction, Obstacle, RationalFunction, Tower, Univariate};
 use crate::polynomial::Polynomial;

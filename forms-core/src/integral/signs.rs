@@ -3,28 +3,18 @@
 //! enclosed on smaller and smaller boxes.
 
 use super::bernstein::{Knowledge, UnitBox};
+use super::known_sign::{KnownSign, Strictness};
 use super::normal_form;
 use crate::assume::is_at_most;
 use crate::enclosure::{Enclosure, Precision, enclose};
-use crate::expression::{Condition, Expr, Nature, Node, Pool, Rational, Substitution, Symbol, SymbolKind};
+use crate::expression::{
+    Condition, Expr, Nature, Node, Pool, Rational, Relation, Substitution, Symbol, SymbolKind,
+};
 use crate::normal::{Generator, Tower, Trigonometry};
-use crate::syntax::ast::Relation;
 use num_traits::Zero;
 
 /// Limit on the boxes on which an expression that is not polynomial is enclosed.
 const MOST_BOXES: usize = 400;
-
-/// Whether a sign excludes zero.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Strictness {
-    /// Zero is possible.
-    Weak,
-    /// Zero is excluded.
-    Strict,
-}
-
-/// A sign and whether it excludes zero: (true, _) is positive.
-pub(super) type KnownSign = (bool, Strictness);
 
 /// The ranges, outermost first, and the assumptions on everything else.
 #[derive(Clone)]

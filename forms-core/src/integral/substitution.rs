@@ -4,10 +4,9 @@
 use super::range::is_antiderivative;
 use super::search::{Integrand, Search};
 use super::{Failure, normal_form};
-use crate::expression::{Condition, Expr, Node, Operation, Substitution, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Node, Operation, Relation, Substitution, Symbol, SymbolKind};
 use crate::normal::{Generator, Tower, Trigonometry};
 use crate::polynomial::Polynomial;
-use crate::syntax::ast::Relation;
 use rustc_hash::FxHashMap;
 
 impl Search<'_> {

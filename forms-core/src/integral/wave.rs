@@ -1,6 +1,7 @@
 //! Signs of sines and cosines over the range, from the ranges of their angles.
 
-use super::signs::{KnownSign, Region, Strictness};
+use super::known_sign::{KnownSign, Strictness};
+use super::signs::Region;
 use crate::assume::range_of;
 use crate::expression::{Expr, Node, Operation, Pool};
 

@@ -17,8 +17,7 @@ pub(super) use coefficient::{Coefficient, Exponent};
 
 use super::constant::Constant;
 use super::program::Program;
-use crate::expression::Operation;
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
 use num_rational::Ratio;
 use rustc_hash::FxHashMap;
 

@@ -4,7 +4,7 @@
 //! same order.
 
 use super::program::{Instruction, Program, Value};
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 use forms_math::{
     Computation, DoubleDouble, Real, Tier, escalate_computation, escalate_double_double_computation,
     row_within,

@@ -5,8 +5,7 @@
 //! exact, functions are rows of the operation table.
 
 use super::constant::Constant;
-use crate::expression::Operation;
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
 use num_rational::Ratio;
 
 /// Value of an instruction, identified by the instruction's index.

@@ -12,7 +12,7 @@ use super::angle::Point;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity};
 use super::tower::{Obstacle, Tower};
-use crate::expression::{Operation, Rational};
+use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -28,6 +28,12 @@ const MOST_HALVINGS: u32 = 4;
 /// Whether a function of the operation table is an angle.
 pub(crate) fn is_arc(operation: Operation) -> bool {
     matches!(operation, Operation::Asin | Operation::Acos | Operation::Atan | Operation::Atan2)
+}
+
+/// Whether inverse functions occur in expressions.
+pub(crate) fn arcs_occur_in(pool: &Pool, expressions: &[Expr]) -> bool {
+    let is_arc = |part: Expr| matches!(pool.node(part), Node::Apply(operation, _) if is_arc(*operation));
+    pool.reachable(expressions).into_iter().any(is_arc)
 }
 
 impl Tower {

@@ -3,9 +3,8 @@
 use super::name::latex_name;
 use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
-use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational};
-use crate::resolve::{Theory, Value};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational, Relation};
+use crate::theory::{Theory, Value};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;

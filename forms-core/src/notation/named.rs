@@ -3,7 +3,7 @@
 use super::{latex, latex_of_name, latex_of_relation, simplify, simplify_expression, text};
 use crate::calculus::Coordinate;
 use crate::expression::{Condition, Expr, Symbol};
-use crate::resolve::{Named, Statement, Theory, Value};
+use crate::theory::{Named, Statement, Theory, Value};
 
 /// Writes the object with this name in the language; for a statement, both of its sides. `None` if
 /// nothing has that name.

@@ -3,7 +3,7 @@
 use crate::calculus::Structured;
 use crate::decide::simplified_where;
 use crate::expression::{Condition, Expr, Pool};
-use crate::resolve::{Theory, Value};
+use crate::theory::{Theory, Value};
 
 /// Returns the expression in its simplest known form where the conditions hold: its normal form if
 /// that exists and is shorter than the expression as written, or else the expression as written.

@@ -2,7 +2,7 @@
 
 use crate::calculus::Coordinate;
 use crate::expression::{Expr, Node, Pool};
-use crate::resolve::Value;
+use crate::theory::Value;
 use num_traits::Signed;
 
 /// Coefficient with the coordinates of its basis form, or the one coordinate of its basis field.

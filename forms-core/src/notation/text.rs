@@ -2,7 +2,7 @@
 
 use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
-use crate::resolve::{Theory, Value};
+use crate::theory::{Theory, Value};
 
 /// Writes the results of a kernel in the language: a single one as it is, several in brackets.
 pub fn results(formulas: &[String]) -> String {

@@ -6,8 +6,8 @@
 use super::latex::{Binding, Written, bracketed, latex_of_relation, number};
 use super::name::latex_name;
 use crate::expression::Operation;
-use crate::resolve::{Named, Theory};
 use crate::syntax::ast::{Argument, Binary, Condition, Expr, ExprKind, Name};
+use crate::theory::{Named, Theory};
 use num_traits::{One, Signed};
 
 /// Writes an expression of the source in LaTeX, without evaluation or simplification.

@@ -8,9 +8,9 @@ use crate::derivation::{Derivation, derive};
 use crate::diagnostic::{Diagnostic, counted};
 use crate::generation::{Fault, Generated};
 use crate::notation::{latex_as_written, latex_of_condition, latex_of_name, latex_of_named, text_of_named};
-use crate::resolve::Theory;
 use crate::syntax::Source;
 use crate::syntax::ast::{Claim, Condition, Expr, File, ItemKind};
+use crate::theory::Theory;
 
 /// A parsed and resolved text of the language. A notebook shows how much it declares, or its
 /// errors.

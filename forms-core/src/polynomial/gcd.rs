@@ -2,6 +2,7 @@
 //! interpolation, then remainder sequences as long as they stay small.
 
 use super::Polynomial;
+use super::content::content_in;
 use super::image::{self, coordinate};
 use super::interpolation::gcd_by_interpolation;
 use crate::steps;
@@ -96,20 +97,6 @@ fn gcd_with_coefficients(f: &Polynomial, g: &Polynomial, variable: u32) -> Polyn
         }
     }
     common
-}
-
-/// Returns the content of f as a polynomial in one variable: the gcd of its coefficients.
-pub(super) fn content_in(f: &Polynomial, variable: u32) -> Polynomial {
-    let mut parts = f.coefficients_in(variable);
-    parts.sort_by_key(|(_, part)| part.term_count());
-    let mut content = Polynomial::zero();
-    for (_, part) in parts {
-        content = content.gcd(&part);
-        if content.is_one() {
-            break;
-        }
-    }
-    content
 }
 
 /// Returns for each variable a bound on the gcd's degree: the degree of the gcd of images at a

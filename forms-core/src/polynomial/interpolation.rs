@@ -5,7 +5,7 @@
 //! the value of γ. The results are the images of one polynomial H = (γ/lcₓ G)·G, and the gcd G is
 //! the primitive part of H.
 
-use super::gcd::content_in;
+use super::content::content_in;
 use super::image::{self, Image, coordinate};
 use super::{Polynomial, modular};
 use crate::steps;

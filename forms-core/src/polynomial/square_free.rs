@@ -2,7 +2,7 @@
 //! coprime.
 
 use super::Polynomial;
-use super::gcd::content_in;
+use super::content::content_in;
 use num_bigint::BigInt;
 use num_traits::One;
 

@@ -2,11 +2,11 @@
 //! products, powers.
 
 use super::evaluation::{Evaluated, Evaluator};
-use super::value::Value;
 use crate::calculus::{Form, wedge};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Operation};
 use crate::syntax::ast::{self, Binary};
+use crate::theory::Value;
 use num_rational::Ratio;
 use num_traits::{Signed, ToPrimitive};
 

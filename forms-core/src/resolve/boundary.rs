@@ -3,11 +3,11 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::integration::Range;
-use super::value::Value;
 use crate::calculus::{Coordinate, Form, Pullback, pullback};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Substitution};
 use crate::syntax::ast::Argument;
+use crate::theory::Value;
 
 /// Form pulled back to the box, with the coordinates of the map's source chart.
 struct OnBox {

@@ -2,11 +2,7 @@
 //! functions.
 
 use super::evaluation::{Evaluated, Evaluator};
-use super::metric::METRIC_OPERATIONS;
-use super::names::{describe, unusable};
 use super::scope::Scope;
-use super::theory::{Map, Named};
-use super::value::Value;
 use crate::calculus::{
     Coordinate, Field, Form, Pullback, bracket, exterior_derivative, interior, lie_of_form, lie_of_scalar,
     pairing, pullback,
@@ -14,6 +10,9 @@ use crate::calculus::{
 use crate::diagnostic::{Diagnostic, Span, counted};
 use crate::expression::{Expr, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name};
+use crate::syntax::words::METRIC_OPERATIONS;
+use crate::theory::names::unusable;
+use crate::theory::{Map, Named, Value, describe};
 use num_rational::Ratio;
 
 impl Evaluator<'_> {

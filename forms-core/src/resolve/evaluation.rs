@@ -1,13 +1,13 @@
 //! Evaluation of expressions: names, numbers, operators along their left spine, coefficients.
 
-use super::names::{VALUES, describe, not_declared, unusable};
+use super::declarations::Declarations;
 use super::scope::Scope;
-use super::theory::{Named, Theory};
-use super::value::Value;
 use crate::calculus::{Blade, Coordinate, Field, Form, Structured};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, FunctionId, Seam, Symbol};
 use crate::syntax::ast::{self, Binary, ExprKind, Name};
+use crate::theory::names::{VALUES, not_declared, unusable};
+use crate::theory::{Named, Theory, Value, describe};
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
@@ -23,7 +23,7 @@ pub(super) struct Evaluator<'a> {
     pub(super) theory: &'a mut Theory,
     pub(super) scope: Scope,
     /// Conditions with which each param and unknown function was declared.
-    pub(super) declared: &'a super::items::Declarations,
+    pub(super) declared: &'a Declarations,
     /// Conditions that the statement itself places on its points.
     pub(super) given: Vec<Condition>,
     /// Whether a kernel is being evaluated: there, integrals without a closed form are computed
@@ -37,7 +37,7 @@ pub(super) struct Evaluator<'a> {
 pub type Trace = FxHashMap<Span, Value>;
 
 impl<'a> Evaluator<'a> {
-    pub(super) fn new(theory: &'a mut Theory, declared: &'a super::items::Declarations) -> Self {
+    pub(super) fn new(theory: &'a mut Theory, declared: &'a Declarations) -> Self {
         Evaluator {
             theory,
             scope: Scope::default(),

@@ -3,14 +3,13 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::scope::Scope;
-use super::theory::{Integration, Named};
-use super::value::Value;
 use crate::assume::is_at_most;
 use crate::calculus::{Blade, Form};
 use crate::diagnostic::{Diagnostic, Kind, Span, counted};
-use crate::expression::{Condition, Expr, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Relation, Symbol, SymbolKind};
 use crate::integral::{Region, Strictness};
-use crate::syntax::ast::{self, Argument, ExprKind, Name, Relation};
+use crate::syntax::ast::{self, Argument, ExprKind, Name};
+use crate::theory::{Integration, Named, Value};
 
 /// Range of an integral.
 #[derive(Clone)]

@@ -1,31 +1,14 @@
 //! Items of a file, in order: each declares a name or makes a claim.
 
+use super::declarations::Declarations;
 use super::evaluation::{Evaluated, Evaluator, Trace};
-use super::theory::{Chart, Named, Object, Theory};
-use super::value::Value;
 use crate::calculus::{Coordinate, MAXIMUM_COORDINATES};
 use crate::diagnostic::{Diagnostic, Kind, MOST_DIAGNOSTICS, Span};
-use crate::expression::{Condition, FunctionId, Symbol, SymbolKind};
+use crate::expression::{Condition, Symbol, SymbolKind};
 use crate::steps;
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
-use rustc_hash::{FxHashMap, FxHashSet};
-
-/// Conditions with which params and unknown functions were declared.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Declarations {
-    parameters: FxHashMap<Symbol, Vec<Condition>>,
-    functions: FxHashMap<FunctionId, Vec<Condition>>,
-}
-
-impl Declarations {
-    pub(super) fn of_parameter(&self, symbol: Symbol) -> Vec<Condition> {
-        self.parameters.get(&symbol).cloned().unwrap_or_default()
-    }
-
-    pub(super) fn of_function(&self, function: FunctionId) -> Vec<Condition> {
-        self.functions.get(&function).cloned().unwrap_or_default()
-    }
-}
+use crate::theory::{Chart, Named, Object, Theory, Value};
+use rustc_hash::FxHashSet;
 
 /// Resolves a whole file: returns its declarations and claims, and all errors in it.
 pub fn resolve(file: &ast::File) -> (Theory, Vec<Diagnostic>) {

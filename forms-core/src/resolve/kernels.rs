@@ -2,13 +2,12 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
-use super::names::{describe, unusable};
-use super::theory::{Effect, Kernel, KernelUnits, Named};
-use super::value::Value;
 use crate::decide::is_implied;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Rational, Symbol, SymbolKind};
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
+use crate::theory::names::unusable;
+use crate::theory::{Effect, Kernel, KernelUnits, Named, Value, describe};
 use num_traits::Signed;
 
 impl Resolver {

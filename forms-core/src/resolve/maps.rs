@@ -2,11 +2,11 @@
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
-use super::theory::{Map, Named};
 use crate::calculus::Coordinate;
 use crate::diagnostic::{Diagnostic, counted};
 use crate::expression::{Expr, Symbol};
 use crate::syntax::ast::{self, Name};
+use crate::theory::{Map, Named};
 
 impl Resolver {
     pub(super) fn map(

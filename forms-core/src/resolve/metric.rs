@@ -3,23 +3,18 @@
 use super::call::exactly;
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
-use super::names::{describe, unusable};
 use super::quadratic::Entries;
-use super::theory::{Named, NamedMetric};
-use super::value::Value;
 use crate::assume::vanishes;
 use crate::calculus::{
     Coordinate, Form, Metric, codifferential, curl, divergence, flat, gradient, hodge, inner_of_fields,
     inner_of_forms, laplacian, sharp, volume,
 };
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr};
-use crate::syntax::ast::{self, ExprKind, Name, Relation};
+use crate::expression::{Condition, Expr, Relation};
+use crate::syntax::ast::{self, ExprKind, Name};
+use crate::theory::names::unusable;
+use crate::theory::{Named, NamedMetric, Value, describe};
 use num_rational::Ratio;
-
-/// Functions that take a metric in square brackets.
-pub(crate) const METRIC_OPERATIONS: &[&str] =
-    &["hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div"];
 
 /// Maximum number of coordinates that one metric can couple with each other; larger blocks have too
 /// many minors.

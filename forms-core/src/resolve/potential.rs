@@ -6,12 +6,12 @@
 
 use super::call::exactly;
 use super::evaluation::{Evaluated, Evaluator};
-use super::value::Value;
 use crate::calculus::{Coordinate, Field, Form, interior};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, Substitution, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Relation, Substitution, Symbol, SymbolKind};
 use crate::integral::{Region, power_integral};
-use crate::syntax::ast::{self, Relation};
+use crate::syntax::ast;
+use crate::theory::Value;
 
 impl Evaluator<'_> {
     pub(super) fn potential(

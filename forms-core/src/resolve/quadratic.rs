@@ -2,12 +2,11 @@
 //! symmetric product.
 
 use super::evaluation::{Evaluated, Evaluator};
-use super::theory::Named;
-use super::value::Value;
 use crate::calculus::{Coordinate, Form};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Expr, Rational};
 use crate::syntax::ast::{self, Binary, ExprKind};
+use crate::theory::{Named, Value};
 use std::collections::BTreeMap;
 
 /// Entries gᵢⱼ with i ≤ j; an off-diagonal entry stands for both gᵢⱼ and gⱼᵢ.

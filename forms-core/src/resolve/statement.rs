@@ -2,11 +2,10 @@
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
-use super::theory::{Named, Statement};
-use super::value::Value;
 use crate::diagnostic::{Diagnostic, Kind};
-use crate::expression::{Condition, Expr, Nature, Node, Operation, Symbol, SymbolKind};
-use crate::syntax::ast::{Claim, Item, ItemKind, Relation};
+use crate::expression::{Condition, Expr, Nature, Node, Operation, Relation, Symbol, SymbolKind};
+use crate::syntax::ast::{Claim, Item, ItemKind};
+use crate::theory::{Named, Statement, Value};
 use std::collections::BTreeSet;
 
 impl Resolver {

@@ -17,14 +17,13 @@
 use super::evaluation::Evaluated;
 use super::items::Resolver;
 use super::kernels::check_count;
-use super::theory::{Chart, Kernel, KernelUnits, Map, Named, Warp};
-use super::value::Value;
 use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::{Diagnostic, counted};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Condition, Expr, Pool, Rational, Seam, Symbol};
+use crate::expression::{Condition, Expr, Pool, Rational, Relation, Seam, Symbol};
 use crate::random::SplitMix;
-use crate::syntax::ast::{self, Declared, Item, Name, Relation};
+use crate::syntax::ast::{self, Declared, Item, Name};
+use crate::theory::{Chart, Kernel, KernelUnits, Map, Named, Value, Warp};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 

@@ -2,8 +2,8 @@
 
 use super::Unbounded;
 use super::interval::Interval;
+use crate::expression::Relation;
 use crate::kernel::{Comparison, Instruction, Program, Value};
-use crate::syntax::ast::Relation;
 
 /// Range of each argument.
 pub(super) type Box = Vec<Interval>;

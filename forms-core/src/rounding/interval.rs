@@ -4,8 +4,7 @@
 //! operands gives
 //! [`Interval::EVERYTHING`]: an interval always contains all possible values.
 
-use crate::expression::Operation;
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Relative error bound assumed for the functions of the standard library.

@@ -15,7 +15,7 @@ use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Pool, Rational, Symbol, TABLE};
 use crate::notation::results;
-use crate::resolve::{Kernel, Theory};
+use crate::theory::{Kernel, Theory};
 use rustc_hash::FxHashMap;
 use std::fmt::Write;
 

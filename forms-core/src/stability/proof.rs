@@ -3,7 +3,7 @@
 
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::generation::{form_faults, guarded};
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use rustc_hash::FxHashMap;
 
 /// Returns the form if it is proved, or else the form with the formula used wherever the form is

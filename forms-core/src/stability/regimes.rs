@@ -8,9 +8,8 @@
 //! other arguments are. If there is none, no cut is made.
 
 use super::crossing::{Crossing, Pair};
-use crate::expression::{Expr, Pool, Rational, Seam, Symbol};
+use crate::expression::{Expr, Pool, Rational, Relation, Seam, Symbol};
 use crate::kernel::{Program, nearest_f64};
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_traits::Zero;
 

@@ -8,7 +8,7 @@ use super::validation::Validation;
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
 use crate::expression::{Expr, Pool};
 use crate::kernel::{KernelSource, Program, lower};
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Search budget for one kernel.

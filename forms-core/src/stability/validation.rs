@@ -10,7 +10,7 @@ use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample, sample_
 use crate::expression::Pool;
 use crate::kernel::Program;
 use crate::random::SplitMix;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 
 /// Number of samples in each regime, and their seed; the samples differ from those of the search.
 const SAMPLES: usize = 32;

@@ -1,6 +1,7 @@
 //! Syntax tree: the source as written, with the place of every part.
 
 use crate::diagnostic::Span;
+use crate::expression::Relation;
 use num_rational::BigRational;
 
 /// Whole `.forms` file or macro body.
@@ -155,21 +156,6 @@ pub struct Condition {
     pub rest: Vec<(Relation, Expr)>,
     /// Place of the whole chain.
     pub span: Span,
-}
-
-/// Relation between two scalars.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Relation {
-    /// `<`
-    Less,
-    /// `<=`
-    LessEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterEqual,
-    /// `!=`
-    NotEqual,
 }
 
 /// Expression with its place.

@@ -4,8 +4,9 @@
 //! The generated parts have empty spans next to the source from which they are made, each part at a
 //! place of its own.
 
-use super::ast::{Argument, Binary, Claim, Condition, Expr, ExprKind, Item, ItemKind, Name, Relation, Warp};
+use super::ast::{Argument, Binary, Claim, Condition, Expr, ExprKind, Item, ItemKind, Name, Warp};
 use crate::diagnostic::Span;
+use crate::expression::Relation;
 use num_rational::BigRational;
 
 impl Warp {

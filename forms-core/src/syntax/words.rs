@@ -24,6 +24,10 @@ pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effec
 /// Contextual keywords: they have a meaning where an item expects them, and can be names elsewhere.
 pub const CONTEXTUAL: &[&str] = &["by", "within", "onto", "density", "of", "inverse"];
 
+/// Functions that take a metric in square brackets.
+pub const METRIC_OPERATIONS: &[&str] =
+    &["hodge", "codiff", "laplace", "flat", "sharp", "inner", "norm", "volume", "grad", "curl", "div"];
+
 /// Functions of the language, and its constant.
 pub const FUNCTIONS: &[&str] = &[
     "d",

@@ -10,7 +10,7 @@ use super::session::Session;
 use super::shape::Hole;
 use crate::decide::{Verdict, simplified_where};
 use crate::expression::{Condition, Expr, Pool, Rational, Substitution, Symbol};
-use crate::resolve::{Named, Value};
+use crate::theory::{Named, Value};
 use num_traits::{One, Zero};
 
 /// Reports the cycle and the period; returns the period in the language's notation, or `None` if it

@@ -107,7 +107,7 @@ fn tell(
 /// Returns a named value, simplified, in the language's notation.
 fn written_out(session: &Session, item: &str, name: &str) -> Option<String> {
     let mut theory = session.extended(item).ok()?;
-    let crate::resolve::Named::Object(number) = *theory.named(name)? else { return None };
+    let crate::theory::Named::Object(number) = *theory.named(name)? else { return None };
     let object = theory.objects[number].clone();
     let simple = crate::notation::simplify(&mut theory, &object.domain, &object.value);
     Some(crate::notation::text(&theory, &simple))

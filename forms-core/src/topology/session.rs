@@ -2,9 +2,9 @@
 
 use crate::check::read_theory;
 use crate::decide::{Verdict, decide};
-use crate::resolve::Theory;
 use crate::syntax::Source;
 use crate::syntax::words::reserved;
+use crate::theory::Theory;
 
 /// A source without errors, and its declarations.
 pub(super) struct Session {

@@ -5,11 +5,10 @@
 //! some coordinates: the remaining set contracts onto a sphere.
 
 use super::session::Session;
-use crate::expression::{Condition, Expr, Node, Pool, Rational, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Node, Pool, Rational, Relation, Symbol, SymbolKind};
 use crate::normal::{Generator, Tower, Trigonometry, normalise};
 use crate::polynomial::Polynomial;
-use crate::resolve::Theory;
-use crate::syntax::ast::Relation;
+use crate::theory::Theory;
 use num_rational::Ratio;
 use num_traits::{Signed, Zero};
 use std::collections::BTreeMap;

@@ -6,7 +6,7 @@
 //! sphere in radians turns a radiance into W/m².
 
 use super::table::{self, Base};
-use super::unit::{Meaning, Unit};
+use super::unit::{self, Meaning, Unit};
 use num_rational::BigRational;
 use num_traits::Zero;
 
@@ -26,7 +26,7 @@ enum Difference {
 }
 
 fn difference(quotient: &Meaning) -> Difference {
-    let [radians, steradians] = [Base::Radian, Base::Steradian].map(|base| table::exponent(quotient, base));
+    let [radians, steradians] = [Base::Radian, Base::Steradian].map(|base| unit::exponent(quotient, base));
     let is_angle = |base: &Base| matches!(base, Base::Radian | Base::Steradian);
     let mut rest = quotient.keys().filter(|base| !is_angle(base)).peekable();
     if rest.peek().is_some() {
@@ -61,7 +61,7 @@ pub(super) fn admits(declared: &Unit, found: &Unit) -> bool {
     let quotient = declared.clone().quotient(found).meaning();
     match difference(&quotient) {
         Difference::None | Difference::Exchange => true,
-        Difference::SolidAngle => table::exponent(&found.meaning(), Base::Steradian).is_zero(),
+        Difference::SolidAngle => unit::exponent(&found.meaning(), Base::Steradian).is_zero(),
         Difference::Size | Difference::Dimension => false,
     }
 }
@@ -73,7 +73,7 @@ pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, 
     let meaning = quotient.meaning();
     match difference(&meaning) {
         Difference::SolidAngle => {
-            let steradians = table::exponent(&meaning, Base::Steradian);
+            let steradians = unit::exponent(&meaning, Base::Steradian);
             let (lacking, power) = if steradians < BigRational::zero() {
                 (left_name, -steradians)
             } else {
@@ -82,7 +82,7 @@ pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, 
             let unit = Unit::named(table::STERADIAN).unwrap_or_default().power(&power);
             format!("{lacking} lacks a solid angle: multiply it by one in {unit}")
         }
-        Difference::Size => match table::size(&meaning) {
+        Difference::Size => match unit::size(&meaning) {
             Some(size) => {
                 let factor = right.clone().quotient(left);
                 format!(

@@ -5,8 +5,9 @@ use super::quantity::Quantity;
 use super::unit::Unit;
 use crate::diagnostic::Span;
 use crate::expression::Operation;
-use crate::resolve::{METRIC_OPERATIONS, Value};
 use crate::syntax::ast::{Argument, Expr, Name};
+use crate::syntax::words::METRIC_OPERATIONS;
+use crate::theory::Value;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 

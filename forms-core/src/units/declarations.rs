@@ -1,13 +1,12 @@
 //! Units of items: of the declared names, and of the sides of claims.
 
-use super::agreement;
 use super::inference::Inference;
 use super::quantity::Quantity;
-use super::reading;
 use super::unit::Unit;
+use super::{agreement, reading};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::Named;
 use crate::syntax::ast::{Condition, Declared, Effect, Expr, Item, ItemKind, Name};
+use crate::theory::Named;
 
 impl Inference<'_> {
     pub(super) fn item(&mut self, item: &Item) {

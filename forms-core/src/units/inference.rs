@@ -4,13 +4,13 @@
 //! every chart; @x has the reciprocal unit. Operators then multiply units, and d, which multiplies
 //! by dx as often as it divides by x, keeps the unit.
 
-use super::Inferred;
-use super::agreement;
 use super::quantity::{Disagreement, Quantity};
 use super::unit::Unit;
+use super::{Inferred, agreement};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::resolve::{KernelUnits, Named, Theory, Trace, Value};
+use crate::resolve::Trace;
 use crate::syntax::ast::{Binary, Condition, Expr, ExprKind};
+use crate::theory::{KernelUnits, Named, Theory, Value};
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;

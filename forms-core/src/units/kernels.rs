@@ -3,8 +3,8 @@
 use super::inference::{Inference, Signature};
 use super::quantity::Quantity;
 use crate::diagnostic::{Diagnostic, counted};
-use crate::resolve::{KernelUnits, Named};
 use crate::syntax::ast::{Declared, Expr, Item, ItemKind, Name, Warp};
+use crate::theory::{KernelUnits, Named};
 
 impl Inference<'_> {
     /// Infers the units of a kernel. The names of its arguments are local unless they are declared

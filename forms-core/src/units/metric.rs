@@ -6,8 +6,8 @@
 
 use super::inference::Inference;
 use super::quantity::Quantity;
-use crate::resolve::{Named, Value};
 use crate::syntax::ast::{Expr, ExprKind};
+use crate::theory::{Named, Value};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 

@@ -6,7 +6,6 @@
 //! edition, tables 2, 4, 7 and 8.
 
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
 /// Factor of a unit: a base unit or a prime number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -178,23 +177,6 @@ pub(super) fn suggestion(word: &str) -> Option<&'static str> {
     let singular = lower.strip_suffix('s').unwrap_or(&lower);
     let named = WORDS.iter().find(|(name, _)| *name == lower || *name == singular).map(|entry| entry.1);
     named.or_else(|| TABLE.iter().map(|row| row.name).find(|name| name.eq_ignore_ascii_case(word)))
-}
-
-/// Returns the exponent of one base unit.
-pub(super) fn exponent(meaning: &super::unit::Meaning, base: Base) -> BigRational {
-    meaning.get(&base).cloned().unwrap_or_else(|| BigRational::from_integer(0.into()))
-}
-
-/// Returns the size of a meaning without base units, as a number; `None` if it is irrational or
-/// very large.
-pub(super) fn size(meaning: &super::unit::Meaning) -> Option<BigRational> {
-    let mut size = BigRational::from_integer(1.into());
-    for (base, exponent) in meaning {
-        let Base::Prime(prime) = base else { return None };
-        let exponent = exponent.is_integer().then(|| exponent.to_i32())?.filter(|power| power.abs() < 100)?;
-        size *= BigRational::from_integer((*prime).into()).pow(exponent);
-    }
-    Some(size)
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@
 
 use super::table::{self, Base};
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -117,4 +117,21 @@ fn write_power(f: &mut fmt::Formatter<'_>, name: &str, exponent: &BigRational) -
         exponent if exponent.is_integer() => write!(f, "{name}**{exponent}"),
         exponent => write!(f, "{name}**({exponent})"),
     }
+}
+
+/// Returns the exponent of one base unit.
+pub(super) fn exponent(meaning: &Meaning, base: Base) -> BigRational {
+    meaning.get(&base).cloned().unwrap_or_else(|| BigRational::from_integer(0.into()))
+}
+
+/// Returns the size of a meaning without base units, as a number; `None` if it is irrational or
+/// very large.
+pub(super) fn size(meaning: &Meaning) -> Option<BigRational> {
+    let mut size = BigRational::from_integer(1.into());
+    for (base, exponent) in meaning {
+        let Base::Prime(prime) = base else { return None };
+        let exponent = exponent.is_integer().then(|| exponent.to_i32())?.filter(|power| power.abs() < 100)?;
+        size *= BigRational::from_integer((*prime).into()).pow(exponent);
+    }
+    Some(size)
 }

@@ -5,7 +5,7 @@ use super::quadrature::{quadrature, scalar, theory_of};
 use forms_core::decide::decide;
 use forms_core::expression::Symbol;
 use forms_core::kernel::evaluate_f64;
-use forms_core::resolve::Theory;
+use forms_core::theory::Theory;
 
 const DECLARATIONS: &str = "chart Plane(x, y); param n, a, b where n > 1, 0 < a < 1, b > 1;";
 

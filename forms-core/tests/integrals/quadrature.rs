@@ -3,8 +3,9 @@
 
 use forms_core::expression::Expr;
 use forms_core::kernel::evaluate_f64;
-use forms_core::resolve::{Named, Theory, Value, resolve};
+use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+use forms_core::theory::{Named, Theory, Value};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

@@ -9,7 +9,8 @@
 
 use crate::emitted::{Inputs, kernels};
 use crate::targets::{emitted, has_functions};
-use forms_core::kernel::{Precision, Program, Target};
+use forms_core::emission::{Precision, Target};
+use forms_core::kernel::Program;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};

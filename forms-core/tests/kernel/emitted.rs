@@ -1,9 +1,9 @@
 //! Emitted Rust, compiled unchanged and compared with the interpreter.
 
 use crate::formula::Formulas;
-use forms_core::expression::Expr;
-use forms_core::kernel::{KernelDocs, Program, emit_formula, emit_rust};
-use forms_core::syntax::ast::Relation;
+use forms_core::emission::{KernelDocs, emit_formula, emit_rust};
+use forms_core::expression::{Expr, Relation};
+use forms_core::kernel::Program;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::Command;

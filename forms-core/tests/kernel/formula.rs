@@ -2,9 +2,10 @@
 //!
 //! sum = product { (+|−) product } · product = sign { (*|/) sign } · sign = −sign | power · power = atom [** exponent]
 
-use forms_core::expression::{Condition, Expr, Operation, Pool, Rational, Seam, Symbol, SymbolKind};
+use forms_core::expression::{
+    Condition, Expr, Operation, Pool, Rational, Relation, Seam, Symbol, SymbolKind,
+};
 use forms_core::kernel::{KernelSource, Program, lower};
-use forms_core::syntax::ast::Relation;
 use num_rational::Ratio;
 
 /// Pool with named variables, the arguments of the kernels made from it, and names for subformulas.

@@ -4,19 +4,19 @@
 
 use crate::formula::Formulas;
 use crate::targets::{accepted, compiles, folder, validated};
-use forms_core::expression::Expr;
-use forms_core::kernel::{KernelDocs, Precision, Program, Source, Target, emit};
-use forms_core::syntax::ast::Relation;
+use forms_core::emission::{KernelDocs, Precision, Source, Target, emit};
+use forms_core::expression::{Expr, Relation};
+use forms_core::kernel::Program;
 use forms_core::syntax::words::{Word, reserved};
 use std::collections::BTreeSet;
 
 /// Lists used by the emitter, and further names that it does not have.
 const LISTS: [&str; 6] = [
-    include_str!("../../src/kernel/emit/names/c.txt"),
-    include_str!("../../src/kernel/emit/names/c_library.txt"),
-    include_str!("../../src/kernel/emit/names/cuda.txt"),
-    include_str!("../../src/kernel/emit/names/rust.txt"),
-    include_str!("../../src/kernel/emit/names/wgsl.txt"),
+    include_str!("../../src/emission/names/c.txt"),
+    include_str!("../../src/emission/names/c_library.txt"),
+    include_str!("../../src/emission/names/cuda.txt"),
+    include_str!("../../src/emission/names/rust.txt"),
+    include_str!("../../src/emission/names/wgsl.txt"),
     "as break const continue crate dyn else enum extern false for impl in loop match mod move mut ref return static struct trait \
      true type unsafe use while async await abstract become box do final gen macro override priv try typeof unsized virtual \
      yield union auto raw safe macro_rules self Self super _ __ ___ _x __x x_ x__ x__y _X _Bool _Complex __FILE__ __LINE__ \

@@ -3,7 +3,7 @@
 
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
-use forms_core::kernel::{KernelDocs, Precision, Source, Target, broken_promises, emit};
+use forms_core::emission::{KernelDocs, Precision, Source, Target, broken_promises, emit};
 
 /// Kernel whose rounding errors alone stay within the bound, and kernel for which they do not.
 const BOUNDED: &str = "kernel k(x) = x/(1 + x) where 1 <= x <= 4 within 16;";

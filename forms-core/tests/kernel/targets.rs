@@ -4,8 +4,9 @@
 
 use crate::emitted::{Inputs, kernels};
 use crate::formula::Formulas;
+use forms_core::emission::{EmitError, KernelDocs, Precision, Source, Target, emit};
 use forms_core::expression::{Expr, Operation};
-use forms_core::kernel::{EmitError, Instruction, KernelDocs, Precision, Program, Source, Target, emit};
+use forms_core::kernel::{Instruction, Program};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -89,7 +89,7 @@ fn outside_its_domain_and_at_nan_a_kernel_is_nan() {
     let mut formulas = Formulas::over("x");
     let (x, one, value) =
         (formulas.parse("x"), formulas.parse("1"), formulas.parse("if x < 2 { x } else { 5 }"));
-    let domain = [(one, forms_core::syntax::ast::Relation::LessEqual, x)];
+    let domain = [(one, forms_core::expression::Relation::LessEqual, x)];
     let program = formulas.program_where(&[value, x], &domain).optimise();
     assert_eq!(program.interpret(&[1.0]), [1.0, 1.0]);
     assert_eq!(program.interpret(&[3.0]), [5.0, 3.0]);

@@ -7,8 +7,9 @@ use forms_core::enclosure::{Enclosure, Precision, enclose};
 use forms_core::expression::{Expr, Operation, Pool, Rational, Symbol};
 use forms_core::kernel::evaluate_f64;
 use forms_core::normal::{Tower, Trigonometry, normalise};
-use forms_core::resolve::{Theory, Value, resolve};
+use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+use forms_core::theory::{Theory, Value};
 
 fn theory_of(statement: &str) -> Theory {
     let text = format!("chart R3(x, y, z); prove it: {statement};");

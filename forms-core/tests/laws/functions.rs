@@ -4,8 +4,9 @@
 
 use forms_core::decide::{Verdict, decide};
 use forms_core::kernel::evaluate_f64;
-use forms_core::resolve::{Value, resolve};
+use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+use forms_core::theory::Value;
 
 const PREAMBLE: &str = "chart Plane(x, y); chart Quadrant(s, t) where s > 0, t > 0; param q, n;";
 

@@ -4,8 +4,9 @@
 use forms_core::decide::{Verdict, decide};
 use forms_core::expression::{Expr, Symbol};
 use forms_core::kernel::evaluate_f64;
-use forms_core::resolve::{Statement, Theory, Value, resolve};
+use forms_core::resolve::resolve;
 use forms_core::syntax::read;
+use forms_core::theory::{Statement, Theory, Value};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

@@ -12,8 +12,8 @@ use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Rational};
 use forms_core::generation::Generated;
 use forms_core::kernel::Program;
-use forms_core::resolve::{Kernel, Theory};
 use forms_core::stability::{Choices, Effort, search, written};
+use forms_core::theory::{Kernel, Theory};
 use forms_testing::SplitMix;
 
 fn number_of(variable: &str, usual: usize) -> usize {

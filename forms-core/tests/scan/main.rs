@@ -11,8 +11,8 @@ use forms_core::accuracy::{Format, Truth, Value};
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Node, Pool, Rational, Symbol};
-use forms_core::resolve::Kernel;
 use forms_core::stability::{Choices, EXTENSION};
+use forms_core::theory::Kernel;
 use std::path::{Path, PathBuf};
 
 /// Returns the number of points for each kernel.

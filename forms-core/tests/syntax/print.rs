@@ -1,6 +1,7 @@
 //! Printer of syntax trees: with the fewest brackets, to be parsed again, or with all of them, to
 //! be compared.
 
+use forms_core::expression::Relation;
 use forms_core::syntax::ast::*;
 
 /// Choice of brackets.

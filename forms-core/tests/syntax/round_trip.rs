@@ -3,6 +3,7 @@
 use crate::files;
 use crate::print::Brackets;
 use forms_core::diagnostic::Span;
+use forms_core::expression::Relation;
 use forms_core::syntax::ast::*;
 use forms_core::syntax::{end_of, lex, parse_equation, parse_expression, read};
 use num_bigint::BigInt;

@@ -6,7 +6,7 @@ mod mixtures;
 mod rescaling;
 
 use forms_core::check::read_theory;
-use forms_core::resolve::{Named, Theory};
+use forms_core::theory::{Named, Theory};
 
 /// Two charts, maps between them, functions and numbers, all with units.
 pub const SCENE: &str = "

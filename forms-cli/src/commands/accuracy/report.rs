@@ -6,8 +6,8 @@ use crate::theory_file::{FileError, TheoryFile};
 use forms::core::accuracy::{Arithmetic, Line, Score, Variant, sheet};
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
-use forms::core::resolve::Kernel;
 use forms::core::rounding::{ErrorBound, Unbounded};
+use forms::core::theory::Kernel;
 
 /// The seed of the arguments: sheets of equal kernels are equal.
 const SEED: u64 = 1;

@@ -7,10 +7,10 @@
 //! Compiled as a release build is, for no particular processor: batches choose their instructions when they run.
 
 use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
+use forms::core::emission::emit_formula;
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
-use forms::core::kernel::emit_formula;
-use forms::core::resolve::Kernel;
+use forms::core::theory::Kernel;
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

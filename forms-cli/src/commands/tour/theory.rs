@@ -10,8 +10,8 @@ use crate::theory_file::{complain, from_text};
 use crate::verdict_line::Decided;
 use forms::core::decide::{Verdict, Witness};
 use forms::core::diagnostic::Span;
-use forms::core::resolve::Statement;
 use forms::core::syntax::Source;
+use forms::core::theory::Statement;
 use std::io::{self, Write};
 
 /// Where what belongs to a statement begins.

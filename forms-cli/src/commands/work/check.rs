@@ -11,8 +11,8 @@ use forms::core::decide::{Verdict, Witness};
 use forms::core::diagnostic::Diagnostic;
 use forms::core::generation::{Fault, faults};
 use forms::core::notation::{latex, latex_as_written, latex_of_condition};
-use forms::core::resolve::{Kernel, Theory, Value};
 use forms::core::syntax::ast::{Claim, File, ItemKind, Name};
+use forms::core::theory::{Kernel, Theory, Value};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 

@@ -5,7 +5,8 @@ use super::record::{read, tell};
 use crate::commands::emit::{heading, sources};
 use crate::json::write_record;
 use crate::kernel::find;
-use forms::core::kernel::{self, Source, Target};
+use forms::core::emission;
+use forms::core::emission::{Source, Target};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 
@@ -52,7 +53,7 @@ pub(super) fn emit(request: &Request, output: &mut dyn Write) -> io::Result<()> 
 
 fn code(sources: &[Source], target: Target) -> Code {
     let precision = target.usual_precision();
-    let written = kernel::emit(sources, target, precision);
+    let written = emission::emit(sources, target, precision);
     let (text, reason) = match written {
         Ok(text) => (Some(heading("the editor") + "\n" + &text), None),
         Err(error) => (None, Some(error.to_string())),

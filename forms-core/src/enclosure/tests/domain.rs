@@ -2,7 +2,7 @@
 
 use super::{at, exact, interval, number};
 use crate::enclosure::{Enclosure, Precision, Undecided};
-use crate::syntax::ast::Relation;
+use crate::expression::Relation;
 use num_rational::Ratio;
 
 fn half() -> Ratio<i64> {

@@ -2,8 +2,7 @@
 
 use super::{at, exact, interval, number};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Expr, Operation, Pool, Seam, Symbol, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, Operation, Pool, Relation, Seam, Symbol, SymbolKind};
 
 type Decided = Result<Enclosure, Undecided>;
 

@@ -2,8 +2,7 @@
 
 use super::exact;
 use crate::enclosure::{Undecided, WordRange, word_ranges};
-use crate::expression::{Expr, Operation, Pool, Rational, Symbol, SymbolKind};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, Operation, Pool, Rational, Relation, Symbol, SymbolKind};
 use num_rational::Ratio;
 use num_traits::Zero;
 use proptest::prelude::*;

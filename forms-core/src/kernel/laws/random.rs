@@ -1,9 +1,8 @@
 //! Random kernels: each step applies an operation to results of earlier steps.
 
-use crate::expression::{Expr, Operation, Seam};
+use crate::expression::{Expr, Operation, Relation, Seam};
 use crate::kernel::Program;
 use crate::kernel::formula::Formulas;
-use crate::syntax::ast::Relation;
 use num_rational::Ratio;
 use proptest::prelude::*;
 

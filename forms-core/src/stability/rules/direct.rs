@@ -9,7 +9,7 @@ use super::{Rewriting, exponential, fractions, radical, sums, trigonometric};
 use crate::decide::{Effort, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, SymbolKind};
 use crate::generation::is_kept;
-use crate::resolve::Kernel;
+use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Proof budget of a step. Both sides of a step are small; a step that needs more is not made.

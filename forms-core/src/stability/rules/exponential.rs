@@ -2,8 +2,7 @@
 
 use super::Rewriting;
 use super::factors::factors;
-use crate::expression::{Condition, Expr, Node, Operation, Rational, Seam};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Rational, Relation, Seam};
 use num_traits::Signed;
 
 /// Applies eᵃ − 1 = expm1 a, also among the terms of a longer sum, and with a common factor of both

@@ -2,8 +2,7 @@
 
 use super::Rewriting;
 use super::factors::{factors, product, quotient};
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Seam};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Relation, Seam};
 use num_rational::Ratio;
 use num_traits::Signed;
 

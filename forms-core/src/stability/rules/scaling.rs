@@ -2,8 +2,7 @@
 
 use super::Rewriting;
 use super::factors::{factors, quotient};
-use crate::expression::{Expr, Seam};
-use crate::syntax::ast::Relation;
+use crate::expression::{Expr, Relation, Seam};
 
 /// Applies √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and vice versa.
 pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {

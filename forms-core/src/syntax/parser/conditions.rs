@@ -10,7 +10,8 @@
 use super::cursor::{Parsed, Parser};
 use super::expressions::Tree;
 use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::{Condition, ExprKind, Relation};
+use crate::expression::Relation;
+use crate::syntax::ast::{Condition, ExprKind};
 use crate::syntax::token::{Symbol, TokenKind};
 
 impl Parser<'_> {

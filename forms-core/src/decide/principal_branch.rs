@@ -8,9 +8,10 @@
 
 use super::problem::{Component, Problem};
 use crate::assume::vanishes;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Substitution, Symbol, SymbolKind};
+use crate::expression::{
+    Condition, Expr, Node, Operation, Pool, Rational, Relation, Substitution, Symbol, SymbolKind,
+};
 use crate::normal::{Tower, Trigonometry, normalise};
-use crate::syntax::ast::Relation;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};

@@ -1,6 +1,6 @@
 //! Documentation of emitted functions: the formula, the statements that it rests on, and its cost.
 
-use crate::kernel::program::Program;
+use crate::kernel::Program;
 
 /// Documentation of an emitted function.
 #[derive(Clone, Debug, Default)]

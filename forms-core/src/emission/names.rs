@@ -7,7 +7,7 @@
 
 use super::docs::KernelDocs;
 use super::target::Target;
-use crate::kernel::program::{Instruction, Program};
+use crate::kernel::{Instruction, Program};
 use crate::syntax::words;
 use rustc_hash::FxHashSet;
 use std::sync::OnceLock;

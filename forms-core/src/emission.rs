@@ -11,6 +11,7 @@
 //! stays short; the others are named `t0`, `t1`, … in the order of their computation. A feature
 //! that a language lacks is an error.
 
+mod attributes;
 mod blocks;
 mod body;
 mod c;
@@ -21,13 +22,16 @@ mod names;
 mod number;
 mod promise;
 mod rust;
+mod source_file;
 mod target;
 mod unordered;
 mod wgsl;
 mod written;
 
+pub use attributes::MANY_ARGUMENTS;
 pub use docs::KernelDocs;
 pub use generic::emit_formula;
 pub use promise::broken_promises;
-pub use rust::{MANY_ARGUMENTS, emit_rust, emit_rust_within};
-pub use target::{EmitError, Precision, Source, Target, emit};
+pub use rust::{emit_rust, emit_rust_within};
+pub use source_file::emit;
+pub use target::{EmitError, Precision, Source, Target};

@@ -1,6 +1,7 @@
 //! Rust source: one function per kernel, with its documentation above it, that needs the standard
 //! library and, for some instructions, `forms_math`.
 
+use super::attributes::attributes;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::generic::{MATH, closure, nested_formula};
@@ -9,19 +10,14 @@ use super::promise::Promise;
 use super::target::{Precision, Target};
 use super::written::{Binding, Written, function};
 use super::{body, names};
-use crate::expression::{Operation, Rational};
-use crate::kernel::constant::{Constant, nearest_f64};
-use crate::kernel::program::{Instruction, Program};
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Rational, Relation};
+use crate::kernel::{Constant, Instruction, Program, nearest_f64};
 use num_rational::Ratio;
 
 /// Longest line of a signature.
 const WIDTH: usize = 100;
 /// Longest array that stays on one line.
 const ARRAY: usize = 60;
-/// Largest number of arguments of a function before clippy asks for a structure.
-pub const MANY_ARGUMENTS: usize = 7;
-
 /// Emits a documented function. It needs the standard library only or, if that is not sufficient
 /// (see [`Program::needs_math`]), also the items that `forms_math` exports, found by the path
 /// `math`.
@@ -260,23 +256,4 @@ impl Branches for Rust<'_> {
         };
         format!("    let inside = {condition};\n    if !inside {{\n        return {nan};\n    }}\n")
     }
-}
-
-/// Returns the lint attributes that the names and the number of the arguments make necessary, and
-/// no others.
-pub(super) fn attributes(program: &Program) -> String {
-    let mut text = String::new();
-    if program.arguments.len() > MANY_ARGUMENTS {
-        text.push_str(
-            "#[allow(clippy::too_many_arguments, reason = \"one for each variable\")]
-",
-        );
-    }
-    let mut names = std::iter::once(&program.name).chain(&program.arguments);
-    let is_snake_case =
-        |name: &String| !name.chars().any(char::is_uppercase) && !name.trim_matches('_').contains("__");
-    if !names.all(is_snake_case) {
-        text.push_str("#[allow(non_snake_case, reason = \"the names of the formula\")]\n");
-    }
-    text
 }

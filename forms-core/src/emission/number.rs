@@ -3,7 +3,7 @@
 
 use super::target::Precision;
 use super::written::{Binding, Written};
-use crate::kernel::constant::Constant;
+use crate::kernel::Constant;
 
 /// Multiples p/q πᵏ that the standard library has names for: (p, q, k, name).
 const NAMED: [(i64, i64, i32, &str); 9] = [

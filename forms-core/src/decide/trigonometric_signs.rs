@@ -7,16 +7,19 @@
 //! They are conditions on points like the stated ones, and are used where the stated ones leave a
 //! sign open.
 
-use super::angle::occur_in;
 use crate::assume::range_of;
-use crate::expression::{Condition, Expr, Node, Operation, Pool};
-use crate::syntax::ast::Relation;
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
+use crate::normal::arcs_occur_in;
 
 /// Limit on the number of angles; further ones are skipped.
 const MOST_ANGLES: usize = 6;
 
 /// Returns the signs that follow for the sines and cosines of the angles in expressions.
-pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Condition]) -> Vec<Condition> {
+pub(super) fn trigonometric_signs(
+    pool: &mut Pool,
+    expressions: &[Expr],
+    given: &[Condition],
+) -> Vec<Condition> {
     let mut angles: Vec<Expr> = Vec::new();
     for part in pool.reachable(expressions) {
         let Node::Apply(Operation::Sin | Operation::Cos | Operation::Tan, of) = pool.node(part).clone()
@@ -55,7 +58,7 @@ pub(super) fn signs_of_waves(pool: &mut Pool, expressions: &[Expr], given: &[Con
 
 /// Returns the terms of a multiple of a sum that contain no inverse function.
 fn without_arcs(pool: &mut Pool, angle: Expr) -> Expr {
-    if !occur_in(pool, &[angle]) {
+    if !arcs_occur_in(pool, &[angle]) {
         return angle;
     }
     match *pool.node(angle) {

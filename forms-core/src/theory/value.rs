@@ -18,7 +18,7 @@ pub enum Value {
 
 impl Value {
     /// Converts a form to a value; a form of degree 0 becomes a scalar.
-    pub(super) fn from_form(form: Form<Expr>, zero: Expr) -> Self {
+    pub(crate) fn from_form(form: Form<Expr>, zero: Expr) -> Self {
         if form.degree() > 0 {
             return Value::Form(form);
         }

@@ -4,18 +4,16 @@
 //! the domain every output is NaN. Numbers are written exactly, with two words for the precisions
 //! that need no more.
 
+use super::attributes::attributes;
 use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::number;
-use super::rust::attributes;
 use super::target::Precision;
 use super::unordered::Unordered;
 use super::written::{Binding, Written, function, negated};
-use crate::expression::Operation;
-use crate::kernel::constant::Constant;
-use crate::kernel::program::{Instruction, ProductSum, Program};
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
+use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
 /// Name of the module that is pasted next to kernels.

@@ -1,6 +1,6 @@
 //! The single namespace of a file, and the search for the known name nearest to a misspelt one.
 
-use super::theory::Named;
+use super::named::{Named, describe};
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::words::FUNCTIONS;
@@ -20,16 +20,16 @@ pub(crate) struct Names {
 }
 
 impl Names {
-    pub(super) fn get(&self, name: &str) -> Option<&Named> {
+    pub(crate) fn get(&self, name: &str) -> Option<&Named> {
         self.table.get(name).map(|entry| &entry.0)
     }
 
     /// Declares a name; an error if it is taken.
-    pub(super) fn declare(&mut self, name: &Name, meaning: Named) -> Result<(), Diagnostic> {
+    pub(crate) fn declare(&mut self, name: &Name, meaning: Named) -> Result<(), Diagnostic> {
         self.declare_text(&name.text, name.span, meaning)
     }
 
-    pub(super) fn declare_text(&mut self, text: &str, span: Span, meaning: Named) -> Result<(), Diagnostic> {
+    pub(crate) fn declare_text(&mut self, text: &str, span: Span, meaning: Named) -> Result<(), Diagnostic> {
         if let Some((known, _)) = self.table.get(text) {
             let help = match known {
                 Named::Differential(_) => {
@@ -50,13 +50,13 @@ impl Names {
     }
 
     /// Stops suggesting similar names.
-    pub(super) fn be_terse(&mut self) {
+    pub(crate) fn be_terse(&mut self) {
         self.is_terse = true;
     }
 
     /// Ends an item: a name that is still pending becomes poisoned, since the item that should have
     /// declared it has an error.
-    pub(super) fn end_item(&mut self) {
+    pub(crate) fn end_item(&mut self) {
         for name in self.pending.drain(..) {
             if let Some((named @ Named::Pending, _)) = self.table.get_mut(&name) {
                 *named = Named::Poisoned;
@@ -65,17 +65,17 @@ impl Names {
     }
 
     /// Replaces the meaning of a declared name.
-    pub(super) fn set(&mut self, name: &Name, meaning: Named) {
+    pub(crate) fn set(&mut self, name: &Name, meaning: Named) {
         self.table.insert(name.text.clone(), (meaning, name.span));
     }
 
-    pub(super) fn remove(&mut self, text: &str) {
+    pub(crate) fn remove(&mut self, text: &str) {
         self.table.remove(text);
     }
 
     /// Returns the error for an undeclared name. Its help suggests the nearest known name, or the
     /// items that can declare the name.
-    pub(super) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
+    pub(crate) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
         if FUNCTIONS.contains(&text) {
             return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
                 .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
@@ -114,7 +114,7 @@ impl Names {
 /// Returns the error for a name that has no value yet, because it is used in its own declaration,
 /// or because its declaration failed. In the second case the error only follows from another one,
 /// and is not shown together with it.
-pub(super) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
+pub(crate) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
     if matches!(named, Named::Pending) {
         return Diagnostic::new(span, format!("the declaration of `{text}` uses its own name"))
             .with_help("a name can be used behind its declaration; choose another name for one of the two");
@@ -123,27 +123,11 @@ pub(super) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
 }
 
 /// Items that declare values.
-pub(super) const VALUES: &str = "`chart`, `param`, `fn` or `let`";
+pub(crate) const VALUES: &str = "`chart`, `param`, `fn` or `let`";
 
 /// Returns the error for an undeclared name, without help.
-pub(super) fn not_declared(text: &str, span: Span) -> Diagnostic {
+pub(crate) fn not_declared(text: &str, span: Span) -> Diagnostic {
     Diagnostic::new(span, format!("`{text}` is not declared")).of(Kind::UnknownName)
-}
-
-/// Describes the meaning of a name in words.
-pub(super) fn describe(named: &Named) -> &'static str {
-    match named {
-        Named::Chart(_) => "a chart",
-        Named::Coordinate(_) => "a coordinate",
-        Named::Differential(_) => "a differential",
-        Named::Parameter(_) => "a param",
-        Named::Function(_) => "an unknown function",
-        Named::Object(_) => "a scalar, form or field",
-        Named::Map(_) => "a map",
-        Named::Metric(_) => "a metric",
-        Named::Kernel(_) => "a kernel",
-        Named::Pending | Named::Poisoned => "something with an error in it",
-    }
 }
 
 /// Returns the number of single-character edits between two words (Levenshtein distance).

@@ -3,7 +3,7 @@
 
 use super::target::{Precision, Source, Target};
 use crate::expression::Rational;
-use crate::kernel::constant::nearest_f64;
+use crate::kernel::nearest_f64;
 use crate::rounding::Arithmetic;
 
 /// Number of boxes that the domain is split into for the bound.
@@ -106,7 +106,7 @@ fn assumption(precision: Precision) -> &'static str {
 ///
 /// ```
 /// use forms_core::{check::read_theory, compile::compile_kernel, kernel::{KernelDocs, Precision, Source, Target}};
-/// use forms_core::kernel::broken_promises;
+/// use forms_core::emission::broken_promises;
 /// let (mut theory, _) = read_theory("kernel k(x) = (1 - cos(x))/x**2 within 2;");
 /// let kernel = theory.kernels[0].clone();
 /// let program = compile_kernel(&mut theory.pool, &kernel).unwrap().optimised;

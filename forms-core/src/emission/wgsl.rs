@@ -10,10 +10,8 @@ use super::docs::{KernelDocs, documentation};
 use super::number::literal;
 use super::target::Precision;
 use super::written::{Written, function, infix, negated};
-use crate::expression::Operation;
-use crate::kernel::constant::Constant;
-use crate::kernel::program::{Instruction, ProductSum, Program};
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
+use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
 /// Longest line of a signature.

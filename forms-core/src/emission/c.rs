@@ -9,10 +9,8 @@ use super::number::literal;
 use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use super::{body, names};
-use crate::expression::Operation;
-use crate::kernel::constant::Constant;
-use crate::kernel::program::{Instruction, ProductSum, Program};
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
+use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
 /// Language of the C family.

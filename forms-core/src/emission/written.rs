@@ -1,6 +1,6 @@
 //! Values as text, with the precedence that decides on brackets.
 
-use crate::kernel::constant::Constant;
+use crate::kernel::Constant;
 
 /// Precedence of the outermost operator of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -11,7 +11,7 @@
 //! of a conditional that does not test for NaN. Conditionals are settled one after another, and an
 //! unsettled one counts as one that does not test: so no two rely on each other.
 
-use crate::kernel::program::{Instruction, Program, Value};
+use crate::kernel::{Instruction, Program, Value};
 use num_traits::Zero;
 
 /// Value of a conditional whose sides cannot be compared.

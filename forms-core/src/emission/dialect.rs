@@ -2,10 +2,8 @@
 
 use super::unordered::Unordered;
 use super::written::{Written, infix};
-use crate::expression::Operation;
-use crate::kernel::constant::Constant;
-use crate::kernel::program::{ProductSum, Program};
-use crate::syntax::ast::Relation;
+use crate::expression::{Operation, Relation};
+use crate::kernel::{Constant, ProductSum, Program};
 use num_rational::Ratio;
 
 /// Language that programs are written in.

@@ -3,7 +3,7 @@
 //! The block of a value is the innermost one that contains every use of the value. Conditionals
 //! form a tree of blocks below the block of the function.
 
-use crate::kernel::program::{Instruction, Program, Value};
+use crate::kernel::{Instruction, Program, Value};
 
 /// Block, by its number; the block of the function is the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,17 @@
-//! Resolved declarations and claims of a file.
+//! Theories: the resolved declarations and claims of a file.
+//!
+//! [`resolve`](crate::resolve) makes a theory from a syntax tree. Everything downstream reads it: the
+//! prover, certificates, notation and the generation of kernels. All expressions of a theory belong
+//! to its pool.
 
-use super::value::Value;
+mod named;
+pub(crate) mod names;
+mod value;
+
+pub use named::Named;
+pub(crate) use named::describe;
+pub use value::Value;
+
 use crate::calculus::{Blade, Coordinate, Form, Metric};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
@@ -94,7 +105,7 @@ pub struct Statement {
     /// Further conditions on its points, under which both sides are defined.
     pub domain: Vec<Condition>,
     /// Maps and named values that it mentions.
-    pub(super) mentioned: BTreeSet<String>,
+    pub(crate) mentioned: BTreeSet<String>,
 }
 
 /// Integration over one range.
@@ -144,7 +155,7 @@ pub struct Kernel {
     /// Names of the statements about the maps and values that the kernel uses.
     pub statements: Vec<String>,
     /// Maps and named values that it mentions.
-    pub(super) mentioned: BTreeSet<String>,
+    pub(crate) mentioned: BTreeSet<String>,
 }
 
 impl Kernel {
@@ -193,33 +204,6 @@ pub struct Warp {
     pub has_inverse: bool,
 }
 
-/// Meaning of a name in a file.
-#[derive(Clone, Debug)]
-pub enum Named {
-    /// Chart, by its index.
-    Chart(usize),
-    /// Coordinate.
-    Coordinate(Coordinate),
-    /// Differential of a coordinate.
-    Differential(Coordinate),
-    /// Parameter.
-    Parameter(Symbol),
-    /// Unknown function, by its index.
-    Function(crate::expression::FunctionId),
-    /// Scalar, form or field, by its index.
-    Object(usize),
-    /// Map, by its index.
-    Map(usize),
-    /// Metric, by its index.
-    Metric(usize),
-    /// Kernel, by its index.
-    Kernel(usize),
-    /// Name whose declaration is being read and which cannot be used yet.
-    Pending,
-    /// Name whose declaration failed.
-    Poisoned,
-}
-
 /// Resolved file.
 #[derive(Clone, Debug, Default)]
 pub struct Theory {
@@ -246,7 +230,7 @@ pub struct Theory {
     /// Conditions under which the computed values of integrals are valid, although the integrals
     /// can be defined elsewhere.
     pub(crate) narrowing: FxHashSet<Condition>,
-    pub(super) names: super::names::Names,
+    pub(crate) names: names::Names,
 }
 
 impl Theory {

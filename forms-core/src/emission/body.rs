@@ -4,7 +4,7 @@ use super::blocks::{Block, Blocks, FUNCTION};
 use super::dialect::{Branches, ChoiceFunction, Choices, Dialect};
 use super::unordered::{Unordered, unordered};
 use super::written::{Binding, Written, infix, negated};
-use crate::kernel::program::{Comparison, Instruction, Program, Value};
+use crate::kernel::{Comparison, Instruction, Program, Value};
 use std::fmt::Write;
 use std::ops::Range;
 

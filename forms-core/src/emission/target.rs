@@ -1,0 +1,143 @@
+//! Target languages, precisions and the features that they lack; kernels to be emitted.
+
+use super::docs::KernelDocs;
+use crate::expression::Rational;
+use crate::kernel::Program;
+use std::fmt;
+
+/// A language that kernels are emitted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Rust, with the standard library.
+    Rust,
+    /// C11, with `math.h`.
+    C,
+    /// The shading language of WebGPU, in single precision.
+    Wgsl,
+    /// CUDA, functions for host and device.
+    Cuda,
+}
+
+impl Target {
+    /// Every target.
+    pub const ALL: [Target; 4] = [Target::Rust, Target::C, Target::Wgsl, Target::Cuda];
+
+    /// Returns the name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Target::Rust => "rust",
+            Target::C => "c",
+            Target::Wgsl => "wgsl",
+            Target::Cuda => "cuda",
+        }
+    }
+
+    /// Returns the name in prose.
+    pub(super) fn title(self) -> &'static str {
+        match self {
+            Target::Rust => "Rust",
+            Target::C => "C",
+            Target::Wgsl => "WGSL",
+            Target::Cuda => "CUDA",
+        }
+    }
+
+    /// Returns the default precision of the target.
+    pub fn usual_precision(self) -> Precision {
+        if self == Target::Wgsl { Precision::F32 } else { Precision::F64 }
+    }
+
+    pub(super) fn has(self, precision: Precision) -> bool {
+        match precision {
+            Precision::F32 => true,
+            Precision::F64 => self != Target::Wgsl,
+            Precision::DoubleDouble => self == Target::Rust,
+        }
+    }
+}
+
+/// Number type of emitted source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Single precision.
+    F32,
+    /// Double precision.
+    F64,
+    /// Two doubles, about 31 digits.
+    DoubleDouble,
+}
+
+impl Precision {
+    /// Every precision.
+    pub const ALL: [Precision; 3] = [Precision::F32, Precision::F64, Precision::DoubleDouble];
+
+    /// Returns the name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::F32 => "f32",
+            Precision::F64 => "f64",
+            Precision::DoubleDouble => "dd",
+        }
+    }
+}
+
+/// Feature that a target lacks.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum EmitError {
+    /// The target does not have this precision.
+    Precision(Target, Precision),
+    /// The target does not have a function that the kernel calls.
+    Function {
+        /// The kernel.
+        kernel: String,
+        /// The function.
+        function: &'static str,
+        /// The target.
+        target: Target,
+    },
+    /// A number of the kernel is infinite in this precision, or is rounded to zero although it is
+    /// not zero.
+    Number {
+        /// The kernel.
+        kernel: String,
+        /// The number.
+        number: String,
+        /// The precision.
+        precision: Precision,
+    },
+}
+
+impl fmt::Display for EmitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EmitError::Precision(target, precision) => {
+                write!(f, "the target `{}` does not have the precision `{}`", target.name(), precision.name())
+            }
+            EmitError::Function { kernel, function, target } => write!(
+                f,
+                "the kernel `{kernel}` calls `{function}`, which the target `{}` does not have",
+                target.name()
+            ),
+            EmitError::Number { kernel, number, precision } => write!(
+                f,
+                "the kernel `{kernel}` contains the number {number}, which `{}` does not hold",
+                precision.name()
+            ),
+        }
+    }
+}
+
+impl std::error::Error for EmitError {}
+
+/// Kernel to be emitted.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// Program of the kernel.
+    pub program: Program,
+    /// Documentation above the function.
+    pub docs: KernelDocs,
+    /// Promised largest distance of its `f64` value from the exact one, in units of 2⁻⁵³ of the
+    /// exact value; in `f32` of 2⁻²⁴. Kept by higher precision in Rust, and elsewhere if a bound of
+    /// the rounding error shows it.
+    pub within: Option<Rational>,
+}
