@@ -1,9 +1,11 @@
-//! Turns a form into a function, and computes with it one by one, in batches, and with more digits.
+//! Turns a form into a function, and evaluates it for single points, in batches, and with more
+//! digits.
 //!
 //! ```text
 //! forms! { … kernel … } ─ proved while this program is compiled ─▶ a function and a module of its name: batch, f32, dd, …
 //! ```
-//! `cargo run --release --example kernel`. A wrong power in the statement, and the program no longer compiles.
+//! `cargo run --release --example kernel`. With a wrong power in the statement the program does not
+//! compile.
 
 use forms::math::{DoubleDouble, LengthMismatch};
 
@@ -17,7 +19,8 @@ forms::forms! {
 
     prove fourth_power: pullback(ceiling, z/r*beta) == h**2/(u**2 + v**2 + h**2)**2*du^dv;
 
-    /// What a floor receives of a unit of area of a ceiling at the height h, u and v away from straight above.
+    /// Projected solid angle per unit area of a ceiling at the height h, at the offset (u, v) from
+    /// the point straight above.
     kernel received(u, v, h) = pullback(ceiling, z/r*beta)[du^dv];
 }
 

@@ -1,10 +1,11 @@
-//! Decides statements that are read at run time, and computes kernels.
+//! Decides statements that are read at run time, and evaluates kernels.
 //!
 //! ```text
 //! text ─ compile ─┬─▶ verdicts: proved under conditions, refuted at a point, or unknown
 //!                 └─▶ kernels, each computed by a form that is proved equal to its formula
 //! ```
-//! `cargo run --release --example prove`, or with the path of a `.forms` file behind `--`. Change a sign and see what happens.
+//! `cargo run --release --example prove`, or with the path of a `.forms` file after `--`. Change a
+//! sign to see a refutation.
 
 use forms::core::compile::{Options, compile};
 use forms::core::decide::Verdict;
@@ -40,7 +41,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         let arguments = vec![1e-9; kernel.kernel().arguments.len()];
         println!("{}{arguments:?} = {:?}", kernel.kernel().name, kernel.values(&arguments));
     }
-    // statements that are not as claimed are among the diagnostics
+    // The diagnostics include statements that are not as claimed.
     compiled.diagnostics.iter().for_each(|diagnostic| eprintln!("{}", source.render(diagnostic)));
     Ok(if compiled.diagnostics.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

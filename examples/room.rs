@@ -1,9 +1,10 @@
-//! Simulates a scene: the plan says which effects it calls for, and each answer comes with its error.
+//! Simulates a scene: the plan lists its effects with the reason for each, and each answer has an
+//! error.
 //!
 //! ```text
 //! scene in TOML ─▶ plan: effects that are on, effects that are off, why ─▶ answers with errors
 //! ```
-//! `cargo run --release --example room`, or with the path of a scene behind `--`.
+//! `cargo run --release --example room`, or with the path of a scene after `--`.
 
 use forms_radiometry::scene::{Scene, SceneError, open, read};
 use forms_radiometry::simulation::{Unwatched, plan, simulate};
@@ -50,7 +51,7 @@ fn scene() -> Result<Scene, Vec<SceneError>> {
     }
 }
 
-/// Simulates the scene and prints what is found.
+/// Simulates the scene and prints the answers.
 fn show() -> Result<(), Vec<SceneError>> {
     let scene = scene()?;
     let plan = plan(&scene)?;

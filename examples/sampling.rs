@@ -1,20 +1,22 @@
-//! Integrates over a hemisphere by points of a warp, whose density is proved to be what its pullback makes of it.
+//! Integrates over a hemisphere with points of a warp, whose density is proved to equal its
+//! pullback.
 //!
 //! ```text
 //! u, v ─ cosine_hemisphere_sample ─▶ direction ─ f/cosine_hemisphere_pdf ─▶ mean = ∫ f dω
 //! ```
-//! `cargo run --release --example sampling`. The integrals are known, and stand beside what is found.
+//! `cargo run --release --example sampling`. The exact integrals are known and are printed next to
+//! the estimates.
 
 use forms_radiometry::kernels::{cosine_hemisphere_pdf, cosine_hemisphere_sample};
 use std::f64::consts::PI;
 
-/// A function of directions.
+/// Function of directions.
 type Integrand = fn([f64; 3]) -> f64;
 
-/// So many points along each side of the unit square.
+/// Number of points along each side of the unit square.
 const SIDE: u32 = 512;
 
-/// ∫ f(ω) dω over the hemisphere about +z, by the middles of the cells of a grid.
+/// Computes ∫ f(ω) dω over the hemisphere about +z by the midpoint rule on a grid.
 fn integral(f: impl Fn([f64; 3]) -> f64) -> f64 {
     let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
     let points = (0..SIDE).flat_map(|i| (0..SIDE).map(move |j| (middle(i), middle(j))));

@@ -1,15 +1,17 @@
-//! View factors between surfaces, and the closed form of one of them as a kernel.
+//! Computes view factors between surfaces, and compares one of them with its closed form as a
+//! kernel.
 //!
 //! ```text
 //! scene ─▶ matrix of view factors with errors          a, b, c ─▶ view_factor_parallel_rectangles
 //! ```
-//! `cargo run --release --example view_factors`. The two ways agree, also for squares that are far away or nearly touch.
+//! `cargo run --release --example view_factors`. The two methods agree, also for squares that are
+//! far away or nearly touch.
 
 use forms_radiometry::kernels::view_factor_parallel_rectangles;
 use forms_radiometry::scene::{SceneError, read};
 use forms_radiometry::view_factors;
 
-/// Two unit squares that face each other.
+/// Returns a scene of two unit squares that face each other.
 fn opposed(distance: f64) -> String {
     format!(
         r#"

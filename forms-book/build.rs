@@ -1,4 +1,4 @@
-//! Embeds the sources of the book: what its pages consist of and what they link to.
+//! Embeds the sources of the book: its pages and the files that they link to.
 //!
 //! ```text
 //! docs/**.md, docs/**.svg · theories, kernels · scenes and their pictures ─▶ a list of (path, bytes) in $OUT_DIR/sources.rs
@@ -8,7 +8,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Folders below the root, and the endings of the files that are taken from them.
+/// Folders below the root, with the extensions of the files to embed from each.
 const FOLDERS: [(&str, &[&str]); 5] = [
     ("docs", &["md", "svg", "png"]),
     ("docs/book/scenes", &["toml"]),

@@ -1,10 +1,11 @@
-//! The code cells of every notebook become a function.
+//! Generates one function per notebook from its code cells.
 //!
 //! ```text
 //! docs/notebooks/*.ipynb ─ code cells ─▶ OUT_DIR/notebooks.rs: a module with `run` for each, and the list of them
 //! ```
-//! As in the evcxr kernel all cells of a notebook share one scope, lines that begin with `:` are commands of the kernel,
-//! and a cell that ends in an expression shows its value by `evcxr_display`.
+//! As in the evcxr kernel, all cells of a notebook share one scope, lines that begin with `:` are
+//! commands of the kernel, and a cell that ends in an expression shows its value by
+//! `evcxr_display`.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -36,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The code cells one after the other, each behind a line that tells its number.
+/// Concatenates the code cells; before each, a statement prints its number.
 fn body(notebook: &Value) -> String {
     let cells = notebook["cells"].as_array().into_iter().flatten();
     let sources = cells.filter(|cell| cell["cell_type"] == "code").map(|cell| source(&cell["source"]));
@@ -46,7 +47,7 @@ fn body(notebook: &Value) -> String {
     sources.enumerate().map(each).collect()
 }
 
-/// A text that may be stored as a list of lines.
+/// Returns a text that can be stored as a list of lines.
 fn source(text: &Value) -> String {
     match text {
         Value::Array(lines) => lines.iter().filter_map(Value::as_str).collect(),
@@ -59,8 +60,8 @@ fn without_commands(source: &str) -> String {
     lines.collect::<Vec<_>>().join("\n").trim_end().to_owned()
 }
 
-/// A cell with its value shown, if it ends in an expression: in what neither a `;` nor a `}` ends, from the last line that
-/// begins at the margin and closes no bracket.
+/// Appends the display of a cell's value if the cell ends in an expression, that is, in neither `;`
+/// nor `}`. The expression begins at the last line that is not indented and closes no bracket.
 fn shown(source: &str) -> String {
     if source.is_empty() || source.ends_with([';', '}']) {
         return source.to_owned();

@@ -1,19 +1,20 @@
-//! A form evaluated at compile time, as its author would write it.
+//! Result of [`form!`](crate::form!): a form evaluated at compile time, in the notation of the
+//! language.
 
 use std::fmt;
 
-/// A scalar or form, its coefficients simplified: what [`form!`](crate::form!) evaluates to.
+/// Scalar or form with simplified coefficients: the value of [`form!`](crate::form!).
 ///
-/// Coefficients that are zero are left out. Where a coefficient has no simpler form that is certainly equal to it
-/// (say, it hangs on the sign of something unknown), it stands as it was arrived at.
+/// Zero coefficients are omitted. A coefficient stays as computed if no simpler form is certainly
+/// equal to it, for example because it depends on an unknown sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Form {
-    /// k of a k-form; 0 for a scalar.
+    /// Degree k of a k-form; 0 for a scalar.
     pub degree: u32,
-    /// Basis form and coefficient, in the order of the coordinates: `("dx^dy", "2*x")`. The basis form of a
-    /// scalar is `1`.
+    /// Pairs of basis form and coefficient, in the order of the coordinates: `("dx^dy", "2*x")`.
+    /// The basis form of a scalar is `1`.
     pub terms: &'static [(&'static str, &'static str)],
-    /// The whole form in the language's notation; a macro body can repeat it.
+    /// The whole form in the notation of the language, valid in a macro body.
     pub text: &'static str,
 }
 

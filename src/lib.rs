@@ -1,7 +1,8 @@
-//! Exterior calculus that proves identities about differential forms exactly and turns them into numeric code.
+//! Exterior calculus that proves identities about differential forms exactly and turns them into
+//! numeric code.
 //!
-//! A map and a form are written down once. Whatever is claimed of them is proved while the crate is compiled, or
-//! does not compile; what is to be computed becomes a plain function.
+//! A map and a form are written down once. Every claim about them is proved while the crate is
+//! compiled, or the crate does not compile. Every kernel becomes a plain function.
 //!
 //! ```
 //! forms::forms! {
@@ -31,9 +32,8 @@
 //! | [`kernel!`] | declarations and one kernel | its function |
 //! | [`form!`] | declarations and an expression | a [`Form`]: degree and simplified coefficients |
 //!
-//! [`core`] is the machinery below the macros, for programs that read the language at run time:
-//! [`core::compile`] takes them the same way. [`math`] is the
-//! arithmetic that generated kernels run in.
+//! [`core`] is the library below the macros, for programs that read the language at run time:
+//! [`core::compile`] accepts the same input. [`math`] is the arithmetic of generated kernels.
 
 mod form;
 
@@ -79,8 +79,8 @@ pub use forms_macros::prove;
 /// assert!(reflectance(-1.0).is_nan());
 /// ```
 ///
-/// Beside the function stands a module of its name, with the formula as it is written, other precisions, and batches
-/// of columns:
+/// A module with the same name as the function contains the formula as written, other precisions,
+/// and batches of columns:
 ///
 /// ```
 /// use forms::math::DoubleDouble;
@@ -113,7 +113,7 @@ pub use forms_macros::kernel;
 /// ```
 pub use forms_macros::form;
 
-/// The Rust blocks of the documents, as doctests.
+/// Rust blocks of the documents, run as doctests.
 #[cfg(doctest)]
 mod documents {
     #[doc = include_str!("../README.md")]

@@ -1,4 +1,4 @@
-//! Every statement of the case files as a test of its own, through the macro.
+//! Turns every statement of the case files into a test, through the macro.
 
 macro_rules! case_files {
     ($($name:ident $path:literal;)*) => {

@@ -1,12 +1,12 @@
-//! What the documents say is so.
+//! Checks the claims of the documents.
 //!
 //! ```text
 //! README.md, docs/**/*.md ─ forms_book ─┬─ statements, kernels, exercises
 //!                                       ├─ quoted errors, rows of errors, and kinds of blocks
 //!                                       └─ links, anchors and figures
 //! ```
-//! Rust blocks are doctests of the crate `forms`, and blocks of calls are run by the tests of `forms-cli`. With
-//! `FORMS_WRITE=1` quoted messages are written anew.
+//! Rust blocks are doctests of the crate `forms`, and blocks of calls are run by the tests of
+//! `forms-cli`. With `FORMS_WRITE=1` quoted messages are rewritten.
 
 use forms::core::check::read_file;
 use forms_book::{Page, Report, check_kinds, check_links, check_theories, with_errors_quoted};
@@ -21,16 +21,16 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Every page.
+/// Reads all pages.
 fn pages() -> Vec<Page> {
     let readme = Page::new("README.md", std::fs::read_to_string(root().join("README.md")).unwrap());
     std::iter::once(readme).chain(forms_book::pages(root(), "docs").unwrap()).collect()
 }
 
-/// What a check says of all pages together.
+/// Runs a check on all pages, asserts that there are no problems, and returns the combined report.
 fn checked(check: impl Fn(&Page) -> Report + Send + Sync) -> Report {
     let pages = pages();
-    // Trees as deep as the parser admits are walked by recursion.
+    // Recursion walks trees as deep as the parser admits.
     let workers = ThreadPoolBuilder::new().stack_size(64 << 20).build().unwrap();
     let reports: Vec<Report> = workers.install(|| pages.par_iter().map(check).collect());
     let mut all = Report::default();
@@ -66,7 +66,8 @@ fn every_error_is_quoted_as_it_is_shown() {
     assert!(counted.errors > 0, "no page shows an error");
 }
 
-/// A table `text | said | help`: each text is an error behind the block that stands above, and what is said of it.
+/// Checks the tables `text | said | help`: each text, appended to the block above the table, gives
+/// exactly this error and help.
 #[test]
 fn every_row_of_the_page_of_errors_is_what_is_said_of_its_text() {
     let page = pages().into_iter().find(|page| page.path == "docs/errors.md").expect("the page of errors");
@@ -91,7 +92,7 @@ fn every_row_of_the_page_of_errors_is_what_is_said_of_its_text() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The cells of a row of a table, in which a bar, and brackets that would be a link, stand behind a backslash.
+/// Splits a row of a table into its cells, and unescapes bars and brackets.
 fn cells(row: &str) -> Vec<String> {
     let Some(inner) = row.strip_prefix('|').and_then(|row| row.strip_suffix('|')) else { return vec![] };
     let (bar, kept) = ("\\|", "\u{0}");
@@ -102,7 +103,7 @@ fn cells(row: &str) -> Vec<String> {
 
 #[test]
 fn blocks_are_closed_and_of_a_known_kind() {
-    // These are run by the tests of forms-radiometry.
+    // These kinds are tested by forms-radiometry.
     let scenes = ["toml,error", "toml,refused", "xml", "xml,error", "obj,error", "ply,error"];
     checked(|page| {
         let more: &[&str] = if page.path == "docs/scenes.md" { &scenes } else { &[] };
@@ -117,7 +118,7 @@ fn links_anchors_and_figures_are_there() {
     assert!(counted.links > 10, "only {} links were found", counted.links);
 }
 
-/// The targets of the workspace, as `(package, kind, name)`, by cargo.
+/// Returns the targets of the workspace, as `(package, kind, name)`, from cargo.
 fn targets() -> BTreeSet<(String, String, String)> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let arguments = ["metadata", "--no-deps", "--offline", "--format-version", "1"];
@@ -136,7 +137,8 @@ fn targets() -> BTreeSet<(String, String, String)> {
     targets
 }
 
-/// The commands of cargo on a page, each with its line: of shell blocks, and between backquotes.
+/// Returns the cargo commands on a page, each with its line: those of shell blocks, and those
+/// between backquotes.
 fn cargo_commands(text: &str) -> Vec<(usize, String)> {
     let mut found = vec![];
     for (number, line) in (1..).zip(text.lines()) {
@@ -151,7 +153,7 @@ fn cargo_commands(text: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// The target or package that a command of cargo names and that does not exist.
+/// Returns the target or package named by a cargo command, if it does not exist.
 fn missing_target(command: &str, targets: &BTreeSet<(String, String, String)>) -> Option<String> {
     let words: Vec<&str> = command.split_whitespace().take_while(|word| *word != "--").collect();
     let named = |option: &str| {

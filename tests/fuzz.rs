@@ -1,25 +1,28 @@
-//! Damaged theories: the whole way from text to verdict ends in errors or verdicts, whatever the text.
+//! Fuzz test with damaged theories: all steps from text to verdict end in errors or verdicts, for
+//! every text.
 //!
-//! A case is the declarations of a case file with one of its statements, a few of whose tokens are lost,
-//! doubled, exchanged or replaced by others of the file. `FORMS_FUZZ=1000000` tries that many cases.
+//! A case consists of the declarations of a case file and one of its statements, in which a few
+//! tokens are removed, duplicated, exchanged or replaced by others of the file.
+//! `FORMS_FUZZ=1000000` runs this number of cases.
 
 use forms::core::decide::decide;
 use forms::core::resolve::resolve;
 use forms::core::syntax::{Source, lex, read};
 use std::path::Path;
 
-/// How many cases are tried where nobody asks for more.
+/// Default number of cases.
 const CASES: u64 = 10_000;
-/// Statements of more characters are left to the tests of the prover: each would cost seconds.
+/// Longest statement in characters; longer ones cost seconds each and are left to the tests of the
+/// prover.
 const LONGEST_STATEMENT: usize = 120;
-/// Files whose statements each cost far more than a damaged one should.
+/// Files whose statements are too expensive for this test.
 const EXPENSIVE: &[&str] =
     &["triangle_gradient", "sampling_densities", "half_vectors", "integrals", "lie_and_cartan"];
 
-/// The tokens `prove name:` before a statement's equation.
+/// Number of tokens (`prove name:`) before a statement's equation.
 const HEAD: usize = 3;
 
-/// The declarations of a file before a statement, and the tokens of the statement.
+/// Seed of a case: the declarations of a file before a statement, and the tokens of the statement.
 struct Seed {
     name: String,
     declarations: String,
@@ -60,13 +63,13 @@ fn seeds_of(path: &Path) -> Vec<Seed> {
     seeds
 }
 
-/// The tokens of a text.
+/// Returns the tokens of a text.
 fn words(text: &str) -> Vec<String> {
     let spans = lex(text).0.into_iter().map(|token| token.span.start as usize..token.span.end as usize);
     spans.map(|span| text[span].to_string()).collect()
 }
 
-/// SplitMix64.
+/// SplitMix64 generator.
 struct Random(u64);
 
 impl Random {
@@ -79,8 +82,9 @@ impl Random {
     }
 }
 
-/// A statement with up to three wounds behind its name. Most put a name for a name, a number for a number or an
-/// operator for an operator, so that many a statement still makes sense.
+/// Returns a statement with one to three random edits after its name. Most edits replace a name by
+/// a name, a number by a number or an operator by an operator, so that many of the results are
+/// valid statements.
 fn damaged(seed: &Seed, random: &mut Random) -> String {
     let mut statement = seed.statement.clone();
     for _ in 0..=random.below(3) {
@@ -107,7 +111,7 @@ fn damaged(seed: &Seed, random: &mut Random) -> String {
     format!("{}\n{}", seed.declarations, statement.join(" "))
 }
 
-/// What kind of token a word is, roughly: the places it may stand in.
+/// Classifies a token roughly, by the syntactic positions in which it can occur.
 fn kind(word: &str) -> u8 {
     let first = word.as_bytes().first().copied().unwrap_or_default();
     let differential = word.len() > 1 && first == b'd';
@@ -122,7 +126,7 @@ fn kind(word: &str) -> u8 {
     }
 }
 
-/// Says which text was at fault when a test fails.
+/// Guard that prints the damaged text when a test fails.
 struct Witness<'a>(&'a str, &'a str);
 
 impl Drop for Witness<'_> {
@@ -133,7 +137,8 @@ impl Drop for Witness<'_> {
     }
 }
 
-/// Whether the text was sound enough for its statement to be decided.
+/// Runs all steps on a text; returns whether the text was valid enough for its statement to be
+/// decided.
 fn survives(name: &str, text: &str) -> bool {
     let _witness = Witness(name, text);
     let source = Source::new("damaged", text);

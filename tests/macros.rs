@@ -1,6 +1,7 @@
-//! The macros as their users meet them: kernels against formulas written by hand, claims against the prover.
+//! The macros from a user's perspective: kernels are compared with formulas written by hand, claims
+//! with the prover.
 
-/// The bilinear patch, the solid angle and a phase function, all in one body.
+/// Bilinear patch, solid angle and phase function, all in one body.
 mod radiometry {
     forms::forms! {
         chart UV(u, v) where 0 <= u <= 1, 0 <= v <= 1;
@@ -34,7 +35,7 @@ mod theorems {
     forms::proof_tests!("tests/files/theorems.forms");
 }
 
-/// Points of a lattice that miss the origin.
+/// Returns points of a lattice that does not contain the origin.
 fn points() -> impl Iterator<Item = (f64, f64, f64)> {
     let steps = [-2.0, -0.625, 0.125, 1.5];
     steps
@@ -95,7 +96,7 @@ fn every_tier_of_a_kernel_has_its_value() {
     assert_eq!((one_third_times_three(three) - DoubleDouble::from_f64(1.0)).to_f64(), 0.0);
 }
 
-/// A tier of a private kernel without arguments, found from outside by its module.
+/// Uses the tiers of a private kernel without arguments, through its module.
 fn one_third_times_three(three: forms::math::DoubleDouble) -> forms::math::DoubleDouble {
     forms::kernel! { third() = 1/3; }
     let mut column = [0.0; 2];
@@ -198,14 +199,14 @@ fn forms_are_evaluated_and_simplified() {
 
 mod effects {
     forms::forms! {
-        /// What is left of a beam behind a path through a medium that absorbs, scatters and shines.
+        /// Radiance of a beam after a path through a medium that absorbs, scatters and emits.
         pub kernel beam(radiance, emitted, sigma_a, sigma_s, length) =
             radiance*exp(-(sigma_a + sigma_s)*length)
             + emitted*(1 - exp(-(sigma_a + sigma_s)*length))/(sigma_a + sigma_s)
             effects { absorption: sigma_a = 0; scattering: sigma_s = 0; emission: emitted = 0; }
             where sigma_a >= 0, sigma_s >= 0, length >= 0;
 
-        /// Reflectance for light at right angles.
+        /// Reflectance at normal incidence.
         pub kernel normal_reflectance(n1, n2) = (n1 - n2)**2/(n1 + n2)**2
             effects { index: n2 = n1; } where n1 > 0, n2 > 0;
     }
@@ -233,7 +234,7 @@ fn a_kernel_without_an_effect_is_the_full_kernel_where_the_effect_vanishes() {
             .expect("one length");
         assert_close(value[1], expected);
     }
-    // the limit: what shines along the path adds up
+    // In the limit without extinction, the emission along the path adds up.
     assert_eq!(
         with(Effects { absorption: false, scattering: false, emission: true })(2.0, 0.5, 0.0, 0.0, 3.0),
         3.5

@@ -1,11 +1,12 @@
-//! Every diagnostic that a macro's user can meet, as rustc shows it; and what compiles in silence.
+//! Compares every diagnostic of the macros, as shown by rustc, with the stored one, and checks that
+//! valid sources compile without output.
 //!
 //! ```text
 //! tests/ui/*.rs ──── rustc, with the library of these tests ─▶ diagnostics = tests/ui/*.stderr
 //! tests/ui/pass/*.rs ─ rustc ─▶ program ─▶ success
 //! ```
-//! The library is the one that cargo has built for these tests, so that nothing is built a second time. With `FORMS_WRITE=1` the
-//! diagnostics are written anew.
+//! The library is the one that cargo has built for these tests, so that nothing is built twice.
+//! With `FORMS_WRITE=1` the stored diagnostics are rewritten.
 
 use rayon::prelude::*;
 use std::ffi::OsStr;
@@ -14,7 +15,8 @@ use std::process::{Command, Output};
 use std::sync::OnceLock;
 use std::time::SystemTime;
 
-/// Calls what each feature adds to a kernel, so that it compiles against the library of these tests only.
+/// Program that uses the functions that each feature adds to a kernel, so that it compiles only
+/// against the library of these tests.
 const PROBE: &str = "forms::kernel! { double(x) = 2*x; }
     fn main() {
         double::batch_parallel(&[1.0], &mut [0.0]).expect(\"one length\");
@@ -29,7 +31,7 @@ fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
 }
 
-/// Compiles a program against a library, with paths as they are below the root of the package.
+/// Compiles a program against a library, with paths relative to the root of the package.
 fn compile(source: &Path, library: &Path, kind: &str) -> Output {
     let name = source.file_stem().and_then(OsStr::to_str).expect("the name of a source").replace('-', "_");
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -65,7 +67,8 @@ fn compile(source: &Path, library: &Path, kind: &str) -> Output {
         .expect("rustc runs")
 }
 
-/// The library that these tests were built with: of all that are beside this program, the newest with every feature.
+/// Finds the library with which these tests were built: the newest one in the folder of this
+/// program that has every feature.
 fn library() -> &'static Path {
     static LIBRARY: OnceLock<PathBuf> = OnceLock::new();
     LIBRARY.get_or_init(|| {
@@ -96,7 +99,7 @@ fn is_library(file: &str) -> bool {
     file.starts_with("libforms-") && file.ends_with(".rlib")
 }
 
-/// The sources of a folder, by paths below the root of the package.
+/// Lists the sources of a folder, by paths relative to the root of the package.
 fn sources(folder: &str) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join(folder)).expect("the folder of the sources");
     let names = entries.map(|entry| entry.expect("an entry").file_name());
@@ -107,7 +110,7 @@ fn sources(folder: &str) -> Vec<PathBuf> {
     paths
 }
 
-/// The diagnostics of a source, without the lines by which rustc counts them.
+/// Returns the diagnostics of a source, without the summary lines of rustc.
 fn diagnostics(source: &Path) -> Result<String, String> {
     let output = compile(source, library(), "metadata");
     if output.status.success() {

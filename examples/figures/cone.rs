@@ -1,4 +1,5 @@
-//! The piece of cone between the unit sphere and a patch: its boundary is the patch, its shadow and walls of rays.
+//! The piece of cone between the unit sphere and a patch. Its boundary consists of the patch, its
+//! shadow on the sphere, and walls of rays.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::solid_angle::{A, B, CORNER, EYE, outline, sphere};
@@ -31,7 +32,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// Arrows that point out of the piece of cone, one for each part of its boundary.
+/// Draws arrows that point out of the piece of cone, one for each part of its boundary.
 fn outward(drawing: &mut Drawing, corners: [Vector; 4], shadow: [Vector; 4]) {
     let middle = |quad: [Vector; 4]| scaled(0.5, add(quad[0], quad[2]));
     let (patch, seen) = (middle(corners), unit(middle(shadow)));

@@ -1,16 +1,16 @@
-//! A drawing: points of space are projected along parallel rays and become SVG text.
+//! A drawing: points in space are projected along parallel rays and become SVG text.
 
 use crate::vector::{Vector, add, dot, scaled};
 use std::fmt::Write;
 
-/// Height of a label's lower-case letters, roughly.
+/// Approximate height of a label's lower-case letters.
 const LABEL_MIDDLE: f64 = 5.0;
 const ARROW_LENGTH: f64 = 10.0;
 const ARROW_HALF_WIDTH: f64 = 3.6;
-/// On a dark page light and dark change places, and hues stay what they are.
+/// Style for a dark page: light and dark are exchanged, and hues stay the same.
 const IN_THE_DARK: &str = "@media(prefers-color-scheme:dark){:root{filter:invert(.91) hue-rotate(180deg)}}";
 
-/// Ink and paper: nothing depends on colour alone.
+/// Colours; no distinction depends on colour alone.
 pub(crate) mod style {
     pub(crate) const INK: &str = "#222222";
     pub(crate) const FAINT: &str = "#9a9a9a";
@@ -20,26 +20,27 @@ pub(crate) mod style {
     pub(crate) const FOURTH: &str = "#8a6d1d";
 }
 
-/// Where points of space fall on the paper.
+/// Projection of points in space to the paper.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
     right: Vector,
     up: Vector,
     /// Paper units per unit of space.
     scale: f64,
-    /// Where the origin of space falls.
+    /// Image of the origin.
     origin: [f64; 2],
 }
 
 impl View {
-    /// Seen from a direction given by its angles, in degrees, about and above the xy-plane.
+    /// Creates the view from a direction, given by its angles about and above the xy-plane in
+    /// degrees.
     pub(crate) fn from_direction(azimuth: f64, elevation: f64, scale: f64, origin: [f64; 2]) -> Self {
         let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
         let (sin_e, cos_e) = elevation.to_radians().sin_cos();
         View { right: [-sin_a, cos_a, 0.0], up: [-cos_a * sin_e, -sin_a * sin_e, cos_e], scale, origin }
     }
 
-    /// The xy-plane itself, for figures that have no depth.
+    /// Creates the view of the xy-plane itself, for plane figures.
     pub(crate) fn flat(scale: f64, origin: [f64; 2]) -> Self {
         View { right: [1.0, 0.0, 0.0], up: [0.0, 1.0, 0.0], scale, origin }
     }
@@ -51,13 +52,13 @@ impl View {
         ]
     }
 
-    /// Two orthonormal vectors parallel to the paper.
+    /// Returns two orthonormal vectors parallel to the paper.
     pub(crate) fn plane(&self) -> [Vector; 2] {
         [self.right, self.up]
     }
 }
 
-/// How a line is drawn.
+/// Line style.
 #[derive(Clone, Copy)]
 pub(crate) struct Pen {
     pub(crate) colour: &'static str,
@@ -81,7 +82,7 @@ impl Pen {
     }
 }
 
-/// SVG in the making.
+/// SVG file under construction.
 pub(crate) struct Drawing {
     view: View,
     body: String,
@@ -109,7 +110,7 @@ impl Drawing {
         places.join(" ")
     }
 
-    /// A filled polygon with an outline.
+    /// Draws a filled polygon with an outline.
     pub(crate) fn area(&mut self, points: &[Vector], opacity: f64, pen: Pen) {
         let (points, colour, pen) = (self.points(points), pen.colour, pen.attributes());
         self.put(format_args!(
@@ -117,19 +118,19 @@ impl Drawing {
         ));
     }
 
-    /// A broken line.
+    /// Draws a polyline.
     pub(crate) fn line(&mut self, points: &[Vector], pen: Pen) {
         let (points, pen) = (self.points(points), pen.attributes());
         self.put(format_args!("<polyline points=\"{points}\" fill=\"none\" {pen}/>"));
     }
 
-    /// A dot.
+    /// Draws a dot.
     pub(crate) fn dot(&mut self, place: Vector, colour: &str) {
         let [x, y] = self.view.project(place);
         self.put(format_args!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"{colour}\"/>"));
     }
 
-    /// A vector from its foot.
+    /// Draws a vector from its foot.
     pub(crate) fn arrow(&mut self, foot: Vector, vector: Vector, pen: Pen) {
         let ([x0, y0], [x1, y1]) = (self.view.project(foot), self.view.project(add(foot, vector)));
         let length = (x1 - x0).hypot(y1 - y0).max(1e-9);
@@ -144,7 +145,7 @@ impl Drawing {
         self.put(format_args!("<polygon points=\"{head}\" fill=\"{colour}\"/>"));
     }
 
-    /// The arc from one direction to another about a point, at a distance from it.
+    /// Draws the arc from one direction to another about a point, at a distance from the point.
     pub(crate) fn angle(&mut self, about: Vector, from: Vector, to: Vector, radius: f64, pen: Pen) {
         let arc: Vec<Vector> = (0..=16)
             .map(|step| {
@@ -156,7 +157,8 @@ impl Drawing {
         self.line(&arc, pen);
     }
 
-    /// A label whose middle is moved from a place by paper units. `_` sets the next letter lower.
+    /// Draws a label centred at a place plus a shift in paper units. `_` makes the next letter a
+    /// subscript.
     pub(crate) fn label(&mut self, place: Vector, shift: [f64; 2], text: &str, colour: &str) {
         let [x, y] = self.view.project(place);
         let (x, y) = (x + shift[0], y + shift[1] + LABEL_MIDDLE);
@@ -166,7 +168,7 @@ impl Drawing {
         ));
     }
 
-    /// The whole file.
+    /// Returns the whole SVG file.
     pub(crate) fn finish(self) -> String {
         let Drawing { body, size: [width, height], title, .. } = self;
         format!(
@@ -178,7 +180,7 @@ impl Drawing {
     }
 }
 
-/// `S_u` with its index below the line.
+/// Typesets `S_u` with its index as a subscript.
 fn lowered(text: &str) -> String {
     match text.split_once('_') {
         Some((head, rest)) => {

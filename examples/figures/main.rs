@@ -4,7 +4,8 @@
 //! wedge  patch  cone  lambert  … ──────────┐
 //! neumann  warps  plan  … ─▶ flat (a plane) ┴─▶ drawing (points of space, projected) ─▶ SVG text
 //! ```
-//! `cargo run --example figures` writes them; a test compares the files with what would be written.
+//! `cargo run --example figures` writes them; a test compares the stored files with the current
+//! output.
 
 mod cone;
 mod drawing;
@@ -30,7 +31,7 @@ mod wedge;
 
 use std::path::PathBuf;
 
-/// File names and contents.
+/// Returns the file names and contents.
 fn figures() -> Vec<(&'static str, String)> {
     vec![
         ("one_form.svg", one_form::figure()),

@@ -1,9 +1,10 @@
-//! The Neumann series in a furnace: what each bounce adds, and the sums, which rise to a limit.
+//! The Neumann series in a furnace: the contribution of each bounce, and the sums, which rise to a
+//! limit.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::{at, rectangle};
 
-/// What a bounce keeps.
+/// Fraction of the light that is left after a bounce.
 const KEPT: f64 = 0.75;
 const BOUNCES: i32 = 13;
 /// Half the width of a bar.

@@ -1,14 +1,15 @@
-//! A hill in profile with its normals, and with those of an equation whose first two rows vanish.
+//! A hill in profile with its normals, and with the normals of an equation whose first two rows
+//! vanish.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::{at, curve};
 
-/// Height of the hill.
+/// Returns the height of the hill.
 fn height(x: f64) -> f64 {
     1.5 * (-0.5 * x * x).exp()
 }
 
-/// Its slope.
+/// Returns the slope of the hill.
 fn slope(x: f64) -> f64 {
     -x * height(x)
 }

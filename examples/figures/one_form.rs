@@ -1,18 +1,19 @@
-//! A 1-form as a family of lines: what it returns for a step is the number of lines that the step crosses.
+//! A 1-form as a family of lines: its value for a step is the number of lines that the step
+//! crosses.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, scaled};
 
-/// The form dx + dy/2. Lines are drawn where x + y/2 is a whole number.
+/// The form dx + dy/2. Lines are drawn where x + y/2 is an integer.
 const FORM: [f64; 2] = [1.0, 0.5];
 const HEIGHT: f64 = 5.2;
 const LAST_LINE: i32 = 11;
 const LAST_OBLIQUE: f64 = 9.0;
-/// Feet of the steps, each halfway between two lines.
+/// Start points of the steps, each halfway between two lines.
 const FOOT: Vector = [2.7, 3.6, 0.0];
 const FOOT_OF_DOUBLE: Vector = [2.9, 1.2, 0.0];
 const FOOT_ALONG: Vector = [7.35, 2.3, 0.0];
-/// A step that crosses two lines, and one that crosses none.
+/// Two steps: one crosses two lines, the other crosses none.
 const STEP: Vector = [2.0, 0.0, 0.0];
 const ALONG: Vector = [-1.0, 2.0, 0.0];
 

@@ -3,21 +3,22 @@
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, cross, dot, parallelogram, scaled, unit};
 
-/// Half the side of the square of parameters.
+/// Half the side of the parameter square.
 const HALF: f64 = 1.25;
 const LINES: i32 = 10;
-/// Where the tangent vectors stand, and the parameter steps they stand for.
+/// Parameters of the point with the tangent vectors, and the parameter step that the vectors
+/// represent.
 const POINT: [f64; 2] = [-0.1, -0.05];
 const STEP: f64 = 0.62;
-/// The direction of the light.
+/// Direction of the light.
 const DIRECTION: Vector = [-0.02, 0.72, 0.72];
 
-/// (u, v, h(u, v))
+/// Returns the point (u, v, h(u, v)).
 fn surface(u: f64, v: f64) -> Vector {
     [u, v, 0.35 - 0.22 * u * u - 0.12 * v * v + 0.06 * u * v]
 }
 
-/// Its derivatives by u and by v.
+/// Returns the derivatives of the surface by u and by v.
 fn tangents(u: f64, v: f64) -> [Vector; 2] {
     [[1.0, 0.0, -0.44 * u + 0.06 * v], [0.0, 1.0, -0.24 * v + 0.06 * u]]
 }
@@ -51,7 +52,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// Lines of constant u and of constant v.
+/// Draws lines of constant u and of constant v.
 fn grid(drawing: &mut Drawing) {
     let place = |step: i32| -HALF + 2.0 * HALF * f64::from(step) / f64::from(LINES);
     for step in 0..=LINES {
@@ -64,7 +65,7 @@ fn grid(drawing: &mut Drawing) {
     drawing.label(surface(HALF, -HALF), [16.0, 22.0], "S(u, v)", style::FAINT);
 }
 
-/// The parallelogram, the rays through its corners, and the beam cut across.
+/// Draws the parallelogram, the rays through its corners, and the cross section of the beam.
 fn beam(drawing: &mut Drawing, corners: [Vector; 4], direction: Vector) {
     let far = add(corners[2], scaled(1.75, direction));
     let across = corners.map(|corner| {

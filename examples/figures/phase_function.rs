@@ -1,10 +1,10 @@
-//! Henyey and Greenstein's phase function as a polar diagram, for three mean cosines.
+//! The Henyey-Greenstein phase function as a polar diagram, for three mean cosines.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::{at, curve};
 use std::f64::consts::PI;
 
-/// The phase function over that of even scattering.
+/// Returns the phase function relative to isotropic scattering.
 fn relative(g: f64, cosine: f64) -> f64 {
     (1.0 - g * g) / (1.0 + g * g - 2.0 * g * cosine).powf(1.5)
 }

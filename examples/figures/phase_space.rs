@@ -1,17 +1,18 @@
-//! A beam in phase space: free space shears it along the place, a lens along the direction; its area stays.
+//! A beam in phase space: free space shears it along the position, a lens along the direction; its
+//! area is preserved.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add};
 
 const PANEL: f64 = 3.2;
 const AXIS: f64 = 1.35;
-/// Half the width of the beam, in place and in direction.
+/// Half the width of the beam, in position and in direction.
 const BEAM: [f64; 2] = [0.5, 0.38];
-/// Distance, and one over the focal length.
+/// Distance, and reciprocal of the focal length.
 const DISTANCE: f64 = 1.5;
 const BEND: f64 = 0.95;
 
-/// (x, a) after free space and after a lens behind it.
+/// Propagates (x, a) through free space; `bent` propagates it through the lens after it.
 fn further([x, a]: [f64; 2]) -> [f64; 2] {
     [x + DISTANCE * a, a]
 }

@@ -1,11 +1,11 @@
-//! How it is decided whether an effect is simulated: three questions.
+//! The decision whether an effect is simulated: three questions.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::{at, rectangle};
 
 const WIDTH: f64 = 2.4;
 const HEIGHT: f64 = 0.62;
-/// Distance of the questions.
+/// Distance between the questions.
 const STEP: f64 = 1.5;
 
 pub(crate) fn figure() -> String {

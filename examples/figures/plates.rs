@@ -1,4 +1,5 @@
-//! Two plates far apart, and the same nearly touching: where light is lost.
+//! Two plates far apart, and the same plates nearly touching, with the gap through which light
+//! escapes.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, parallelogram};

@@ -6,14 +6,14 @@ use crate::vector::{Vector, add, scaled};
 const HALF_WIDTH: f64 = 0.78;
 const HALF_HEIGHT: f64 = 0.3;
 
-/// What an arrow divides by: its name and colour.
+/// Divisor of an arrow: its name and colour.
 type Divisor = (&'static str, &'static str);
 
 const TIME: Divisor = ("time", style::THIRD);
 const AREA: Divisor = ("area", style::FIRST);
 const ANGLE: Divisor = ("solid angle", style::SECOND);
 
-/// Symbol with unit, and place.
+/// Symbols with units, and their places.
 const QUANTITIES: [(&str, Vector); 6] = [
     ("Q\u{a0}\u{a0}J", [0.0, 4.2, 0.0]),
     ("H\u{a0}\u{a0}J/m²", [-2.6, 2.8, 0.0]),
@@ -23,7 +23,7 @@ const QUANTITIES: [(&str, Vector); 6] = [
     ("L\u{a0}\u{a0}W/(m² sr)", [0.0, 0.0, 0.0]),
 ];
 
-/// From and to, what is divided by, and where the label stands beside the middle.
+/// Arrows: start, end, divisor, and offset of the label from the middle.
 const STEPS: [(usize, usize, Divisor, [f64; 2]); 7] = [
     (0, 1, AREA, [-30.0, -10.0]),
     (0, 2, TIME, [28.0, 0.0]),
@@ -55,7 +55,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// From the middle of a frame to its edge, in the direction of a way.
+/// Returns the vector from the middle of a frame to its edge in a given direction.
 fn leaving(way: Vector) -> Vector {
     let share = (HALF_WIDTH / way[0].abs().max(1e-9)).min(HALF_HEIGHT / way[1].abs().max(1e-9));
     scaled(share, way)

@@ -1,4 +1,4 @@
-//! A formula as a tree, and as the net that it becomes when equal branches grow together.
+//! A formula as a tree, and as the directed acyclic graph in which equal subexpressions are shared.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::at;
@@ -15,13 +15,13 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// A line between two nodes, short of their labels.
+/// Draws a line between two nodes that ends before their labels.
 fn edge(drawing: &mut Drawing, from: Vector, to: Vector) {
     let between = |share: f64| at(from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]));
     drawing.line(&[between(0.25), between(0.75)], Pen::solid(style::FAINT, 1.2));
 }
 
-/// A sum of three squares below a node.
+/// Draws a sum of three squares below a node.
 fn squares(drawing: &mut Drawing, parent: Vector, sum: Vector, colour: &'static str) {
     edge(drawing, parent, sum);
     drawing.label(sum, [0.0, 0.0], "+", colour);

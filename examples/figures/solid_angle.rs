@@ -1,4 +1,5 @@
-//! A patch seen from the origin, its shadow on the unit sphere, and the angle between sight and normal.
+//! A patch seen from the origin, its shadow on the unit sphere, and the angle between line of sight
+//! and normal.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, cross, parallelogram, scaled, unit};
@@ -8,7 +9,7 @@ pub(crate) const EYE: Vector = [0.0; 3];
 pub(crate) const CORNER: Vector = [0.215, 1.715, 0.5];
 pub(crate) const A: Vector = [-0.75, 0.47, 0.0];
 pub(crate) const B: Vector = [0.12, 0.1, 0.9];
-/// Points on each side of an outline.
+/// Number of points on each side of an outline.
 const SIDE: i32 = 12;
 
 pub(crate) fn figure() -> String {
@@ -34,7 +35,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// The outline of the unit sphere, its equator and one meridian.
+/// Draws the outline of the unit sphere, its equator and one meridian.
 pub(crate) fn sphere(drawing: &mut Drawing, view: View) {
     let [right, up] = view.plane();
     let circle = |a: Vector, b: Vector| -> Vec<Vector> {
@@ -50,7 +51,7 @@ pub(crate) fn sphere(drawing: &mut Drawing, view: View) {
     drawing.line(&circle([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), Pen::dashed(style::FAINT, 0.7));
 }
 
-/// Points along the sides of a polygon.
+/// Returns points along the sides of a polygon.
 pub(crate) fn outline(corners: [Vector; 4]) -> Vec<Vector> {
     (0..4)
         .flat_map(|side| {
@@ -62,7 +63,7 @@ pub(crate) fn outline(corners: [Vector; 4]) -> Vec<Vector> {
         .collect()
 }
 
-/// The line of sight to the middle of the patch, its normal and the angle between them.
+/// Draws the line of sight to the middle of the patch, its normal and the angle between them.
 fn sight(drawing: &mut Drawing, corners: [Vector; 4]) {
     let middle = scaled(0.5, add(corners[0], corners[2]));
     let normal = unit(cross(A, B));

@@ -1,13 +1,14 @@
-//! Stokes' theorem: walks around the cells of a surface cancel on inner sides, and leave the rim.
+//! Stokes' theorem: circulations around the cells of a surface cancel on inner sides, and only the
+//! boundary remains.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, scaled};
 
 const CELLS: [i32; 2] = [4, 3];
-/// How far the walk around a cell keeps from its sides, as a share of the cell.
+/// Distance of the loop inside a cell from its sides, as a fraction of the cell.
 const INSET: f64 = 0.13;
 
-/// A saddle over the cells' corners.
+/// Returns a point of the saddle over the cells.
 fn surface(u: f64, v: f64) -> Vector {
     [u, v, 0.12 * (u - 2.0) * (v - 1.5) + 0.45]
 }
@@ -28,13 +29,13 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// The corners of a cell, around it, at a distance from its sides.
+/// Returns the corners of a cell in order, at a distance from its sides.
 fn corners(u: f64, v: f64, inset: f64) -> [Vector; 4] {
     let (low, high) = (inset, 1.0 - inset);
     [(low, low), (high, low), (high, high), (low, high)].map(|(a, b)| surface(u + a, v + b))
 }
 
-/// A cell and the walk around it.
+/// Draws a cell and the loop inside it.
 fn cell(drawing: &mut Drawing, u: f64, v: f64) {
     drawing.area(&corners(u, v, 0.0), 0.06, Pen::solid(style::FAINT, 0.8));
     let walk = corners(u, v, INSET);
@@ -44,7 +45,7 @@ fn cell(drawing: &mut Drawing, u: f64, v: f64) {
     }
 }
 
-/// The sides that belong to one cell only, in the direction of its walk.
+/// Draws the sides that belong to one cell only, in the direction of its loop.
 fn rim(drawing: &mut Drawing) {
     let [wide, deep] = CELLS.map(f64::from);
     let bottom = (0..CELLS[0]).map(|u| [(f64::from(u), 0.0), (f64::from(u) + 1.0, 0.0)]);

@@ -1,34 +1,34 @@
-//! Vectors of space, as much as the figures need.
+//! Vector operations needed by the figures.
 
-/// A point or vector.
+/// Point or vector.
 pub(crate) type Vector = [f64; 3];
 
-/// a + b
+/// Returns a + b.
 pub(crate) fn add(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-/// c a
+/// Returns c a.
 pub(crate) fn scaled(c: f64, a: Vector) -> Vector {
     a.map(|component| c * component)
 }
 
-/// a₁b₁ + a₂b₂ + a₃b₃
+/// Returns a₁b₁ + a₂b₂ + a₃b₃.
 pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// (a₂b₃ − a₃b₂, a₃b₁ − a₁b₃, a₁b₂ − a₂b₁)
+/// Returns (a₂b₃ − a₃b₂, a₃b₁ − a₁b₃, a₁b₂ − a₂b₁).
 pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// a/|a|
+/// Returns a/|a|.
 pub(crate) fn unit(a: Vector) -> Vector {
     scaled(1.0 / dot(a, a).sqrt(), a)
 }
 
-/// The corners of the parallelogram spanned by a and b, around it.
+/// Returns the corners, in order, of the parallelogram spanned by a and b.
 pub(crate) fn parallelogram(corner: Vector, a: Vector, b: Vector) -> [Vector; 4] {
     [corner, add(corner, a), add(add(corner, a), b), add(corner, b)]
 }

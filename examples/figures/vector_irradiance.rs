@@ -1,9 +1,10 @@
-//! Light from many directions at one point, and its sum: one arrow, and a meter held along it.
+//! Light from many directions at one point, and its vector sum: one arrow, with a meter
+//! perpendicular to it.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, scaled};
 
-/// Angle from the vertical in degrees, and how much comes from there.
+/// Angle from the vertical in degrees, and the amount of light from this direction.
 const LIGHT: [(f64, f64); 9] = [
     (-70.0, 0.5),
     (-58.0, 0.8),
@@ -15,10 +16,10 @@ const LIGHT: [(f64, f64); 9] = [
     (60.0, 1.5),
     (80.0, 0.7),
 ];
-/// The sum is drawn shorter, to fit.
+/// Factor by which the sum is shortened to fit.
 const SHORTER: f64 = 0.22;
 const METER: f64 = 0.85;
-/// Between the tips and the point, where they would hide each other.
+/// Gap between the arrow tips and the point, so that the tips do not cover each other.
 const GAP: f64 = 0.32;
 
 pub(crate) fn figure() -> String {

@@ -1,4 +1,5 @@
-//! Even points of the unit square, and where two warps put them on the disk: with the root and without it.
+//! Uniform points of the unit square, and their images on the disk by two warps: with the root and
+//! without it.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::flat::{at, curve, rectangle};
@@ -29,7 +30,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// The points about a middle, and the name below.
+/// Draws the points around a centre, and the name below.
 fn panel(drawing: &mut Drawing, middle: Vector, name: &str, warp: impl Fn(f64, f64) -> Vector) {
     for ring in 0..RINGS {
         for spoke in 0..SPOKES {

@@ -1,4 +1,5 @@
-//! A plane wave: the electric and the magnetic field at right angles, and the parallelogram that carries the energy.
+//! A plane wave: the perpendicular electric and magnetic fields, and the parallelogram that
+//! represents the energy flux.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, parallelogram, scaled};
@@ -11,7 +12,8 @@ const ELECTRIC: f64 = 1.15;
 const MAGNETIC: f64 = 1.15;
 const ARROWS: i32 = 24;
 
-/// The axis of the wave is drawn to the right; x points up and y to the reader.
+/// Returns a point on the axis of the wave. The axis is drawn to the right; the wave's x axis
+/// points up and its y axis to the reader.
 fn place(z: f64) -> Vector {
     [0.0, z, 0.0]
 }

@@ -1,4 +1,4 @@
-//! A parallelogram in space and its three shadows: what dy∧dz, dz∧dx and dx∧dy measure.
+//! A parallelogram in space and its three shadows, measured by dy∧dz, dz∧dx and dx∧dy.
 
 use crate::drawing::{Drawing, Pen, View, style};
 use crate::vector::{Vector, add, parallelogram, scaled};
@@ -28,7 +28,7 @@ pub(crate) fn figure() -> String {
     drawing.finish()
 }
 
-/// The three planes and the axes.
+/// Draws the three planes and the axes.
 fn room(drawing: &mut Drawing) {
     let origin = [0.0; 3];
     let axes: [Vector; 3] = [[AXIS, 0.0, 0.0], [0.0, AXIS, 0.0], [0.0, 0.0, AXIS]];
@@ -43,7 +43,7 @@ fn room(drawing: &mut Drawing) {
     }
 }
 
-/// The parallelogram with one coordinate set to 0, and the rays that carry it there.
+/// Draws the parallelogram with one coordinate set to 0, and the rays that project it there.
 fn shadow(drawing: &mut Drawing, dropped: usize, colour: &'static str) {
     let flat = |mut point: Vector| {
         point[dropped] = 0.0;

@@ -1,11 +1,11 @@
-//! The book as a whole: its chapters in order, the pages behind them, and where each is found.
+//! The whole book: its chapters in order, their pages, and the name of each page.
 //!
 //! ```text
 //! embedded sources ─ SUMMARY.md ─▶ chapters ─┐
 //!                  ─ docs/*.md ───▶ reference ┼─ expand, html ─▶ pages by name · figures by name
 //!                  ─ .forms, .toml ▶ listings ┘
 //! ```
-//! A page is made when it is asked for, and kept.
+//! A page is rendered at its first request and cached.
 
 use crate::check::Problem;
 use crate::html;
@@ -15,22 +15,22 @@ use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-/// The sources of the book as path below the root of the repository and bytes.
+/// Sources of the book: paths below the root of the repository, with their bytes.
 const SOURCES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/sources.rs"));
 
-/// Where the chapters are.
+/// Folder of the chapters.
 pub(crate) const CHAPTERS: &str = "docs/book/src/";
 
-/// One page of the result.
+/// Page of the rendered book.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chapter {
-    /// The file name of the page, `03-pullback-and-the-cosine.html`.
+    /// File name of the page, `03-pullback-and-the-cosine.html`.
     pub name: String,
-    /// The title in the list of contents.
+    /// Title in the table of contents.
     pub title: String,
-    /// The part of the book it stands in; a page before the first part has none.
+    /// Part of the book that contains the page; `None` for a page before the first part.
     pub part: Option<String>,
-    /// The path of its source below the root of the repository.
+    /// Path of its source below the root of the repository.
     pub path: String,
 }
 
@@ -40,21 +40,23 @@ type Html = Result<String, Vec<Problem>>;
 #[derive(Debug)]
 pub struct Book {
     sources: BTreeMap<String, Vec<u8>>,
-    /// The pages that the contents list, in order.
+    /// Pages in the table of contents, in order.
     chapters: Vec<Chapter>,
-    /// The name of the page that a source becomes.
+    /// Name of the page for each source path.
     names: BTreeMap<String, String>,
     made: BTreeMap<String, OnceLock<Html>>,
 }
 
-/// The book that comes with the program. Its pages are found by name; `index.html` is the first.
+/// Returns the book embedded in the program. Its pages are found by name; `index.html` is the
+/// first.
 pub fn book() -> &'static Book {
     static BOOK: OnceLock<Book> = OnceLock::new();
     BOOK.get_or_init(|| Book::new(SOURCES.iter().map(|(path, bytes)| ((*path).to_owned(), bytes.to_vec()))))
 }
 
 impl Book {
-    /// A book from files by their paths below the root of the repository, `docs/book/src/SUMMARY.md` among them.
+    /// Creates a book from files, given by their paths below the root of the repository. They
+    /// include `docs/book/src/SUMMARY.md`.
     pub fn new(sources: impl IntoIterator<Item = (String, Vec<u8>)>) -> Self {
         let sources: BTreeMap<String, Vec<u8>> = sources.into_iter().collect();
         let mut book = Book { sources, chapters: vec![], names: BTreeMap::new(), made: BTreeMap::new() };
@@ -69,7 +71,7 @@ impl Book {
         book
     }
 
-    /// The chapters of the summary, then the pages of reference.
+    /// Lists the chapters of the summary, then the reference pages.
     fn listed(&self) -> Vec<Chapter> {
         let mut chapters = self.page(&format!("{CHAPTERS}SUMMARY.md")).map_or(vec![], |page| summary(&page));
         if let Some(first) = chapters.first_mut() {
@@ -86,26 +88,26 @@ impl Book {
         chapters
     }
 
-    /// The source of a page.
+    /// Returns the source of a page.
     pub(crate) fn page(&self, path: &str) -> Option<Page> {
         let text = String::from_utf8(self.sources.get(path)?.clone()).ok()?;
         Some(Page::new(path, text))
     }
 
-    /// The pages that the contents list, in order.
+    /// Returns the pages in the table of contents, in order.
     pub fn chapters(&self) -> &[Chapter] {
         &self.chapters
     }
 
-    /// The names of all pages; files that pages link to are pages as well.
+    /// Returns the names of all pages; files that pages link to are pages as well.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.made.keys().map(String::as_str)
     }
 
-    /// A page of HTML by its name; nothing if there is none of that name.
+    /// Returns a page of HTML by its name, or `None` if no page has that name.
     ///
     /// # Errors
-    /// If the page has formulas that cannot be read.
+    /// If the page contains formulas that cannot be parsed.
     pub fn html(&self, name: &str) -> Option<Result<&str, &[Problem]>> {
         let made = self.made.get(name)?;
         let html = made.get_or_init(|| {
@@ -116,13 +118,14 @@ impl Book {
         Some(html.as_ref().map(String::as_str).map_err(Vec::as_slice))
     }
 
-    /// The figures by their names, as pages refer to them.
+    /// Returns the figures with the names by which pages refer to them.
     pub fn figures(&self) -> impl Iterator<Item = (String, &[u8])> {
         let pictures = self.sources.iter().filter(|(path, _)| is_picture(path));
         pictures.map(|(path, bytes)| (figure(path), bytes.as_slice()))
     }
 
-    /// Where a link on the page of this path leads in the result; nothing if it leads out of the book.
+    /// Returns the target in the rendered book of a link on the page with this path, or `None` if
+    /// the link leads out of the book.
     pub(crate) fn target(&self, path: &str, target: &str) -> Option<String> {
         if !is_relative(target) {
             return Some(target.to_owned());
@@ -140,18 +143,18 @@ fn is_picture(path: &str) -> bool {
     path.ends_with(".svg") || path.ends_with(".png")
 }
 
-/// A path as one file name of HTML: `docs/theory.md` becomes `docs-theory.html`.
+/// Flattens a path into one HTML file name: `docs/theory.md` becomes `docs-theory.html`.
 fn flat(path: &str) -> String {
     format!("{}.html", path.strip_suffix(".md").unwrap_or(path).replace('/', "-"))
 }
 
-/// Where a figure is found: those of chapters by their names, others by their whole path.
+/// Returns the place of a figure: chapter figures by file name, others by their whole path.
 fn figure(path: &str) -> String {
     let name = path.strip_prefix(CHAPTERS).map(|rest| rest.strip_prefix("figures/").unwrap_or(rest));
     format!("figures/{}", name.unwrap_or(path).replace('/', "-"))
 }
 
-/// The chapters of a summary: headings are parts, links are chapters.
+/// Parses the chapters of a summary: headings are parts, links are chapters.
 fn summary(page: &Page) -> Vec<Chapter> {
     let mut chapters: Vec<Chapter> = Vec::new();
     let (mut part, mut heading, mut title) = (None, None, None::<(String, String)>);

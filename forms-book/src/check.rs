@@ -1,4 +1,5 @@
-//! A page checked: what it says holds, what it quotes is what is said, and its exercises have the answers it gives.
+//! Checks of a page: its statements hold, its quoted messages are current, and its exercises have
+//! the given answers.
 //!
 //! ```text
 //! Page ─┬─ forms, forms,alone            every statement as claimed, every kernel generated
@@ -12,10 +13,10 @@ use forms_core::syntax::Source;
 use rayon::prelude::*;
 use std::fmt;
 
-/// What stands in an exercise for what is to be found.
+/// Placeholder in an exercise for the answer.
 const HOLE: &str = "___";
 
-/// The kinds of blocks that a page may have.
+/// Kinds of blocks allowed on a page.
 const KINDS: [&str; 10] = [
     "forms",
     "forms,alone",
@@ -29,14 +30,14 @@ const KINDS: [&str; 10] = [
     "toml",
 ];
 
-/// Something that is wrong with a page.
+/// Problem on a page.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Problem {
-    /// The path of the page.
+    /// Path of the page.
     pub page: String,
-    /// The line, from 1.
+    /// Line, from 1.
     pub line: usize,
-    /// What is wrong.
+    /// Description of the problem.
     pub message: String,
 }
 
@@ -46,17 +47,17 @@ impl fmt::Display for Problem {
     }
 }
 
-/// What came of checking pages.
+/// Result of checking pages.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// What is wrong, in the order of the pages.
+    /// Problems, in the order of the pages.
     pub problems: Vec<Problem>,
-    /// How much was checked.
+    /// Numbers of checked items.
     pub counted: Counted,
 }
 
 impl Report {
-    /// Adds what another report says.
+    /// Adds the problems and counts of another report.
     pub fn add(&mut self, other: Report) {
         self.problems.extend(other.problems);
         self.counted += other.counted;
@@ -78,7 +79,7 @@ pub fn check_theories(page: &Page) -> Report {
         report.counted += found.counted;
         report.problems.extend(found.complaints.into_iter().map(|(line, shown)| page.problem(line, shown)));
     }
-    // On a theory with errors no exercise can be decided.
+    // No exercise can be decided on a theory with errors.
     if report.problems.is_empty() {
         let common = common_text(&blocks);
         let exercises: Vec<Report> = (0..blocks.len())
@@ -92,7 +93,8 @@ pub fn check_theories(page: &Page) -> Report {
     report
 }
 
-/// Checks the exercise that the first of these blocks is, if it is one.
+/// Checks the exercise in the first of these blocks, or returns `None` if that block is not part of
+/// one.
 fn exercise(page: &Page, common: &str, blocks: &[Block], before: Option<&Block>) -> Option<Report> {
     let (block, next) = (blocks.first()?, blocks.get(1));
     let is = |block: Option<&Block>, kind: &str| block.is_some_and(|block| block.kind == kind);
@@ -116,7 +118,8 @@ fn exercise(page: &Page, common: &str, blocks: &[Block], before: Option<&Block>)
     Some(report)
 }
 
-/// The answer fills the holes of the exercise and changes nothing else, and is decided as stated.
+/// Checks that the answer fills the holes of the exercise, changes nothing else, and is decided as
+/// stated.
 fn answered(page: &Page, common: &str, exercise: &Block, answer: &Block) -> Report {
     let mut report = Report::default();
     if !exercise.text.contains(HOLE) {
@@ -139,7 +142,7 @@ fn answered(page: &Page, common: &str, exercise: &Block, answer: &Block) -> Repo
     report
 }
 
-/// The exercise with its hole is not accepted, and the hole is the reason.
+/// Checks that the exercise with its hole is rejected, and that the hole is the reason.
 fn unanswered(page: &Page, common: &str, exercise: &Block) -> Option<Problem> {
     let source = Source::new("page.forms", format!("{common}{}", exercise.text));
     let complaints = findings(&source, common.len()).complaints;
@@ -147,7 +150,8 @@ fn unanswered(page: &Page, common: &str, exercise: &Block) -> Option<Problem> {
     (!is_about_hole).then(|| page.problem(exercise.line, "the exercise is accepted with its hole"))
 }
 
-/// Whether a text is the other with something in place of each hole; white space does not matter.
+/// Whether the answer equals the exercise with a non-empty text in place of each hole. White space
+/// is ignored.
 fn fills(exercise: &str, answer: &str) -> bool {
     let joined = |text: &str| text.split_whitespace().collect::<String>();
     let (exercise, answer) = (joined(exercise), joined(answer));
@@ -163,7 +167,7 @@ fn fills(exercise: &str, answer: &str) -> bool {
     last.map_or(rest.is_empty(), |last| rest.ends_with(last) && rest.len() > last.len())
 }
 
-/// Every block is closed and of a known kind; some pages have more kinds than others.
+/// Checks that every block is closed and of a known kind. Some pages allow additional kinds.
 pub fn check_kinds(page: &Page, more: &[&str]) -> Vec<Problem> {
     let mut problems = Vec::new();
     for block in page.blocks() {
@@ -178,7 +182,8 @@ pub fn check_kinds(page: &Page, more: &[&str]) -> Vec<Problem> {
     problems
 }
 
-/// The page as it has to be for every quoted error to be what is said now, with what it said before.
+/// Returns the page with every quoted error replaced by the current message, and reports the
+/// outdated quotations.
 pub fn with_errors_quoted(page: &Page) -> (Page, Report) {
     let mut report = Report::default();
     let blocks = page.blocks();
@@ -201,7 +206,7 @@ pub fn with_errors_quoted(page: &Page) -> (Page, Report) {
     (Page::new(&page.path, mended), report)
 }
 
-/// Where the text of a block stands, between its fences.
+/// Returns the range of the text of a block, between its fences.
 pub(crate) fn inside(page: &Page, block: &Block) -> std::ops::Range<usize> {
     let fenced = page.text[block.place.clone()].trim_end();
     let start = fenced.find('\n').map_or(fenced.len(), |end| end + 1);
@@ -220,7 +225,7 @@ mod tests {
         found.iter().map(ToString::to_string).collect()
     }
 
-    /// A page with this in a block of a kind, behind the chart P(x, y).
+    /// Builds a page with these blocks (kind, text) after the chart P(x, y).
     fn with(blocks: &[(&str, &str)]) -> String {
         let fenced = |(kind, text): &(&str, &str)| format!("```{kind}\n{text}\n```\n\n");
         let blocks: String = blocks.iter().map(fenced).collect();

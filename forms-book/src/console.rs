@@ -1,11 +1,11 @@
-//! Blocks of the kind `console`: commands, and what the program prints.
+//! Blocks of the kind `console`: commands and the expected output of the program.
 //!
 //! ```text
 //! $ forms eval page.forms k << END   a command, and the input up to END
 //! 1,2
 //! END
 //! …                                  any lines
-//! 3                                  this line, with another time if there is one in it
+//! 3                                  this line; durations in it are not compared
 //! ```
 
 use crate::check::inside;
@@ -13,31 +13,32 @@ use crate::page::{Block, Page};
 use crate::theory::common_text;
 use std::ops::Range;
 
-/// Stands for any lines.
+/// Wildcard for any number of lines.
 const ANY: &str = "…";
 
-/// One call of the program on a page, and what the page says it prints.
+/// Call of the program on a page, with the output quoted there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Call {
-    /// The line of the command, from 1.
+    /// Line of the command, from 1.
     pub line: usize,
-    /// The command as it is written.
+    /// The command as written.
     pub command: String,
-    /// What stands behind the name of the program.
+    /// Arguments after the name of the program.
     pub arguments: Vec<String>,
-    /// What it reads from standard input.
+    /// Standard input.
     pub input: String,
-    /// What it prints, where a line `…` stands for any lines.
+    /// Expected output; a line `…` matches any lines.
     pub output: String,
-    /// The text of the file `page.forms`: all blocks of the page's common theory up to here.
+    /// Text of the file `page.forms`: all blocks of the page's common theory before this call.
     pub theory: String,
     place: Range<usize>,
 }
 
-/// The calls of a page, in order; the error is the line that is no call and what is wrong with it.
+/// Returns the calls of a page, in order. An error is a line that is not part of a call, with a
+/// message.
 ///
 /// # Errors
-/// If a block does not begin with `$ forms`, or if an input has no end.
+/// If a block does not begin with `$ forms`, or if the end of an input is missing.
 pub fn calls(page: &Page) -> Result<Vec<Call>, (usize, String)> {
     let blocks = page.blocks();
     let mut calls = Vec::new();
@@ -91,7 +92,7 @@ fn calls_of(page: &Page, block: &Block, theory: &str) -> Result<Vec<Call>, (usiz
     }
 }
 
-/// The command, its arguments, and the word that ends its input.
+/// Splits a command line into the command, its arguments, and the word that ends its input.
 fn words(command: &str) -> Option<(String, Vec<String>, Option<String>)> {
     let command = command.trim_end();
     let (call, end) = match command.split_once("<<") {
@@ -103,12 +104,13 @@ fn words(command: &str) -> Option<(String, Vec<String>, Option<String>)> {
 }
 
 impl Call {
-    /// Whether this is what the page says it prints.
+    /// Whether the output matches the quotation on the page.
     pub fn expects(&self, printed: &str) -> bool {
         agrees(&self.output, printed)
     }
 
-    /// What is to stand on the page for what the program prints: as many lines before and behind `…` as there are.
+    /// Returns the new quotation for an output: it keeps the number of lines that the old one has
+    /// before and after `…`.
     fn rewritten(&self, printed: &str) -> String {
         let old: Vec<&str> = self.output.lines().collect();
         let new: Vec<&str> = printed.lines().map(str::trim_end).collect();
@@ -124,7 +126,8 @@ impl Call {
     }
 }
 
-/// Whether a text is what is quoted: line by line, but for times, and with any lines where a line `…` stands.
+/// Whether an output matches a quotation line by line. Durations are ignored, and a line `…`
+/// matches any lines.
 pub fn agrees(quoted: &str, printed: &str) -> bool {
     let without_times = |text: &str| text.lines().map(without_times).collect::<Vec<_>>();
     let (quoted, printed) = (without_times(quoted), without_times(printed));
@@ -139,7 +142,8 @@ pub fn agrees(quoted: &str, printed: &str) -> bool {
     rest.ends_with(last)
 }
 
-/// The page with what its calls print now; what differs in times only is left as it is.
+/// Returns the page with the current outputs of its calls. Outputs that differ only in durations
+/// stay unchanged.
 pub fn with_outputs(page: &Page, outputs: &[(Call, String)]) -> Page {
     let mut text = page.text.clone();
     for (call, printed) in outputs.iter().rev().filter(|(call, printed)| !call.expects(printed)) {
@@ -148,7 +152,7 @@ pub fn with_outputs(page: &Page, outputs: &[(Call, String)]) -> Page {
     Page::new(&page.path, text)
 }
 
-/// A line in which each duration, with the spaces around it, is one and the same.
+/// Replaces each duration in a line, with the spaces around it, by the same word.
 fn without_times(line: &str) -> String {
     const UNITS: [&str; 6] = ["µs", "ms", "s", "ns", "min", "h"];
     let (mut kept, mut rest) = (String::new(), line.trim_end());
@@ -179,7 +183,7 @@ fn without_times(line: &str) -> String {
         }
     }
     kept += rest;
-    // a column of times is as wide as its longest
+    // A column of times is as wide as its longest entry.
     if let Some(heads) = kept.strip_suffix(" time") {
         kept = format!("{} time", heads.trim_end_matches(' '));
     }

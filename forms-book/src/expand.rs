@@ -1,9 +1,10 @@
-//! A page with everything in place that a reader sees: formulas as MathML, and verdicts below the blocks.
+//! Expands a page for its readers: formulas become MathML, and blocks are followed by their
+//! verdicts.
 //!
 //! ```text
 //! Markdown ─┬─ $…$, $$…$$ ─▶ <math> ────────────────────┐
 //!           ├─ forms ─▶ block, <details> below it ──────┼─▶ Markdown
-//!           └─ links ─▶ where they lead in the result ──┘
+//!           └─ links ─▶ targets in the rendered book ───┘
 //! ```
 
 use crate::check::Problem;
@@ -15,10 +16,11 @@ use forms_core::syntax::Source;
 use pulldown_cmark::{Event, LinkType, Tag, TagEnd};
 use std::ops::Range;
 
-/// Where a link or picture of the page leads: to this target, or nowhere.
+/// Resolves a link or picture of the page to its target, or to `None` if it has no target.
 pub(crate) type Targets<'a> = &'a (dyn Fn(&str) -> Option<String> + Sync);
 
-/// The page with formulas as MathML, verdicts below its blocks, and links to the given targets.
+/// Returns the page with formulas as MathML, verdicts below its blocks, and links to the given
+/// targets.
 pub(crate) fn expanded(page: &Page, targets: Targets<'_>) -> Result<String, Vec<Problem>> {
     let (mut edits, mut problems) = (Vec::new(), Vec::new());
     let mut is_code = false;
@@ -59,7 +61,7 @@ pub(crate) fn expanded(page: &Page, targets: Targets<'_>) -> Result<String, Vec<
 
 type Edit = (Range<usize>, String);
 
-/// A formula as MathML.
+/// Converts a formula to MathML.
 fn formula(page: &Page, event: &Event<'_>, place: Range<usize>) -> Result<Option<Edit>, Problem> {
     let mathml = match event {
         Event::InlineMath(latex) => inline(latex).map(|mathml| kept(&mathml)),
@@ -73,7 +75,7 @@ fn formula(page: &Page, event: &Event<'_>, place: Range<usize>) -> Result<Option
     mathml.map(|mathml| Some((place.clone(), mathml))).map_err(unreadable)
 }
 
-/// A link or picture with the target it has in the result. A link that leads nowhere is the text it has.
+/// Replaces the target of a link or picture. A link without a target is replaced by its text.
 fn link(page: &Page, event: &Event<'_>, place: Range<usize>, targets: Targets<'_>) -> Vec<Edit> {
     if let Event::Html(_) | Event::InlineHtml(_) = event {
         let found = targets_in_html(&page.text[place.clone()]).into_iter();
@@ -94,7 +96,8 @@ fn link(page: &Page, event: &Event<'_>, place: Range<usize>, targets: Targets<'_
     }
 }
 
-/// MathML within Markdown: no character of it means anything there, and it stands on one line.
+/// Escapes MathML for Markdown: no character has a meaning in Markdown, and the result is a single
+/// line.
 fn kept(mathml: &str) -> String {
     let mut kept = String::with_capacity(mathml.len());
     let mut is_tag = false;
@@ -115,7 +118,7 @@ fn kept(mathml: &str) -> String {
     kept
 }
 
-/// What stands below each block that states or declares something.
+/// Generates the HTML below each block that states or declares something.
 fn verdicts(page: &Page) -> (Vec<Edit>, Vec<Problem>) {
     let blocks = page.blocks();
     let (mut edits, mut problems) = (Vec::new(), Vec::new());

@@ -1,11 +1,12 @@
-//! Text of the language with its words, numbers and comments marked for a style sheet.
+//! Syntax highlighting: words, numbers and comments of the language are marked for a style sheet.
 
 use crate::html::escaped;
 use forms_core::syntax::lex;
 use forms_core::syntax::token::TokenKind;
 use forms_core::syntax::words::{Word, reserved};
 
-/// The text as HTML: `<b>` words of the language, `<i>` comments, `<u>` numbers, `<em>` functions, `<mark>` holes.
+/// Returns the text as HTML: `<b>` for words of the language, `<i>` comments, `<u>` numbers, `<em>`
+/// functions, `<mark>` holes.
 pub(crate) fn highlighted(text: &str) -> String {
     let (tokens, _) = lex(text);
     let (mut html, mut end) = (String::new(), 0);
@@ -32,7 +33,7 @@ pub(crate) fn highlighted(text: &str) -> String {
     html + &comments(text.get(end..).unwrap_or_default())
 }
 
-/// What stands between tokens: spaces and comments, which run to the end of their lines.
+/// Marks comments in the text between tokens. A comment ends with its line.
 fn comments(text: &str) -> String {
     let line = |line: &str| match line.find("//") {
         Some(start) => escaped(&line[..start]) + &marked("i", &line[start..]),

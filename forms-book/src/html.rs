@@ -1,4 +1,4 @@
-//! Pages of HTML that need nothing beside them but their figures: no network, no scripts.
+//! Self-contained HTML pages: no network, no scripts, no other files except their figures.
 //!
 //! ```text
 //! Page ─ expand ─▶ Markdown with MathML ─ pulldown-cmark ─ headings, code ─▶ body ─ navigation, style ─▶ page
@@ -12,18 +12,18 @@ use crate::page::{Anchors, MARKDOWN, Page, words};
 use pulldown_cmark::html::push_html;
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Parser, Tag, TagEnd};
 
-/// The title of the book.
+/// Title of the book.
 const TITLE: &str = "Light as a differential form";
 
-/// How pages look: light and dark, wide and narrow.
+/// Style sheet of the pages: light and dark, wide and narrow.
 const STYLE: &str = include_str!("style.css");
 
-/// Text within HTML.
+/// Escapes text for HTML.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The page of that name; a source that is no Markdown is shown as it is.
+/// Renders the page of that name. A source that is not Markdown is shown verbatim.
 pub(crate) fn of_page(book: &Book, name: &str, page: &Page) -> Result<String, Vec<Problem>> {
     let (title, body) = if page.path.ends_with(".md") {
         let markdown = expanded(page, &|target| book.target(&page.path, target))?;
@@ -46,7 +46,7 @@ pub(crate) fn of_page(book: &Book, name: &str, page: &Page) -> Result<String, Ve
     ))
 }
 
-/// Links to the chapters before and behind this one.
+/// Returns links to the previous and the next chapter.
 fn neighbours(chapters: &[Chapter], name: &str) -> String {
     let Some(place) = chapters.iter().position(|chapter| chapter.name == name) else { return String::new() };
     let link = |place: Option<usize>, rel: &str, arrow: [&str; 2]| {
@@ -65,7 +65,7 @@ fn neighbours(chapters: &[Chapter], name: &str) -> String {
     format!("<nav class=\"neighbours\">{previous}{next}</nav>\n")
 }
 
-/// The list of chapters by parts; those of parts are numbered, but for the reference.
+/// Returns the table of contents by parts. Chapters are numbered; reference pages are not.
 fn contents(chapters: &[Chapter], name: &str) -> String {
     let mut list = format!("<nav id=\"contents\" aria-label=\"Contents\">\n<p class=\"title\">{TITLE}</p>\n");
     for chapters in chapters.chunk_by(|one, other| one.part == other.part) {
@@ -86,9 +86,9 @@ fn contents(chapters: &[Chapter], name: &str) -> String {
     list + "</nav>\n"
 }
 
-/// Markdown as HTML, with anchors at its headings and colours in its code.
+/// Converts Markdown to HTML, with anchors on headings and highlighted code.
 fn body(markdown: &str) -> String {
-    // Formulas are MathML by now, so no dollar means anything.
+    // Formulas are already MathML, so a dollar has no special meaning.
     let events: Vec<Event<'_>> =
         Parser::new_ext(markdown, MARKDOWN.difference(Options::ENABLE_MATH)).collect();
     let mut html = String::new();
@@ -147,7 +147,7 @@ fn code(kind: &str, text: &str) -> String {
     format!("<pre class=\"{class}\"><code>{shown}</code></pre>\n")
 }
 
-/// A line of a terminal; a command stands out.
+/// Formats a line of a terminal; commands are emphasised.
 fn command(line: &str) -> String {
     match line.strip_prefix("$ ") {
         Some(command) => format!("<b>$ {}</b>\n", escaped(command.trim_end())),

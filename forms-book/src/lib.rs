@@ -2,12 +2,13 @@
 //!
 //! ```text
 //! Markdown ─ page ─▶ blocks ─┬─ check ─▶ statements, exercises, quoted errors
-//!                            ├─ links ─▶ files and headings they lead to
-//!                            ├─ console ─▶ calls of the program and what they print
+//!                            ├─ links ─▶ target files and headings
+//!                            ├─ console ─▶ calls of the program and their outputs
 //!                            └─ expand (mathml, verdicts) ─▶ Markdown ─┬─ html, book ─▶ pages
 //!                                                                      └─ preprocess ─▶ mdBook
 //! ```
-//! The sources of the book are part of the crate, so a program that has it needs no other file to show the book.
+//! The sources of the book are part of the crate: a program that links the crate needs no other
+//! file to show the book.
 
 mod book;
 mod check;

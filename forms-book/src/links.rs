@@ -4,7 +4,7 @@ use crate::check::{Problem, Report};
 use crate::page::{Link, Page};
 use std::path::Path;
 
-/// Follows the relative links and pictures of a page, below the root of the repository.
+/// Checks the relative links and pictures of a page, below the root of the repository.
 pub fn check_links(page: &Page, root: &Path) -> Report {
     let mut report = Report::default();
     for link in page.links().iter().filter(|link| is_relative(&link.target)) {
@@ -42,7 +42,7 @@ fn follow(page: &Page, link: &Link, root: &Path) -> Result<(), Problem> {
     Err(broken(format!("the link {} names a heading that {path} does not have", link.target)))
 }
 
-/// The path below the root that a link on a page leads to, and the heading there.
+/// Resolves a link on a page to a path below the root and a heading there.
 pub(crate) fn resolved(page: &str, target: &str) -> Option<(String, Option<String>)> {
     let (file, anchor) = match target.split_once('#') {
         Some((file, anchor)) => (file, Some(anchor.to_owned())),

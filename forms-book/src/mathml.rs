@@ -1,31 +1,32 @@
-//! LaTeX to MathML.
+//! Conversion of LaTeX to MathML.
 
 use pulldown_latex::config::DisplayMode;
 use pulldown_latex::event::Event;
 use pulldown_latex::{Parser, RenderConfig, Storage, push_mathml};
 
-/// Longer formulas, in characters of LaTeX, are left out where others are shown: nobody reads them, and they take long to be set.
+/// Longest formula shown, in characters of LaTeX. Longer ones are omitted: they are unreadable and
+/// slow to typeset.
 pub const LONGEST_FORMULA: usize = 4000;
 
-/// A formula on lines of its own as one `<math>` element.
+/// Converts a displayed formula to one `<math>` element.
 ///
 /// # Errors
-/// If the formula cannot be read: what is wrong, and where in it.
+/// If the formula cannot be parsed: the message and its position.
 pub fn display(latex: &str) -> Result<String, String> {
     mathml(latex, DisplayMode::Block)
 }
 
-/// A formula within a line as one `<math>` element.
+/// Converts an inline formula to one `<math>` element.
 ///
 /// # Errors
-/// If the formula cannot be read: what is wrong, and where in it.
+/// If the formula cannot be parsed: the message and its position.
 pub fn inline(latex: &str) -> Result<String, String> {
     mathml(latex, DisplayMode::Inline)
 }
 
 fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
     let storage = Storage::new();
-    // The writer would make an error part of the formula.
+    // The MathML writer would render a parse error as part of the formula.
     let events: Result<Vec<Event<'_>>, _> = Parser::new(latex, &storage).collect();
     let events = events.map_err(|error| error.to_string())?;
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
@@ -35,7 +36,8 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> Result<String, String> {
     Ok(with_spaces_outside(&escaped_outside_tags(&mathml)))
 }
 
-/// The writer leaves the signs < and > as they are. A tag begins with a letter or a slash, which no sign is followed by.
+/// Escapes the signs < and >, which the MathML writer leaves as they are. A tag begins with a
+/// letter or a slash; neither follows a sign.
 fn escaped_outside_tags(mathml: &str) -> String {
     let (mut result, mut is_tag) = (String::with_capacity(mathml.len()), false);
     let mut characters = mathml.chars().peekable();
@@ -53,8 +55,9 @@ fn escaped_outside_tags(mathml: &str) -> String {
     result
 }
 
-/// The writer puts the space before an operator with scripts into the element that holds operator and scripts, as one child
-/// too many: `<msup><mspace/><mi>cos</mi>…`. It belongs before the element.
+/// Moves spaces out of elements with scripts. The MathML writer puts the space before an operator
+/// with scripts inside that element, as an additional child: `<msup><mspace/><mi>cos</mi>…`. The
+/// space belongs before the element.
 fn with_spaces_outside(mathml: &str) -> String {
     let elements = ["msub", "msup", "msubsup", "munder", "mover", "munderover"];
     let (mut result, mut rest) = (String::with_capacity(mathml.len()), mathml);

@@ -1,4 +1,4 @@
-//! A page of Markdown and what is marked on it: fenced blocks, links and headings, each with its line.
+//! A page of Markdown and its marked items: fenced blocks, links and headings, each with its line.
 //!
 //! ```text
 //! text ─ pulldown-cmark ─▶ Block (kind, text) · Link (target) · anchors of headings
@@ -11,7 +11,8 @@ use std::io;
 use std::ops::Range;
 use std::path::Path;
 
-/// What a page may contain beside CommonMark: tables, and formulas between dollars.
+/// Markdown extensions allowed in addition to CommonMark: tables, formulas between dollars,
+/// footnotes and strikethrough.
 pub(crate) const MARKDOWN: Options = Options::ENABLE_TABLES
     .union(Options::ENABLE_MATH)
     .union(Options::ENABLE_FOOTNOTES)
@@ -20,37 +21,37 @@ pub(crate) const MARKDOWN: Options = Options::ENABLE_TABLES
 /// A page of Markdown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Page {
-    /// Its path below the root of the repository, with slashes.
+    /// Path below the root of the repository, with slashes.
     pub path: String,
-    /// Its text.
+    /// Text of the page.
     pub text: String,
 }
 
 /// A fenced block.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
-    /// What stands behind the fence.
+    /// Info string: the text after the opening fence.
     pub kind: String,
-    /// The lines up to the closing fence.
+    /// Lines up to the closing fence.
     pub text: String,
-    /// The line of the opening fence, from 1.
+    /// Line of the opening fence, from 1.
     pub line: usize,
-    /// Where it stands in the page, from fence to fence.
+    /// Byte range in the page, from fence to fence.
     pub place: Range<usize>,
-    /// Whether a fence closes it.
+    /// Whether the block has a closing fence.
     pub is_closed: bool,
 }
 
-/// The target of a link or of a picture.
+/// Target of a link or of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Link {
-    /// As it is written, `page.md#anchor`.
+    /// Target as written, `page.md#anchor`.
     pub target: String,
-    /// The line it stands in, from 1.
+    /// Line of the link, from 1.
     pub line: usize,
 }
 
-/// The pages of a folder below a root and of all folders in it, by the order of their paths.
+/// Reads the pages of a folder below a root, recursively, sorted by path.
 ///
 /// # Errors
 /// If a folder or a page cannot be read.
@@ -71,7 +72,7 @@ pub fn pages(root: &Path, folder: &str) -> io::Result<Vec<Page>> {
 }
 
 impl Page {
-    /// A page with its path below the root of the repository.
+    /// Creates a page from its path below the root of the repository and its text.
     pub fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
         Page { path: path.into(), text: text.into() }
     }
@@ -80,12 +81,12 @@ impl Page {
         Parser::new_ext(&self.text, MARKDOWN).into_offset_iter()
     }
 
-    /// The number of the line that a byte stands in, from 1.
+    /// Returns the line number of a byte offset, from 1.
     pub fn line(&self, offset: usize) -> usize {
         self.text.as_bytes()[..offset].iter().filter(|&&byte| byte == b'\n').count() + 1
     }
 
-    /// The fenced blocks, in order.
+    /// Returns the fenced blocks, in order.
     pub fn blocks(&self) -> Vec<Block> {
         let mut blocks: Vec<Block> = Vec::new();
         let mut is_inside = false;
@@ -108,7 +109,8 @@ impl Page {
         blocks
     }
 
-    /// The links and pictures, in order, also those of HTML; what is written as code is no link.
+    /// Returns the links and pictures, in order, including those in HTML. Links inside code are
+    /// ignored.
     pub fn links(&self) -> Vec<Link> {
         let mut links = Vec::new();
         for (event, place) in self.events() {
@@ -129,7 +131,7 @@ impl Page {
         links
     }
 
-    /// What links to places of this page may name: its headings.
+    /// Returns the anchors that links to this page can name: its headings.
     pub fn anchors(&self) -> BTreeSet<String> {
         let mut anchors = Anchors::default();
         let mut heading: Option<String> = None;
@@ -149,7 +151,7 @@ impl Page {
         anchors.given
     }
 
-    /// The title: its first heading.
+    /// Returns the title: the first heading.
     pub fn title(&self) -> String {
         let of_first_heading = self
             .events()
@@ -160,7 +162,7 @@ impl Page {
     }
 }
 
-/// Where the values of `src` and `href` stand in a piece of HTML.
+/// Returns the byte ranges of the values of `src` and `href` in a piece of HTML.
 pub(crate) fn targets_in_html(html: &str) -> Vec<Range<usize>> {
     let starts = [" src=\"", " href=\""]
         .into_iter()
@@ -171,7 +173,7 @@ pub(crate) fn targets_in_html(html: &str) -> Vec<Range<usize>> {
     places
 }
 
-/// The characters of text and code.
+/// Returns the characters of text, code and inline formulas; a line break counts as a space.
 pub(crate) fn words<'a>(event: &'a Event<'_>) -> Option<&'a str> {
     match event {
         Event::Text(text) | Event::Code(text) | Event::InlineMath(text) => Some(text),
@@ -180,14 +182,15 @@ pub(crate) fn words<'a>(event: &'a Event<'_>) -> Option<&'a str> {
     }
 }
 
-/// The anchors of the headings of a page, in order, none given twice.
+/// Anchors of the headings of a page, all distinct.
 #[derive(Default)]
 pub(crate) struct Anchors {
     given: BTreeSet<String>,
 }
 
 impl Anchors {
-    /// Letters and digits in lower case, spaces as hyphens, and a number where it is taken.
+    /// Returns the anchor of a heading: letters and digits in lower case, hyphens for spaces, and a
+    /// numeric suffix if the anchor is taken.
     pub(crate) fn next(&mut self, heading: &str) -> String {
         let keep = |c: char| match c {
             c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c),

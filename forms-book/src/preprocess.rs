@@ -1,9 +1,9 @@
-//! The same book by mdBook: a preprocessor that puts formulas and verdicts in place.
+//! mdBook preprocessor: inserts formulas and verdicts, so that mdBook renders the same book.
 //!
 //! ```text
 //! [context, book] as JSON ─ the text of each chapter ─ expand ─▶ book as JSON
 //! ```
-//! The protocol is that of mdBook, <https://rust-lang.github.io/mdBook/for_developers/preprocessors.html>.
+//! Protocol: <https://rust-lang.github.io/mdBook/for_developers/preprocessors.html>.
 
 use crate::book::CHAPTERS;
 use crate::check::Problem;
@@ -13,12 +13,12 @@ use crate::page::Page;
 use serde_json::Value;
 use std::fmt;
 
-/// Why a book cannot be preprocessed.
+/// Reason why a book cannot be preprocessed.
 #[derive(Debug)]
 pub enum PreprocessError {
-    /// The input is not what mdBook sends.
+    /// The input does not have the format of mdBook.
     Input(String),
-    /// Pages have formulas that cannot be read.
+    /// Pages contain formulas that cannot be parsed.
     Pages(Vec<Problem>),
 }
 
@@ -36,10 +36,10 @@ impl fmt::Display for PreprocessError {
 
 impl std::error::Error for PreprocessError {}
 
-/// The book that mdBook is to go on with.
+/// Returns the preprocessed book as the JSON that mdBook expects.
 ///
 /// # Errors
-/// If the input is not a pair of context and book, or if a formula cannot be read.
+/// If the input is not a pair of context and book, or if a formula cannot be parsed.
 pub fn preprocess(input: &str) -> Result<String, PreprocessError> {
     let wrong = |error: serde_json::Error| PreprocessError::Input(error.to_string());
     let (_, mut book): (Value, Value) = serde_json::from_str(input).map_err(wrong)?;
@@ -58,7 +58,7 @@ pub fn preprocess(input: &str) -> Result<String, PreprocessError> {
     }
 }
 
-/// Replaces the texts of all chapters, wherever they stand in the book.
+/// Replaces the texts of all chapters, at any depth of the book.
 fn chapters(value: &mut Value, replace: &mut dyn FnMut(&Page) -> Option<String>) {
     match value {
         Value::Array(items) => items.iter_mut().for_each(|item| chapters(item, replace)),
@@ -77,7 +77,8 @@ fn chapters(value: &mut Value, replace: &mut dyn FnMut(&Page) -> Option<String>)
     }
 }
 
-/// mdBook has the files below its source folder only; what leads out of it is no link.
+/// Returns the target of a link, or `None` outside the chapters: mdBook has only the files below
+/// its source folder.
 fn target_in(page: &Page, target: &str) -> Option<String> {
     let stays = !is_relative(target)
         || resolved(&page.path, target).is_some_and(|(path, _)| path.starts_with(CHAPTERS));

@@ -1,8 +1,8 @@
-//! The theories of a page: what its blocks say, and everything that is wrong with it.
+//! The theories of a page: reads the blocks, decides their statements and collects all errors.
 //!
 //! ```text
-//! blocks ─┬─ forms ─▶ one theory, each line where it stands in the page ─┐
-//!         └─ forms,alone ─▶ a theory each ───────────────────────────────┴─ read, decide, generate ─▶ Findings
+//! blocks ─┬─ forms ─▶ one theory, with the line numbers of the page ─┐
+//!         └─ forms,alone ─▶ one theory per block ────────────────────┴─ read, decide, generate ─▶ Findings
 //! ```
 
 use crate::page::{Block, Page};
@@ -14,27 +14,28 @@ use forms_core::generation::specialisations;
 use forms_core::syntax::Source;
 use std::ops::AddAssign;
 
-/// What came of checking a text.
+/// Result of checking a text.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Findings {
-    /// Errors, statements that are not as claimed, kernels that cannot be generated: where, and as they are shown.
+    /// Errors, statements that are not as claimed, and kernels that cannot be generated: the line
+    /// and the rendered message.
     pub(crate) complaints: Vec<(usize, String)>,
-    /// How much was looked at.
+    /// Numbers of checked items.
     pub(crate) counted: Counted,
 }
 
-/// So many things were looked at.
+/// Numbers of checked items, by kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counted {
-    /// Statements that were decided, those of exercises with their answers among them.
+    /// Decided statements, including those of exercises with their answers.
     pub statements: usize,
-    /// Kernels that were generated.
+    /// Generated kernels.
     pub kernels: usize,
-    /// Exercises, each with its answer and with its hole.
+    /// Exercises, each checked with its answer and with its hole.
     pub exercises: usize,
-    /// Errors that are quoted.
+    /// Quoted errors.
     pub errors: usize,
-    /// Links between files that were followed.
+    /// Checked links between files.
     pub links: usize,
 }
 
@@ -48,7 +49,7 @@ impl AddAssign for Counted {
     }
 }
 
-/// The theories of a page as texts in which every line has the number it has in the page.
+/// Returns the theories of a page as texts; every line keeps its line number in the page.
 pub(crate) fn sources(page: &Page, blocks: &[Block]) -> Vec<Source> {
     let common: Vec<&Block> = blocks.iter().filter(|block| block.kind == "forms").collect();
     let alone = blocks.iter().filter(|block| block.kind == "forms,alone").map(|block| vec![block]);
@@ -56,7 +57,7 @@ pub(crate) fn sources(page: &Page, blocks: &[Block]) -> Vec<Source> {
     theories.map(|blocks| Source::new(&page.path, placed(&blocks))).collect()
 }
 
-/// The texts of blocks, with empty lines before each up to its place in the page.
+/// Joins the texts of blocks, with empty lines before each block up to its line in the page.
 fn placed(blocks: &[&Block]) -> String {
     let (mut text, mut line) = (String::new(), 1);
     for block in blocks {
@@ -67,12 +68,12 @@ fn placed(blocks: &[&Block]) -> String {
     text
 }
 
-/// The texts of the blocks of a page's common theory, up to one of its blocks.
+/// Joins the blocks of a page's common theory among the given blocks.
 pub fn common_text(blocks: &[Block]) -> String {
     blocks.iter().filter(|block| block.kind == "forms").map(|block| block.text.as_str()).collect()
 }
 
-/// Reads a text, and checks what it says from a place on.
+/// Reads a text, and checks its statements and kernels from a byte offset onwards.
 pub(crate) fn findings(source: &Source, from: usize) -> Findings {
     let (mut theory, mut diagnostics) = read_theory(&source.text);
     let mut counted = Counted::default();
@@ -97,7 +98,7 @@ pub(crate) fn findings(source: &Source, from: usize) -> Findings {
     Findings { complaints: diagnostics.iter().map(shown).collect(), counted }
 }
 
-/// Everything that is said about a text that stands for itself.
+/// Returns all messages for a text that is a theory of its own.
 pub(crate) fn message(text: &str) -> String {
     let complaints = findings(&Source::new("example.forms", text), 0).complaints;
     let shown: Vec<String> = complaints.into_iter().map(|(_, shown)| shown).collect();

@@ -1,8 +1,8 @@
-//! What stands below a block of the book: for each statement its verdict and the steps that decide it, and what is declared, in
-//! mathematical notation.
+//! The HTML below a block of the book: the verdict of each statement with the steps that decide it,
+//! and the declarations in mathematical notation.
 //!
 //! ```text
-//! block ─ items ─┬─ statements, warps ─ derive ─▶ a closed <details> each
+//! block ─ items ─┬─ statements, warps ─ derive ─▶ one closed <details> each
 //!                └─ forms, kernels ─ notation ──▶ one closed <details>
 //! ```
 
@@ -20,7 +20,7 @@ use forms_core::theory::{Named, Theory};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// A theory that is shown in parts.
+/// Theory that is shown in parts.
 pub(crate) struct Shown {
     source: Source,
     file: File,
@@ -28,13 +28,14 @@ pub(crate) struct Shown {
 }
 
 impl Shown {
-    /// Reads a text; one with errors shows nothing.
+    /// Reads a text. A text with errors yields `None`.
     pub(crate) fn new(source: Source) -> Option<Self> {
         let (file, theory, diagnostics) = read_file(&source.text);
         diagnostics.is_empty().then_some(Shown { source, file, theory })
     }
 
-    /// What is to stand below the block that is this part of the text: one block of HTML without empty lines.
+    /// Returns the HTML below the block at this range of the text: one piece of HTML without empty
+    /// lines.
     pub(crate) fn below(&self, part: Range<usize>) -> Result<String, String> {
         let is_inside = |span: Span| part.contains(&(span.start as usize));
         let statements = self.theory.statements.iter().filter(|statement| is_inside(statement.span));
@@ -55,7 +56,7 @@ impl Shown {
         Ok(below + &verdicts?.concat())
     }
 
-    /// A declared form or kernel in LaTeX, `name = value`.
+    /// Returns a declared form or kernel in LaTeX, `name = value`.
     fn declared(&self, kind: &ItemKind) -> Option<String> {
         let (ItemKind::Form { name, .. } | ItemKind::Kernel { name, .. }) = kind else { return None };
         let mut theory = self.theory.clone();
@@ -71,7 +72,7 @@ impl Shown {
     }
 }
 
-/// A statement with its verdict; open, the steps that decide it.
+/// Renders a statement with its verdict; when opened, it shows the steps that decide it.
 fn details(derivation: &Derivation) -> Result<String, String> {
     let words = match &derivation.verdict {
         Verdict::Proved(_) => "proved",
@@ -85,7 +86,7 @@ fn details(derivation: &Derivation) -> Result<String, String> {
     Ok(format!("<details class=\"{class}\"><summary>{summary}</summary>\n{}</details>\n", steps(derivation)?))
 }
 
-/// The steps of a derivation as a list, formulas as MathML, without empty lines.
+/// Renders the steps of a derivation as a list, with formulas as MathML and without empty lines.
 ///
 /// # Errors
 /// If a formula cannot be written in MathML.
@@ -104,7 +105,7 @@ pub fn steps(derivation: &Derivation) -> Result<String, String> {
     Ok(list + "</ol>\n")
 }
 
-/// A formula on a line of its own, scrolled where it is wider than the page.
+/// Renders a displayed formula; it scrolls if it is wider than the page.
 fn formula(latex: &str) -> Result<String, String> {
     Ok(format!("<div class=\"formula\">{}</div>\n", display(latex)?.replace('\n', " ")))
 }

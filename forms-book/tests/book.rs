@@ -1,10 +1,10 @@
-//! The embedded book: every page is made, and what its pages refer to is there.
+//! The embedded book: every page is rendered, and every file that a page refers to exists.
 
 use forms_book::{Book, book};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// What stands between two marks, wherever they occur.
+/// Returns all texts between two marks.
 fn between<'a>(text: &'a str, start: &str, end: char) -> Vec<&'a str> {
     text.split(start).skip(1).filter_map(|rest| rest.split(end).next()).collect()
 }

@@ -1,11 +1,11 @@
-//! The grammar for editors knows the words of the language, and no others.
+//! The editor grammar contains exactly the words of the language.
 
 use forms_core::syntax::words::{CONTEXTUAL, FUNCTIONS, INSIDE, ITEMS};
 use serde_json::Value;
 
 const GRAMMAR: &str = include_str!("../../editors/forms.tmLanguage.json");
 
-/// The words of `\b(one|two)\b`.
+/// Returns the words of `\b(one|two)\b`.
 fn words<'a>(grammar: &'a Value, rule: &str) -> Vec<&'a str> {
     let pattern = grammar["repository"][rule]["match"].as_str().expect("a pattern");
     let list =

@@ -1,4 +1,4 @@
-//! The command line.
+//! Command-line arguments.
 
 mod solve;
 
@@ -12,8 +12,8 @@ use std::time::Duration;
 
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
 ///
-/// Called without a command, it shows what it can do: it proves the theory of radiance that comes with it, generates
-/// the library's kernels and lights the Cornell box.
+/// Without a command it gives a demonstration: it proves the theory of radiance that comes with it,
+/// generates the library's kernels and lights the Cornell box.
 #[derive(Debug, Parser)]
 #[command(name = "forms", version, max_term_width = 100)]
 pub(crate) struct Arguments {
@@ -30,24 +30,25 @@ pub(crate) enum Command {
         /// Files of the forms language
         #[arg(required = true, value_name = "FILE")]
         files: Vec<String>,
-        /// One JSON object a line
+        /// Print one JSON object per line
         #[arg(long)]
         json: bool,
-        /// Write what is needed to check each verdict
+        /// Write a certificate: the data needed to check each verdict
         #[arg(long, value_name = "FILE")]
         certificate: Option<String>,
-        /// So many times the work for each statement, of which about a second is usual
+        /// Multiply the work limit of each statement (by default about one second) by N
         #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
         effort: u32,
     },
     /// Check a certificate of `prove` without the prover
     ///
-    /// Exit status: 0 if every entry is accepted, 1 if some are rejected or not covered, 2 if the certificate or a
-    /// file it names cannot be read or is not the one that was certified.
+    /// Exit status: 0 if every entry is accepted, 1 if some are rejected or not covered, 2 if the
+    /// certificate or a file it names cannot be read, or if the file differs from the certified
+    /// one.
     Check {
-        /// A certificate; the files it names are found from its folder
+        /// A certificate; file names in it are relative to its folder
         file: String,
-        /// Entries that the checker does not cover do no harm
+        /// Skip entries outside the checker's coverage
         #[arg(long)]
         allow_uncovered: bool,
     },
@@ -57,10 +58,10 @@ pub(crate) enum Command {
         file: String,
         /// A name declared in it, or the name of a statement
         name: String,
-        /// The notation
+        /// Notation of the output
         #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
         notation: Notation,
-        /// Of a closed form: whether it has a potential, or else a cycle with its period
+        /// For a closed form, report whether it has a potential, or else a cycle with its period
         #[arg(long, conflicts_with = "notation")]
         topology: bool,
     },
@@ -72,7 +73,7 @@ pub(crate) enum Command {
         file: String,
         /// The name of a statement in it
         name: String,
-        /// The notation; latex is a document, mathml a page
+        /// Notation of the output; latex prints a document, mathml a page
         #[arg(long = "as", value_enum, default_value_t = Notation::Text, value_name = "NOTATION")]
         notation: Notation,
     },
@@ -82,102 +83,112 @@ pub(crate) enum Command {
     Eval {
         /// A file of the forms language, or - for the library
         file: String,
-        /// A kernel in it
+        /// Name of a kernel in it
         kernel: String,
-        /// The arithmetic: f32, f64, dd for double-double, or exact for 50 certain digits
+        /// Arithmetic: f32, f64, dd for double-double, or exact for 50 certain digits
         #[arg(long, default_value = "f64")]
         precision: String,
-        /// The kernel as it was written, or as it is generated
+        /// Program of the kernel: its formula as written, or the generated form
         #[arg(long, value_enum, default_value_t = Tier::Stable)]
         tier: Tier,
     },
-    /// Print the kernels of a file as source that compiles as it stands
+    /// Print the kernels of a file as source code that compiles without changes
     Emit {
         /// A file of the forms language, or - for the library
         file: String,
         /// Only this kernel
         #[arg(long)]
         kernel: Option<String>,
-        /// The language to write: rust, c, wgsl or cuda
+        /// Target language: rust, c, wgsl or cuda
         #[arg(long)]
         target: String,
-        /// The numbers: f32, f64 or dd; f64 unless said otherwise, f32 in wgsl
+        /// Number type: f32, f64 or dd; by default f64, in wgsl f32
         #[arg(long)]
         precision: Option<String>,
     },
-    /// Show what each precision and form of a kernel costs and buys, on typical and on hard arguments
+    /// Show the run time and the accuracy of each precision and form of a kernel, on typical and on
+    /// hard arguments
     ///
-    /// Times are measured where there is a rustc. With --write, forms that lose fewer bits are looked for, proved equal to
-    /// the formulas, and written beside the file, with the ending `stable`; kernels are computed by them from then on.
+    /// Times are measured if rustc is available. With --write, the program searches for forms that
+    /// lose fewer bits, proves them equal to the formulas, and writes them to a file next to the
+    /// input, with the extension `stable`; kernels are computed by them from then on.
     Accuracy {
         /// A file of the forms language, or - for the library
         #[arg(default_value = "-")]
         file: String,
         /// Only this kernel
         kernel: Option<String>,
-        /// One JSON object a line
+        /// Print one JSON object per line
         #[arg(long)]
         json: bool,
-        /// Look for better forms and write them beside the file
+        /// Search for better forms and write them to a file next to the input
         #[arg(long, conflicts_with_all = ["json", "pages", "kernel"])]
         write: bool,
         /// Write accuracy.md and its figures into this folder
         #[arg(long, value_name = "FOLDER")]
         pages: Option<String>,
-        /// Arguments in each regime
+        /// Number of arguments in each regime
         #[arg(long, default_value_t = 128, value_name = "COUNT", value_parser = sample_count)]
         samples: usize,
         /// Do not measure times
         #[arg(long)]
         no_times: bool,
     },
-    /// Simulate a scene: print what is simulated and why, then what each receiver gets, with its error
+    /// Simulate a scene: print the plan with its reasons, then the result of each receiver with its
+    /// error
     ///
-    /// Ctrl-C stops the work: what is there by then is printed and written. Exit status: 0 if the work was done, 3 if it
-    /// was and a number is less exact than was asked for, 2 if the scene has errors or a file cannot be written, 130 if the work
-    /// was stopped.
+    /// Ctrl-C stops the work; the results so far are printed and written. Exit status: 0 if the
+    /// work was done, 3 if it was done but a number is less accurate than requested, 2 if the scene
+    /// has errors or a file cannot be written, 130 if the work was stopped.
     ///
-    /// Work by paths that was killed goes on from its --checkpoint, to the same bits, and can be divided among machines: each
-    /// does one --shard, and `forms merge` puts the parts together to what one run would have given, bit for bit.
+    /// A path-tracing run that was killed resumes from its --checkpoint with bit-identical results.
+    /// Such a run can also be divided among machines: each computes one --shard, and `forms merge`
+    /// combines the parts into the results of a single run, bit for bit.
     Simulate {
-        /// A scene, in TOML or of Mitsuba 3 (.xml)
+        /// A scene, in TOML or in the format of Mitsuba 3 (.xml)
         scene: String,
-        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder; with --shard the file of the part
+        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder;
+        /// with --shard, write the part to this file
         #[arg(long, value_name = "DIR")]
         out: Option<String>,
-        /// Keep the state of the work in this file, and go on from it if it is there
+        /// Save the state of the work in this file, and resume from it if it exists
         #[arg(long, value_name = "FILE")]
         checkpoint: Option<String>,
-        /// Seconds from one state that is kept to the next
+        /// Seconds between two saved states
         #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval, requires = "checkpoint")]
         every: Duration,
-        /// Do one of n equal shares of the work, i from 1 to n or from 0 to n − 1, and write it to the file --out
+        /// Compute one of n equal shares of the work, i from 1 to n or from 0 to n − 1, and write
+        /// it to the file --out
         #[arg(long, value_name = "i/n", requires = "out")]
         shard: Option<Share>,
-        /// Give each number, cell and pixel so many samples, a multiple of 32, instead of what the tolerance asks for
+        /// Take this number of samples, a multiple of 32, for each number, cell and pixel, instead
+        /// of the number that the tolerance requires
         #[arg(long, value_name = "COUNT", value_parser = budget)]
         samples: Option<Budget>,
-        /// Compute with these vector instructions and not with the best there are: baseline has the same bits on all processors
+        /// Use these vector instructions instead of the best available ones; baseline gives the
+        /// same bits on all processors
         #[arg(long, value_name = "NAME", value_parser = instructions)]
         isa: Option<Instructions>,
-        /// Add the exposure behind each irradiance, and the fluence behind each fluence rate, over this time in J/m²
+        /// Also report the exposure for each irradiance, and the fluence for each fluence rate,
+        /// over this time in J/m²
         #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
         exposure: Option<Exposure>,
         #[command(flatten)]
         solve: SolveArguments,
         #[command(flatten)]
         threads: ThreadArguments,
-        /// One JSON object a line
+        /// Print one JSON object per line
         #[arg(long)]
         json: bool,
     },
-    /// Put the parts of a simulation together that were written with --shard, to what one run gives
+    /// Combine the parts of a simulation that were written with --shard into the results of a
+    /// single run
     ///
-    /// The parts may be given in any order, and more than once. One that is missing, damaged or of other work is named, with
-    /// the call that makes it. Exit status: 0 if all is there, 3 if it is and a number is less exact than was
-    /// asked for, 2 if not.
+    /// The parts can be given in any order, and more than once. A part that is missing, damaged or
+    /// from other work is reported, with the call that creates it. Exit status: 0 if all parts are
+    /// present, 3 if they are but a number is less accurate than requested, 2 otherwise.
     Merge {
-        /// The files that `forms simulate --shard` has written
+        /// Files written by `forms simulate --shard`
         #[arg(required = true, value_name = "PART")]
         parts: Vec<String>,
         /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
@@ -185,41 +196,43 @@ pub(crate) enum Command {
         out: Option<String>,
         #[command(flatten)]
         threads: ThreadArguments,
-        /// One JSON object a line
+        /// Print one JSON object per line
         #[arg(long)]
         json: bool,
     },
     /// Print the view factors between the surfaces of a scene as CSV
     ///
-    /// A row holds the fractions of what one surface sends that arrive at each of the others, and their sum, which is 1 where
-    /// nothing leaves the scene. A two-sided surface sends from both sides. Flat pieces stand for disks and spheres: what half
-    /// as many edges round them would change is part of the errors.
+    /// A row holds the fractions of the flux from one surface that arrive at each of the others,
+    /// and their sum, which is 1 if nothing leaves the scene. A two-sided surface sends flux from
+    /// both sides. Disks and spheres are tessellated; the change with half as many edges around
+    /// them is part of the errors.
     ViewFactors {
-        /// A scene, in TOML or of Mitsuba 3 (.xml)
+        /// A scene, in TOML or in the format of Mitsuba 3 (.xml)
         scene: String,
-        /// Work to this error, relative to each factor, whatever the scene says
+        /// Error tolerance, relative to each factor; overrides the scene
         #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = Overrides::tolerance)]
         tolerance: Option<f64>,
         #[command(flatten)]
         threads: ThreadArguments,
-        /// One JSON object a line, with the error of each factor
+        /// Print one JSON object per line, with the error of each factor
         #[arg(long)]
         json: bool,
     },
     /// List the kernels of the library with their arguments, units and formulas
     Kernels,
-    /// Write the book as pages of HTML, each statement with its verdict and the steps that decide it
+    /// Write the book as HTML pages, each statement with its verdict and the steps that decide it
     ///
-    /// The pages need no network and no scripts. With --preprocess, a book of mdBook is read from standard input and written
-    /// with formulas and verdicts in place: see docs/book/book.toml.
+    /// The pages need no network and no scripts. With --preprocess, a book in the format of mdBook
+    /// is read from standard input and written with formulas and verdicts inserted: see
+    /// docs/book/book.toml.
     Book {
-        /// The folder to write to
+        /// Output folder
         #[arg(long, value_name = "DIR", default_value = "target/book")]
         out: String,
-        /// Be a preprocessor of mdBook
+        /// Run as a preprocessor of mdBook
         #[arg(long, conflicts_with = "out")]
         preprocess: bool,
-        /// What mdBook asks before it sends a book: `supports html`
+        /// Query of mdBook before it sends a book: `supports html`
         #[arg(requires = "preprocess", num_args = 2, value_names = ["supports", "RENDERER"], hide = true)]
         question: Vec<String>,
     },
@@ -231,44 +244,46 @@ pub(crate) enum Command {
         #[arg(long, value_name = "DIR", conflicts_with = "command")]
         out: Option<String>,
     },
-    /// Print what a shell needs to complete the commands and options of this program
+    /// Print the completion script of a shell for the commands and options of this program
     Completions {
         /// The shell
         #[arg(value_enum)]
         shell: clap_complete::Shell,
     },
-    /// Show a page to play with, on this machine: an editor with verdicts, steps, plots and generated kernels
+    /// Serve a local web page: an editor with verdicts, steps, plots and generated kernels
     ///
-    /// Prints the address and runs until Ctrl-C. What is typed is decided by other processes of this program, each with
-    /// bounded time and memory. No file but FILE is read, and none is written.
+    /// Prints the address and runs until Ctrl-C. Worker processes of this program decide the text
+    /// of the editor, each with bounded time and memory. No file except FILE is read, and none is
+    /// written.
     Serve {
-        /// A file of the forms language that the editor begins with
+        /// A file of the forms language to open in the editor
         file: Option<String>,
-        /// The address to listen at; with another than that of this machine, others can use the page
+        /// IP address to bind; if it is not a loopback address, other machines can use the page
         #[arg(long, default_value = "127.0.0.1", value_name = "ADDRESS")]
         bind: IpAddr,
-        /// The port, or 0 for any that is free
+        /// Port, or 0 for any free port
         #[arg(long, default_value_t = forms_serve::USUAL_PORT, value_name = "PORT")]
         port: u16,
-        /// The time that one request may take
+        /// Time limit of one request
         #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval)]
         time_limit: Duration,
     },
-    /// Work for the page of `serve`: a request from standard input, JSON lines to standard output
+    /// Answer a request of the page of `serve`: the request from standard input, JSON lines to
+    /// standard output
     #[command(hide = true)]
     Work {
-        /// What is asked for
+        /// Task of the request
         task: Task,
-        /// The processor time that is granted
+        /// Limit of processor time
         #[arg(long, value_name = "SECONDS")]
         seconds: u64,
-        /// The memory that is granted
+        /// Limit of memory
         #[arg(long, value_name = "COUNT")]
         mebibytes: u64,
     },
 }
 
-/// How an object is written.
+/// Notation in which an object is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Notation {
     /// The forms language itself
@@ -279,12 +294,12 @@ pub(crate) enum Notation {
     Mathml,
 }
 
-/// What the page asks for.
+/// Task requested by the page of `serve`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Task {
     /// Errors and verdicts
     Check,
-    /// The steps that decide a statement
+    /// Steps that decide a statement
     Derive,
     /// A kernel as source
     Emit,
@@ -292,25 +307,25 @@ pub(crate) enum Task {
     Plot,
 }
 
-/// Which program of a kernel is run.
+/// Program of a kernel that is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Tier {
-    /// As it was written
+    /// The formula as written
     Plain,
-    /// As it is generated
+    /// The generated form
     Stable,
 }
 
-/// The time between two states that are kept.
+/// Parses a duration in seconds.
 fn interval(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     seconds.ok_or_else(|| "expected a number of seconds from 0 to 1e19".to_owned())
 }
 
-/// The most arguments in each regime that accuracy is measured at.
+/// Largest number of arguments per regime for the measurement of accuracy.
 const MOST_ARGUMENTS: usize = 1_000_000;
 
-/// A number of arguments in each regime.
+/// Parses a number of arguments per regime.
 fn sample_count(text: &str) -> Result<usize, String> {
     text.parse()
         .ok()
@@ -318,13 +333,13 @@ fn sample_count(text: &str) -> Result<usize, String> {
         .ok_or_else(|| format!("expected a whole number from 1 to {MOST_ARGUMENTS}"))
 }
 
-/// A number of samples.
+/// Parses a number of samples.
 fn budget(text: &str) -> Result<Budget, String> {
     let samples: u64 = text.parse().map_err(|_| "expected a whole number".to_owned())?;
     Budget::new(samples).map_err(|error| error.to_string())
 }
 
-/// Vector instructions that this processor has.
+/// Parses the name of a set of vector instructions that this processor supports.
 fn instructions(text: &str) -> Result<Instructions, String> {
     let available = Instructions::available();
     let found = available.iter().find(|set| set.name().eq_ignore_ascii_case(text));
@@ -334,7 +349,7 @@ fn instructions(text: &str) -> Result<Instructions, String> {
     })
 }
 
-/// A time of exposure.
+/// Parses an exposure time.
 fn exposure(text: &str) -> Result<Exposure, String> {
     let seconds: f64 =
         text.parse().map_err(|_| "expected a number of seconds from 1e-30 to 1e30".to_owned())?;

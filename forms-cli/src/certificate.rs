@@ -1,4 +1,4 @@
-//! Certificates on disk: each file they speak of is named as it is found from the certificate's folder.
+//! Certificates on disk. They name each file by its path relative to the certificate's folder.
 
 use crate::files::{reason, replace};
 use forms::core::certificate::{HEADER, antiderivatives, entry, file_lines};
@@ -9,13 +9,13 @@ use forms_check::Outcome;
 use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 
-/// A certificate that is being written.
+/// Certificate under construction.
 pub(crate) struct Certificate {
     path: String,
     lines: String,
-    /// The text of the file that the entries are about.
+    /// Text of the file of the current entries.
     source: String,
-    /// The antiderivatives of its integrals.
+    /// Antiderivatives of the integrals in this file.
     integrals: String,
 }
 
@@ -29,7 +29,7 @@ impl Certificate {
         }
     }
 
-    /// Begins the entries of a file.
+    /// Starts the entries of a file.
     pub(crate) fn begin(&mut self, source: &Source, theory: &mut Theory) {
         self.source.clone_from(&source.text);
         self.integrals = antiderivatives(theory);
@@ -37,8 +37,8 @@ impl Certificate {
         self.lines += &self.integrals;
     }
 
-    /// Adds what shows a verdict.
-    /// What the checker does not accept is written as uncovered, with what it says.
+    /// Adds the entry that proves a verdict. An entry that the checker does not accept is written
+    /// as uncovered, with the checker's reason.
     pub(crate) fn add(&mut self, theory: &mut Theory, statement: &Statement, verdict: &Verdict) {
         let lines = entry(theory, statement, verdict);
         let alone = format!("{HEADER}{}{}{lines}", file_lines("itself", &self.source), self.integrals);
@@ -50,27 +50,28 @@ impl Certificate {
         };
         self.lines += &match refused {
             Some(why) if !lines.trim_start().starts_with("uncovered") => {
-                // what stands on a line of its own is an entry
+                // Line breaks are removed: each line of a certificate is an entry of its own.
                 format!("\nuncovered {} {}\n", statement.name, why.replace(['\r', '\n'], " "))
             }
             _ => lines,
         };
     }
 
-    /// Writes it to its place.
+    /// Writes the certificate to its file.
     pub(crate) fn write(self) -> Result<(), String> {
         replace(Path::new(&self.path), |output| output.write_all(self.lines.as_bytes()))
             .map_err(|error| format!("cannot write {}: {}", self.path, reason(&error)))
     }
 }
 
-/// Where a file named by a certificate is.
+/// Returns the path of a file named by a certificate.
 pub(crate) fn place_of(certificate: &str, name: &str) -> String {
     let folder = Path::new(certificate).parent().unwrap_or(Path::new(""));
     folder.join(name).to_string_lossy().into_owned()
 }
 
-/// A file's name as seen from the certificate's folder; as it is where that cannot be said.
+/// Returns a file's path relative to the certificate's folder, or an unchanged or absolute path if
+/// no relative path is known.
 fn name_from(certificate: &str, file: &str) -> String {
     let absolute = |path: &Path| std::path::absolute(path).ok();
     let folder = absolute(Path::new(certificate)).and_then(|path| path.parent().map(Path::to_path_buf));

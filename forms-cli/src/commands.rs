@@ -24,12 +24,12 @@ use crate::status::Status;
 use crate::streams::tell;
 use std::io::{self, Read, Write};
 
-/// Runs what the command line asks for.
+/// Runs the command of the command line.
 pub(crate) fn run(arguments: &Arguments, output: &mut dyn Write) -> io::Result<Status> {
     run_with_input(arguments, io::stdin(), output)
 }
 
-/// The same, with rows to evaluate that come from elsewhere than standard input.
+/// Runs the command of the command line, with rows to evaluate from the given input.
 pub(crate) fn run_with_input(
     arguments: &Arguments,
     input: impl Read,
@@ -110,7 +110,7 @@ pub(crate) fn run_with_input(
     }
 }
 
-/// Says on standard error why a call cannot be carried out.
+/// Prints to standard error why a call cannot be carried out.
 fn refuse(message: &str) -> Status {
     tell!("error: {message}");
     Status::Error

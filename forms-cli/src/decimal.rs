@@ -1,13 +1,13 @@
-//! Numbers as people write them in tables: exact decimals and quotients, rounded once to `f64`.
+//! Numbers as written in tables: exact decimals and quotients, rounded once to `f64`.
 
 use forms::core::kernel::Constant;
 use num_rational::BigRational;
 use num_traits::{Zero, pow};
 
-/// The largest power of ten of a number that is kept exact, in magnitude.
+/// Largest magnitude of the power of ten of an exact number.
 const LARGEST_POWER: i64 = 10_000;
 
-/// The `f64` nearest to `0.1`, `-2.5e-3` or `1/3`; nothing for any other text.
+/// Returns the `f64` nearest to `0.1`, `-2.5e-3` or `1/3`; `None` for any other text.
 pub(crate) fn nearest(text: &str) -> Option<f64> {
     if text.contains('/') {
         return Some(Constant::rational(exact(text)?).to_f64());
@@ -16,14 +16,15 @@ pub(crate) fn nearest(text: &str) -> Option<f64> {
     text.parse().ok()
 }
 
-/// The number that `0.1`, `-2.5e-3` or `1/3` stands for, without rounding; nothing for any other text.
+/// Returns the exact value of `0.1`, `-2.5e-3` or `1/3`, without rounding; `None` for any other
+/// text.
 pub(crate) fn exact(text: &str) -> Option<BigRational> {
     let Some((above, below)) = text.split_once('/') else { return exact_decimal(text) };
     let (above, below) = (exact_decimal(above.trim())?, exact_decimal(below.trim())?);
     (!below.is_zero()).then(|| above / below)
 }
 
-/// Sign, digits before and after the point, power of ten.
+/// Sign, digits before and after the point, and power of ten.
 struct Decimal<'t> {
     negative: bool,
     whole: &'t str,

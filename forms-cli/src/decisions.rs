@@ -1,11 +1,12 @@
-//! Decisions: the statements of files and what their kernels claim, decided on all processors and handed over in the
-//! order of the files.
+//! Decisions: the statements of files and the claims of their kernels, decided on all processors
+//! and passed on in the order of the files.
 //!
 //! ```text
 //! names ─ a task each: read ─▶ TheoryFile ─ a task for some statements each: decide ─▶ DecidedFile ─ in order ─▶ visit
 //! ```
-//! Deciding adds to the pool of a theory, so tasks have copies of it. Which statements make a task does not depend on
-//! the number of processors: the same input gives the same output on every machine.
+//! Deciding adds to the pool of a theory, so each task has its own copy of the theory. The division
+//! into tasks does not depend on the number of processors: the same input gives the same output on
+//! every machine.
 
 use crate::STACK_BYTES;
 use crate::theory_file::{self, FileError, TheoryFile};
@@ -22,37 +23,38 @@ use std::io;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-/// So many statements are one task, on average ten times the work of copying their theory or more.
+/// Number of statements per task: on average at least ten times the work of copying their theory.
 const TASK: usize = 16;
 
-/// So many kernels that claim something of themselves are one task.
+/// Number of kernels with claims per task.
 const KERNELS_OF_A_TASK: usize = 4;
 
-/// A file without errors and its statements, decided.
+/// File without errors, with its decided statements.
 pub(crate) struct DecidedFile {
     pub(crate) source: Source,
     pub(crate) theory: Theory,
     pub(crate) statements: Vec<Decided>,
-    /// What its kernels claim of themselves and was not shown.
+    /// Claims of its kernels that were not proved.
     pub(crate) faults: Vec<DecidedFault>,
 }
 
-/// A claim of a kernel that is false or undecided.
+/// Claim of a kernel that is false or undecided.
 pub(crate) struct DecidedFault {
     pub(crate) fault: Fault,
     pub(crate) time: Duration,
 }
 
-/// What became of a file: its errors if there are any.
+/// Result for a file: its errors if there are any.
 pub(crate) type Outcome = Result<DecidedFile, Vec<FileError>>;
 
-/// Reads files and decides their statements with so many times the usual work. Each outcome is visited as soon as those before it have been.
+/// Reads files and decides their statements with a multiple of the default work limit. The outcomes
+/// are visited in order, each as soon as the outcomes before it have been visited.
 pub(crate) fn for_each_file(
     names: &[String],
     effort: u32,
     mut visit: impl FnMut(Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
-    // A file with no more statements than one task holds is not worth a thread.
+    // A file with no more statements than one task holds does not need a thread pool.
     if let [name] = names {
         let file = theory_file::read(name);
         if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK
@@ -69,7 +71,7 @@ pub(crate) fn for_each_file(
         for (place, name) in names.iter().enumerate() {
             let sender = sender.clone();
             scope.spawn(move |_| {
-                // Nobody listens any more once a reader of the output has gone away.
+                // The receiver is gone if the reader of the output has gone away.
                 let _ = sender.send((place, theory_file::read(name).map(|file| decided_file(file, effort))));
             });
         }
@@ -87,7 +89,7 @@ pub(crate) fn for_each_file(
     })
 }
 
-/// A thread for each processor, or as many as `RAYON_NUM_THREADS` says.
+/// Creates a thread for each processor, or the number of threads in `RAYON_NUM_THREADS`.
 pub(crate) fn workers() -> io::Result<ThreadPool> {
     ThreadPoolBuilder::new().stack_size(STACK_BYTES).build().map_err(io::Error::other)
 }
@@ -99,7 +101,7 @@ fn decided_file(file: TheoryFile, effort: u32) -> DecidedFile {
     DecidedFile { source, theory, statements, faults }
 }
 
-/// What the kernels of one theory claim of themselves and was not shown, in order.
+/// Returns the claims of the kernels of one theory that were not proved, in order.
 pub(crate) fn faults_of_kernels(theory: &mut Theory) -> Vec<DecidedFault> {
     let kernels: Vec<Kernel> =
         theory.kernels.iter().filter(|kernel| makes_claims(&theory.pool, kernel)).cloned().collect();
@@ -121,7 +123,7 @@ fn faults_of(pool: &mut Pool, kernel: &Kernel) -> Vec<DecidedFault> {
     found.into_iter().map(|fault| DecidedFault { fault, time }).collect()
 }
 
-/// The statements of one theory, decided in order.
+/// Decides the statements of one theory, in order.
 fn decide_all(theory: &mut Theory, effort: u32) -> Vec<Decided> {
     let statements = theory.statements.clone();
     if statements.len() <= TASK {
@@ -135,7 +137,7 @@ fn decide_all(theory: &mut Theory, effort: u32) -> Vec<Decided> {
     tasks.collect()
 }
 
-/// Decides one statement with so many times the usual work, and takes the time.
+/// Decides one statement with a multiple of the default work limit, and measures the time.
 pub(crate) fn timed(theory: &mut Theory, statement: Statement, effort: u32) -> Decided {
     let start = Instant::now();
     let verdict = decide_with_effort(theory, &statement, effort);

@@ -13,17 +13,18 @@ pub(crate) use linear::round_values;
 use crate::layout::filled;
 use std::fmt::Write;
 
-/// The colour of text and of what is measured.
+/// Colour of text and of measured data.
 pub(crate) const INK: &str = "#1f2328";
-/// The colour of what explains.
+/// Colour of explanations.
 pub(crate) const QUIET: &str = "#57606a";
-/// The colour of the lines behind.
+/// Colour of grid lines.
 pub(crate) const GRID: &str = "#e3e6e9";
 
-/// The mean width of a character, in font sizes: names, figures and short sentences of Helvetica and its like.
+/// Mean width of a character, in font sizes, for names, numbers and short sentences in Helvetica
+/// and similar fonts.
 const CHARACTER: f64 = 0.5;
 
-/// The part of a text that stands at its place.
+/// Part of a text that is at its given position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Anchor {
     Start,
@@ -41,7 +42,7 @@ impl Anchor {
     }
 }
 
-/// How a text is written.
+/// Text style.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Style {
     pub(crate) anchor: Anchor,
@@ -64,17 +65,17 @@ impl Style {
     }
 }
 
-/// The width of a text, estimated.
+/// Estimates the width of a text.
 pub(crate) fn width(content: &str, size: f64) -> f64 {
     content.chars().count() as f64 * size * CHARACTER
 }
 
-/// The lines of a text that are no wider than this.
+/// Breaks a text into lines that are at most this wide.
 pub(crate) fn wrapped(content: &str, size: f64, widest: f64) -> Vec<String> {
     filled(content, |line, word| width(line, size) + width(word, size) + size * CHARACTER <= widest)
 }
 
-/// A drawing on a white ground, which is as readable on a dark page as on a light one.
+/// Drawing on a white background, readable on dark and on light pages.
 pub(crate) struct Drawing {
     body: String,
 }
@@ -84,7 +85,7 @@ impl Drawing {
         Drawing { body: String::new() }
     }
 
-    /// The drawing as a file.
+    /// Returns the drawing as an SVG file.
     pub(crate) fn finish(self, width: f64, height: f64, title: &str) -> String {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height:.0}\" width=\"{width}\" \
@@ -106,7 +107,7 @@ impl Drawing {
         );
     }
 
-    /// Text with a white rim, readable over lines.
+    /// Draws text with a white rim, readable over lines.
     pub(crate) fn text_over_lines(&mut self, [x, y]: [f64; 2], style: Style, content: &str) {
         let Style { anchor, size, colour, .. } = style;
         let _ = writeln!(
@@ -118,7 +119,7 @@ impl Drawing {
         );
     }
 
-    /// Text upwards, its middle at the place.
+    /// Draws vertical text, centred at the position.
     pub(crate) fn upright(&mut self, [x, y]: [f64; 2], size: f64, content: &str) {
         let _ = writeln!(
             self.body,
@@ -136,7 +137,7 @@ impl Drawing {
         );
     }
 
-    /// A line of dashes.
+    /// Draws a dashed line.
     pub(crate) fn dashes(&mut self, from: [f64; 2], to: [f64; 2], colour: &str, width: f64) {
         let _ = writeln!(
             self.body,
@@ -171,14 +172,15 @@ impl Drawing {
         );
     }
 
-    /// Boxes of a grid in one colour, or the name of a pattern: each a place and a length along a row, in cells.
+    /// Draws boxes of a grid with one colour or pattern. Each box has a position and a length along
+    /// its row, in cells.
     pub(crate) fn runs(&mut self, runs: &[[usize; 3]], fill: &str) {
         let path: String =
             runs.iter().map(|[x, y, length]| format!("M{x} {y}h{length}v1h-{length}z")).collect();
         let _ = writeln!(self.body, "<path d=\"{path}\" fill=\"{fill}\"/>");
     }
 
-    /// What is drawn inside stands in a grid of cells of this size, whose first cell has its corner here.
+    /// Draws inside a grid of cells of this size; the given point is the corner of the first cell.
     pub(crate) fn grid(
         &mut self,
         [x, y]: [f64; 2],
@@ -193,7 +195,7 @@ impl Drawing {
         self.body.push_str("</g>\n");
     }
 
-    /// Stripes on a grey ground, to be named as a fill.
+    /// Defines a fill pattern of this name: stripes on a grey background.
     pub(crate) fn hatch(&mut self, name: &str) {
         let _ = writeln!(
             self.body,
@@ -203,7 +205,7 @@ impl Drawing {
         );
     }
 
-    /// A filled box with an outline of its own colour or another.
+    /// Draws a filled box, optionally with an outline of another colour.
     pub(crate) fn cell(
         &mut self,
         [x, y]: [f64; 2],

@@ -1,7 +1,7 @@
-//! Files that are written: whole or not at all, and by one run at a time.
+//! Output files: each is written completely or not at all, and by one run at a time.
 //!
 //! ```text
-//! content ─▶ FILE.new ─▶ FILE        what cannot be written whole leaves the old file, and no new one
+//! content ─▶ FILE.new ─▶ FILE        on failure the old file remains, and no new one
 //! FILE.lock                          held while a run works with FILE
 //! ```
 
@@ -10,13 +10,13 @@ use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes a file so that at any moment there is the old one or the new one, whole. A device or a pipe is written to as it
-/// is.
+/// Replaces a file atomically: at any moment either the old or the new file exists, complete. A
+/// device or a pipe is written to directly.
 pub(crate) fn replace(
     path: &Path,
     content: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> io::Result<()> {
-    // a link stays one
+    // A symbolic link remains a link.
     let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
     if fs::metadata(&path).is_ok_and(|known| !known.is_file() && !known.is_dir()) {
         return written(File::options().write(true).open(&path)?, content);
@@ -40,7 +40,7 @@ fn written(file: File, content: impl FnOnce(&mut BufWriter<File>) -> io::Result<
     output.flush()
 }
 
-/// Whether there can be a file here, which is found out before hours of work.
+/// Checks that a file can be written here, before hours of work.
 pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Err(io::Error::other("it is a folder"));
@@ -50,7 +50,7 @@ pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
     fs::remove_file(new)
 }
 
-/// Why a file cannot be read or written, in words.
+/// Describes why a file cannot be read or written.
 pub(crate) fn reason(error: &io::Error) -> String {
     match error.kind() {
         ErrorKind::StorageFull => "the disk is full".to_owned(),
@@ -65,21 +65,22 @@ fn beside(path: &Path, ending: &str) -> PathBuf {
     PathBuf::from(name)
 }
 
-/// What keeps other runs from a file while this one works with it. It ends with the process, however that ends.
+/// Lock that excludes other runs from a file while this one works with it. It ends with the
+/// process, even if that is killed.
 pub(crate) struct Lock {
-    /// The file that is locked; none where the file system has no locks.
+    /// Locked file; `None` if the file system has no locks.
     file: Option<File>,
     path: PathBuf,
 }
 
 impl Lock {
-    /// Takes the lock of a file; nothing if another run has it.
+    /// Takes the lock of a file; returns `None` if another run holds it.
     pub(crate) fn of(path: &Path) -> io::Result<Option<Lock>> {
         let lock = beside(&fs::canonicalize(path).unwrap_or_else(|_| path.to_owned()), ".lock");
         loop {
             let file = File::options().create(true).append(true).open(&lock)?;
             match file.try_lock() {
-                // the run that had it may have removed the file in between
+                // The previous holder can have removed the file in the meantime.
                 Ok(()) if is_at(&file, &lock) => return Ok(Some(Lock { file: Some(file), path: lock })),
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => return Ok(None),
@@ -94,13 +95,14 @@ impl Lock {
 
 impl Drop for Lock {
     fn drop(&mut self) {
-        // removed before it is given back, so that nobody else has it by then
+        // The file is removed before the lock is released, so that no other run holds the lock by
+        // then.
         let _ = fs::remove_file(&self.path);
         drop(self.file.take());
     }
 }
 
-/// Whether an open file is still the one of this name.
+/// Whether an open file is still the file of this name.
 #[cfg(unix)]
 fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
@@ -111,7 +113,7 @@ fn is_at(file: &File, path: &Path) -> bool {
     }
 }
 
-/// Open files cannot be removed here.
+/// Always true: open files cannot be removed on this system.
 #[cfg(not(unix))]
 fn is_at(_: &File, _: &Path) -> bool {
     true
@@ -147,7 +149,7 @@ mod tests {
         drop(lock);
         assert!(Lock::of(&path).expect("a lock").is_some());
         assert_eq!(fs::read_dir(&folder).expect("the folder").count(), 0);
-        // what a run that was killed left behind keeps nobody out
+        // The lock file of a killed run excludes no one.
         fs::write(folder.join("state.lock"), "").expect("a file");
         assert!(Lock::of(&path).expect("a lock").is_some());
         fs::remove_dir_all(folder).expect("removed");

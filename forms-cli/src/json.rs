@@ -1,10 +1,10 @@
-//! The records of `--json`, one object a line.
+//! The records of `--json`, one object per line.
 
 use crate::theory_file::FileError;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 
-/// What was found of one statement.
+/// Result for one statement.
 #[derive(serde::Serialize)]
 pub(crate) struct StatementRecord<'a> {
     pub(crate) file: &'a str,
@@ -17,7 +17,7 @@ pub(crate) struct StatementRecord<'a> {
     pub(crate) micros: u64,
 }
 
-/// Names and exact values, as an object in their order.
+/// Names with exact values, serialised as an object in their order.
 pub(crate) struct Point<'a>(pub(crate) &'a [(String, String)]);
 
 impl Serialize for Point<'_> {
@@ -30,7 +30,7 @@ impl Serialize for Point<'_> {
     }
 }
 
-/// One error in a file.
+/// Error in a file.
 #[derive(serde::Serialize)]
 struct ErrorRecord<'a> {
     file: &'a str,
@@ -39,7 +39,7 @@ struct ErrorRecord<'a> {
     error: &'a str,
 }
 
-/// Writes a record and ends its line.
+/// Writes a record as one line.
 pub(crate) fn write_record(output: &mut dyn Write, record: &impl Serialize) -> io::Result<()> {
     serde_json::to_writer(&mut *output, record)?;
     writeln!(output)

@@ -6,17 +6,17 @@ use forms::core::compile::compile_kernel;
 use forms::core::generation::Generated;
 use forms::core::theory::Kernel;
 
-/// Where FILE is this, the library is meant.
+/// Value of FILE that selects the library.
 pub(crate) const LIBRARY: &str = "-";
 
-/// The files that FILE names: one on disk, or those of the library.
+/// Reads the files named by FILE: one on disk, or the files of the library.
 pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
     let files = if file == LIBRARY { library() } else { theory_file::read(file).map(|file| vec![file]) }?;
     files.iter().filter_map(|file| file.warning.as_ref()).for_each(|warning| tell!("{warning}"));
     Ok(files)
 }
 
-/// The files of the library.
+/// Reads the files of the library.
 pub(crate) fn library() -> Result<Vec<TheoryFile>, Vec<FileError>> {
     let read = |file: &forms_radiometry::TheoryFile| {
         let mut theory = theory_file::from_text(file.name, file.text)?;
@@ -28,7 +28,7 @@ pub(crate) fn library() -> Result<Vec<TheoryFile>, Vec<FileError>> {
     forms_radiometry::library().iter().map(read).collect()
 }
 
-/// A kernel by its name, with the file it stands in.
+/// Finds a kernel by its name, with its file.
 pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a TheoryFile, &'a Kernel), String> {
     let all = || files.iter().flat_map(|file| file.theory.kernels.iter().map(move |kernel| (file, kernel)));
     all().find(|(_, kernel)| kernel.name == name).ok_or_else(|| {
@@ -40,7 +40,8 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
     })
 }
 
-/// The kernel as programs, or everything that is wrong with it. Its source is to be pasted elsewhere: it is public.
+/// Generates the programs of a kernel, or returns all of its errors. The kernel becomes public,
+/// since its source is meant to be used elsewhere.
 pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
     let mut kernel = kernel.clone();
     kernel.public = true;

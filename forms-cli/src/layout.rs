@@ -1,18 +1,19 @@
-//! Text on a terminal of eighty columns.
+//! Layout of text for a terminal with eighty columns.
 
 use std::time::Duration;
 
-/// The columns that are used.
+/// Number of columns.
 pub(crate) const WIDTH: usize = 80;
 
-/// Lines of at most [`WIDTH`] columns with an indent, broken at spaces; a longer word stands alone.
+/// Breaks a text at spaces into indented lines of at most [`WIDTH`] columns; a longer word gets a
+/// line of its own.
 pub(crate) fn wrap(text: &str, indent: usize) -> Vec<String> {
     let fits = |line: &str, word: &str| indent + line.chars().count() + 1 + word.chars().count() <= WIDTH;
     let margin = " ".repeat(indent);
     filled(text, fits).into_iter().map(|line| margin.clone() + &line).collect()
 }
 
-/// A text broken at spaces into lines, each with as many words as fit in it, and one at least.
+/// Breaks a text at spaces into lines. Each line takes as many words as fit, and at least one.
 pub(crate) fn filled(text: &str, fits: impl Fn(&str, &str) -> bool) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -27,7 +28,7 @@ pub(crate) fn filled(text: &str, fits: impl Fn(&str, &str) -> bool) -> Vec<Strin
     lines
 }
 
-/// A time in three figures or so: `85 µs`, `1.2 ms`, `3.40 s`.
+/// Formats a duration with about three digits: `85 µs`, `1.2 ms`, `3.40 s`.
 pub(crate) fn duration(time: Duration) -> String {
     let micros = time.as_micros();
     match micros {
@@ -37,12 +38,13 @@ pub(crate) fn duration(time: Duration) -> String {
     }
 }
 
-/// The same of a number of seconds.
+/// Formats a number of seconds as [`duration`] does.
 pub(crate) fn seconds(seconds: f64) -> String {
     duration(Duration::try_from_secs_f64(seconds).unwrap_or_default())
 }
 
-/// Rows as lines whose columns are as wide as their widest entry, two spaces apart; those that are told stand at the right.
+/// Aligns rows in columns as wide as their widest entry, two spaces apart. Columns marked in
+/// `right` are right-aligned.
 pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> Vec<String> {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: [usize; N] = std::array::from_fn(width);

@@ -1,4 +1,5 @@
-//! The program `forms`: files of the language go in, verdicts, notation, numbers, source and pictures come out.
+//! The program `forms`: files of the language go in, verdicts, notation, numbers, source and
+//! pictures come out.
 //!
 //! ```text
 //! arguments ─▶ commands ─┬─ prove    ─▶ verdicts       (decisions, theory_file, verdict_line, json)
@@ -6,18 +7,18 @@
 //!                        ├─ show     ─▶ notation
 //!                        ├─ derive   ─▶ steps
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
-//!                        ├─ emit     ─▶ Rust source
+//!                        ├─ emit     ─▶ source code
 //!                        ├─ kernels  ─▶ the library
 //!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
-//!                        ├─ merge    ─▶ the same, of parts that several machines simulated
+//!                        ├─ merge    ─▶ the same, from parts that several machines computed
 //!                        ├─ view-factors ─▶ the matrix of a scene
-//!                        ├─ book     ─▶ the book as pages of HTML, or for mdBook
-//!                        ├─ man, completions ─▶ what a system knows of the program
-//!                        ├─ serve    ─▶ a page on localhost, for which `work` answers (drawing)
-//!                        └─ tour     ─▶ all of it, shown
+//!                        ├─ book     ─▶ the book as HTML pages, or for mdBook
+//!                        ├─ man, completions ─▶ manual pages and shell completions
+//!                        ├─ serve    ─▶ a page on localhost, answered by `work` (drawing)
+//!                        └─ tour     ─▶ a demonstration of all of it
 //! ```
-//! Answers go to standard output, errors to standard error (with `--json` to standard output). Nothing is
-//! computed here that the libraries do not compute.
+//! Answers go to standard output, errors to standard error (with `--json` to standard output). All
+//! results are computed by the libraries.
 
 mod arguments;
 mod certificate;
@@ -43,7 +44,7 @@ use std::io::Write;
 use std::process::ExitCode;
 use streams::{Output, tell};
 
-/// Stack of every thread that does work: trees as deep as the parser admits are walked by recursion.
+/// Stack size of every working thread: recursion walks trees as deep as the parser admits.
 const STACK_BYTES: usize = 256 << 20;
 
 fn main() -> ExitCode {
@@ -59,7 +60,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the command. Its status is that of the work, whether or not somebody reads what it writes.
+/// Runs the command. The exit status is that of the work, even if the output is not read.
 fn run(arguments: &arguments::Arguments) -> Status {
     let mut output = Output::new();
     let result = commands::run(arguments, &mut output).and_then(|status| output.flush().map(|()| status));

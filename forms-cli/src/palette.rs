@@ -1,16 +1,16 @@
-//! Colours, where there is someone to see them.
+//! Colours for a terminal.
 
 use anstyle::{AnsiColor, Effects, Style};
 use std::io::IsTerminal;
 
-/// What the program colours; plain where the output is no terminal or the user asked for none.
+/// Colours of the output; plain text if the output is not a terminal or the user disabled colours.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Palette {
     coloured: bool,
 }
 
 impl Palette {
-    /// The palette of standard output: colours on a terminal, unless `NO_COLOR` is set.
+    /// Returns the palette of standard output: colours on a terminal, unless `NO_COLOR` is set.
     pub(crate) fn of_output() -> Self {
         let forbidden = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         let dumb = std::env::var_os("TERM").is_none_or(|terminal| terminal == "dumb");
@@ -21,27 +21,27 @@ impl Palette {
         if self.coloured { format!("{style}{text}{style:#}") } else { text.to_string() }
     }
 
-    /// What is as it should be.
+    /// Marks a success.
     pub(crate) fn good(self, text: &str) -> String {
         self.paint(AnsiColor::Green.on_default(), text)
     }
 
-    /// What is not as it should be.
+    /// Marks a failure.
     pub(crate) fn bad(self, text: &str) -> String {
         self.paint(AnsiColor::Red.on_default(), text)
     }
 
-    /// What a reader should notice.
+    /// Marks a notable result.
     pub(crate) fn notable(self, text: &str) -> String {
         self.paint(AnsiColor::Yellow.on_default(), text)
     }
 
-    /// What stands beside the main thing.
+    /// Dims secondary text.
     pub(crate) fn quiet(self, text: &str) -> String {
         self.paint(Style::new().effects(Effects::DIMMED), text)
     }
 
-    /// A heading.
+    /// Marks a heading.
     pub(crate) fn heading(self, text: &str) -> String {
         self.paint(Style::new().effects(Effects::BOLD), text)
     }

@@ -1,24 +1,24 @@
-//! What the program's exit status says.
+//! Exit status of the program.
 
 use std::process::ExitCode;
 
-/// How a command ended, from good to bad.
+/// Outcome of a command, from good to bad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Status {
-    /// Everything is as stated, or was done as asked.
+    /// Every statement is as stated, or the work was done as requested.
     AsStated,
-    /// Some statement is not as stated.
+    /// A statement is not as stated.
     NotAsStated,
-    /// A number is less exact than was asked for.
+    /// A number is less accurate than requested.
     Missed,
-    /// There is an error in a file, or the call cannot be carried out.
+    /// A file has errors, or the call cannot be carried out.
     Error,
     /// The user stopped the work with Ctrl-C.
     Stopped,
 }
 
 impl Status {
-    /// The number; of work that was stopped 128 and the number of the signal, as shells have it.
+    /// Returns the exit code; for stopped work 128 plus the number of the signal, as in shells.
     pub(crate) fn code(self) -> u8 {
         match self {
             Status::AsStated => 0,

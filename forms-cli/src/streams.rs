@@ -1,7 +1,7 @@
-//! Standard output and standard error, of which either may be closed before the work is done.
+//! Standard output and standard error, either of which can be closed before the work is done.
 //!
-//! What is decided does not depend on who reads it: where a reader has gone away, what is written is dropped, the work
-//! goes on, and the exit status is that of the work.
+//! Results do not depend on the reader: if it has gone away, output is dropped, the work continues,
+//! and the exit status is that of the work.
 
 use std::io::{BufWriter, ErrorKind, Result, StdoutLock, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// Whether the reader of standard output has gone away.
 static GONE: AtomicBool = AtomicBool::new(false);
 
-/// Standard output, buffered; nothing is written once its reader has gone away.
+/// Buffered standard output; nothing is written after its reader has gone away.
 pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
 
 impl Output {
@@ -17,12 +17,12 @@ impl Output {
         Output(BufWriter::new(std::io::stdout().lock()))
     }
 
-    /// Whether what is written reaches nobody.
+    /// Whether the reader of the output has gone away.
     pub(crate) fn is_gone() -> bool {
         GONE.load(Ordering::Relaxed)
     }
 
-    /// The result of writing, which is well where nobody is left to read.
+    /// Treats a write as successful if the reader has gone away.
     fn kept<T>(result: Result<T>, otherwise: T) -> Result<T> {
         match result {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => {
@@ -50,7 +50,7 @@ impl Write for Output {
     }
 }
 
-/// Writes a line to standard error, if anybody reads it.
+/// Writes a line to standard error; failures are ignored.
 macro_rules! tell {
     ($($text:tt)*) => {{
         use std::io::Write as _;

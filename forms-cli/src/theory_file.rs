@@ -1,4 +1,4 @@
-//! Files: the text of a file becomes a theory, or everything that is wrong with it.
+//! Theory files: reads a file as a theory, or returns all of its errors.
 
 use crate::streams::tell;
 use forms::core::check::read_theory;
@@ -10,24 +10,24 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// The largest file that is read, in bytes.
+/// Limit of the file size, in bytes.
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// A file without errors.
+/// File without errors.
 #[derive(Clone)]
 pub(crate) struct TheoryFile {
     pub(crate) source: Source,
     pub(crate) theory: Theory,
-    /// What is to be said of the forms chosen for its kernels.
+    /// Warning about the forms chosen for its kernels.
     pub(crate) warning: Option<String>,
 }
 
-/// One error, with its place and as it is shown.
+/// Error with its place and its rendered message.
 pub(crate) struct FileError {
     pub(crate) file: String,
     pub(crate) line: usize,
     pub(crate) column: usize,
-    /// How many characters it speaks of.
+    /// Number of characters at the place of the error.
     pub(crate) length: usize,
     pub(crate) message: String,
     pub(crate) help: Option<String>,
@@ -35,7 +35,7 @@ pub(crate) struct FileError {
 }
 
 impl FileError {
-    /// An error at a place of a text.
+    /// Creates an error at a place of a text.
     pub(crate) fn at(source: &Source, diagnostic: &Diagnostic) -> Self {
         let position = source.position(diagnostic.span.start);
         FileError {
@@ -49,14 +49,14 @@ impl FileError {
         }
     }
 
-    /// An error of a file as a whole, told at its first character.
+    /// Creates an error of a whole file, reported at its first character.
     fn of_file(file: &str, message: String) -> Self {
         let shown = format!("error: {message}\n --> {file}\n");
         FileError { file: file.to_string(), line: 1, column: 1, length: 0, message, help: None, shown }
     }
 }
 
-/// How many characters a range of a text has.
+/// Returns the number of characters in a range of a text.
 pub(crate) fn characters(source: &Source, span: Span) -> usize {
     source.text.get(span.start as usize..span.end as usize).map_or(0, |text| text.chars().count())
 }
@@ -86,7 +86,7 @@ pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
     }
 }
 
-/// Where the choices of forms for the kernels of a file stand.
+/// Returns the path of the file with the chosen forms of a file's kernels.
 pub(crate) fn choices_beside(path: &str) -> PathBuf {
     Path::new(path).with_extension(EXTENSION)
 }
@@ -96,7 +96,7 @@ fn text_of_choices(path: &str) -> Result<String, Vec<FileError>> {
 }
 
 impl TheoryFile {
-    /// Lets the kernels be computed by the forms that a file of choices has for them.
+    /// Replaces the forms of the kernels by those in a file of choices.
     pub(crate) fn choose(&mut self, name: &str, text: impl Into<String>) -> Result<(), Vec<FileError>> {
         let source = Source::new(name, text);
         match Choices::read(&source.text) {
@@ -111,7 +111,7 @@ impl TheoryFile {
     }
 }
 
-/// The text of a file, unless it is too large.
+/// Reads the text of a file, unless the file is too large.
 pub(crate) fn text(path: &str) -> Result<String, String> {
     let text = String::from_utf8(bytes(path)?);
     text.map_err(|_| "the file is not UTF-8 text".to_string())
@@ -138,7 +138,7 @@ pub(crate) fn from_text(name: &str, text: impl Into<String>) -> Result<TheoryFil
     Err(diagnostics.iter().map(|diagnostic| FileError::at(&source, diagnostic)).collect())
 }
 
-/// Shows errors to a person, on standard error.
+/// Prints errors to standard error.
 pub(crate) fn complain(errors: &[FileError]) {
     for error in errors {
         tell!("{}", error.shown);

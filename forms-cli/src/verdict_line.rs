@@ -1,4 +1,4 @@
-//! A statement with its verdict, for a person to read.
+//! A statement with its verdict, formatted for a terminal.
 
 use crate::layout::{duration, wrap};
 use crate::palette::Palette;
@@ -7,19 +7,19 @@ use forms::core::syntax::ast::Claim;
 use forms::core::theory::Statement;
 use std::time::Duration;
 
-/// Columns for the name of a statement, beyond which the verdict moves to the right.
+/// Columns for the name of a statement; a longer name moves the verdict to the right.
 const NAME: usize = 44;
 /// Columns for the verdict.
 pub(crate) const WORDS: usize = 16;
-/// Where what belongs to a statement begins.
+/// Indent of the lines below a statement.
 pub(crate) const INDENT: usize = 6;
-/// How the names of equations end that are wrong where they were printed.
+/// Suffix of the names of equations that are wrong in their source.
 const AS_PRINTED: &str = "_as_printed";
 
-/// Conditions beyond this many characters are counted, not shown.
+/// Longest list of conditions, in characters; further conditions are only counted.
 const LONGEST_LIST: usize = 240;
 
-/// A statement that has been decided.
+/// Decided statement.
 pub(crate) struct Decided {
     pub(crate) statement: Statement,
     pub(crate) verdict: Verdict,
@@ -27,17 +27,17 @@ pub(crate) struct Decided {
 }
 
 impl Decided {
-    /// Whether it is as stated.
+    /// Whether the verdict agrees with the claim.
     pub(crate) fn ok(&self) -> bool {
         self.verdict.bears_out(self.statement.claim)
     }
 
-    /// Whether it is a printed equation that has been shown to be wrong.
+    /// Whether this is a printed equation that has been refuted as claimed.
     pub(crate) fn is_wrong_as_printed(&self) -> bool {
         self.ok() && self.statement.claim == Claim::Refute && self.statement.name.ends_with(AS_PRINTED)
     }
 
-    /// The verdict in words.
+    /// Returns the verdict in words.
     pub(crate) fn words(&self) -> &'static str {
         match (&self.verdict, self.statement.claim) {
             (Verdict::Proved(_), Claim::Prove) => "proved",
@@ -50,7 +50,7 @@ impl Decided {
         }
     }
 
-    /// Mark, name, verdict and time in one line.
+    /// Formats mark, name, verdict and time in one line.
     pub(crate) fn line(&self, palette: Palette) -> String {
         let words = format!("{:WORDS$}", self.words());
         let (mark, words) = match (self.ok(), self.statement.claim) {
@@ -61,7 +61,8 @@ impl Decided {
         line(palette, &mark, &self.statement.name, &words, self.time)
     }
 
-    /// What the verdict rests on: conditions, the witness, or what stood in the way.
+    /// Returns the grounds of the verdict: the conditions, the witness, or the reason why there is
+    /// no verdict.
     pub(crate) fn grounds(&self, palette: Palette) -> Vec<String> {
         let text = match &self.verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
@@ -73,25 +74,25 @@ impl Decided {
     }
 }
 
-/// Mark, name, verdict and time in one line, all but the name as they are shown.
+/// Formats mark, name, verdict and time in one line. Mark and verdict are already coloured.
 pub(crate) fn line(palette: Palette, mark: &str, name: &str, words: &str, time: Duration) -> String {
     let time = palette.quiet(&format!("{:>9}", duration(time)));
     format!("  {mark} {name:NAME$}  {words} {time}")
 }
 
-/// The witness and, where the sides differ by a simple factor, that factor.
+/// Formats the witness and, if the sides differ by a simple factor, that factor.
 fn refutation(witness: &Witness) -> String {
     let point = in_short(witness).to_string();
     witness.ratio.as_ref().map_or(point.clone(), |ratio| format!("{point}; {ratio}"))
 }
 
-/// The witness with the first figures of both sides.
+/// Returns the witness with the first digits of both sides.
 fn in_short(witness: &Witness) -> Witness {
     let [left, right] = witness.few_digits();
     Witness { left, right, ..witness.clone() }
 }
 
-/// Conditions one after the other; those that would make the list long are only counted.
+/// Lists conditions; those that would make the list too long are only counted.
 fn listed(conditions: &[String]) -> String {
     let mut list = String::new();
     for (place, condition) in conditions.iter().enumerate() {

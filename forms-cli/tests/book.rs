@@ -1,9 +1,9 @@
-//! What the pages say the program prints is what it prints.
+//! The program prints the outputs that the pages quote.
 //!
 //! ```text
-//! docs/**/*.md ─ blocks `console` ─▶ calls ─ each in a folder with page.forms ─▶ printed ─ compared, but for times
+//! docs/**/*.md ─ blocks `console` ─▶ calls ─ each in a folder with page.forms ─▶ printed ─ compared, except durations
 //! ```
-//! With `FORMS_WRITE=1` the outputs on the pages are written anew.
+//! With `FORMS_WRITE=1` the outputs on the pages are rewritten.
 #![cfg(unix)]
 
 use forms_book::{Call, Page, calls, pages, with_outputs};
@@ -17,7 +17,8 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a workspace").to_path_buf()
 }
 
-/// A folder that looks like the root of the repository, with a file page.forms beside; it lasts as long as its calls.
+/// Folder with the entries of the repository root that calls use, and with a file page.forms. It is
+/// removed after its calls.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -31,7 +32,7 @@ impl Folder {
         Folder(folder)
     }
 
-    /// What a call prints: its output, then its errors.
+    /// Returns the printed text of a call: its output, then its errors.
     fn printed(&self, call: &Call) -> String {
         fs::write(self.0.join("page.forms"), &call.theory).expect("a file in the folder");
         let mut program = Command::new(env!("CARGO_BIN_EXE_forms"))
@@ -43,7 +44,7 @@ impl Folder {
             .stderr(Stdio::piped())
             .spawn()
             .expect("the program starts");
-        // A program that refuses its arguments does not wait for its input.
+        // A program that rejects its arguments does not wait for its input.
         let _ = program.stdin.take().expect("a pipe").write_all(call.input.as_bytes());
         let output = program.wait_with_output().expect("the program ends");
         [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).expect("text")).concat()
@@ -56,7 +57,7 @@ impl Drop for Folder {
     }
 }
 
-/// The calls of a page with what they print now.
+/// Returns the calls of a page with their current outputs.
 fn printed(page: &Page) -> Vec<(Call, String)> {
     let found = calls(page).unwrap_or_else(|(line, message)| panic!("{}:{line}: {message}", page.path));
     if found.is_empty() {
@@ -66,7 +67,7 @@ fn printed(page: &Page) -> Vec<(Call, String)> {
     found.into_iter().map(|call| (folder.printed(&call), call)).map(|(text, call)| (call, text)).collect()
 }
 
-/// What differs on a page from what is printed.
+/// Returns the differences between a page and the current outputs.
 fn differences(page: &Page, outputs: &[(Call, String)]) -> Vec<String> {
     let differ = outputs.iter().filter(|(call, printed)| !call.expects(printed));
     let told = |(call, printed): &(Call, String)| {

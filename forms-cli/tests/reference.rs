@@ -1,7 +1,8 @@
-//! Reference values: every row that names a kernel of the library, to the tolerance that stands in the row.
+//! Reference values: every row with a kernel of the library agrees with the program within the
+//! tolerance of the row.
 //!
-//! The rows are computed as a user would compute them, by `forms eval - KERNEL`, and compared as exact rationals. `own.json`
-//! is written by `tests/reference/make_rows.py`, from definitions.
+//! The rows are computed as by a user, with `forms eval - KERNEL`, and compared as exact rationals.
+//! `own.json` is written by `tests/reference/make_rows.py`, from definitions.
 
 #[path = "../../tests/reference/exact.rs"]
 mod exact;
@@ -17,7 +18,8 @@ use std::process::{Command, Stdio};
 const ROWS: &str = include_str!("../../tests/reference/visible.json");
 const OWN_ROWS: &str = include_str!("../../tests/reference/own.json");
 
-/// A number of a row as it is given to the program: those of JSON are the nearest doubles, texts are decimals.
+/// Formats a number of a row as input for the program: numbers of JSON are the nearest doubles,
+/// texts are decimals.
 fn text(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
@@ -25,7 +27,8 @@ fn text(value: &Value) -> String {
     }
 }
 
-/// The values of a kernel for these rows, of each the output that the row counts, or else the only one.
+/// Evaluates a kernel for these rows; returns the output that each row selects, by default the
+/// first.
 fn evaluated(kernel: &str, rows: &[&Value]) -> Vec<String> {
     let names: Vec<&String> = rows[0]["args"].as_object().expect("arguments").keys().collect();
     let line = |items: Vec<String>| items.join(",") + "\n";
@@ -61,7 +64,7 @@ fn is_within(row: &Value, computed: &str) -> bool {
     (exact(computed) - value).abs() <= tolerance
 }
 
-/// The rows of each kernel that they name.
+/// Groups the rows by their kernel.
 fn by_kernel(reference: &Value) -> BTreeMap<&str, Vec<&Value>> {
     let mut kernels: BTreeMap<&str, Vec<&Value>> = BTreeMap::new();
     for row in reference["cases"].as_array().expect("cases") {

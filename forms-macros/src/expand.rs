@@ -1,4 +1,4 @@
-//! From a macro's body to what stands in its place.
+//! Expansion of a macro body.
 //!
 //! ```text
 //! Body ─ parse ─ resolve ─▶ Theory ─┬─ statements ─ decide ─▶ errors, or nothing
@@ -23,7 +23,7 @@ use forms_core::syntax::{parse, parse_equation};
 use forms_core::theory::{Kernel, Theory};
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-/// `forms! { items }`
+/// Expands `forms! { items }`.
 pub(crate) fn file(body: Body) -> TokenStream {
     let end = body.end();
     let (file, found) = parse(&body.tokens, end);
@@ -34,7 +34,7 @@ pub(crate) fn file(body: Body) -> TokenStream {
     theory_checked(theory, diagnostics, &Origin::Body(body.places))
 }
 
-/// `prove! { items; left == right where … }`
+/// Expands `prove! { items; left == right where … }`.
 pub(crate) fn equation(body: Body) -> TokenStream {
     let expected = "an equation `left == right`";
     let Resolved { theory, diagnostics, origin } =
@@ -42,14 +42,15 @@ pub(crate) fn equation(body: Body) -> TokenStream {
     theory_checked(theory, diagnostics, &origin)
 }
 
-/// A body, resolved as far as it can be.
+/// Resolved body, together with its errors.
 pub(crate) struct Resolved {
     pub(crate) theory: Theory,
     pub(crate) diagnostics: Vec<Diagnostic>,
     pub(crate) origin: Origin,
 }
 
-/// Resolves items and the item that `read_last` makes of what stands behind them, which `expected` names.
+/// Resolves the items of a body and the item that `read_last` parses from the remaining tokens.
+/// `expected` describes that item in the error message.
 pub(crate) fn resolved(
     body: Body,
     expected: &str,
@@ -70,7 +71,7 @@ pub(crate) fn resolved(
     Resolved { theory, diagnostics, origin: Origin::Body(body.places) }
 }
 
-/// The item `prove equation: left == right where …;`
+/// Builds the item `prove equation: left == right where …;`.
 fn claim(Equation { left, right, conditions }: Equation) -> Item {
     let span = conditions.iter().fold(left.span.to(right.span), |span, condition| span.to(condition.span));
     let name = Name { text: "the equation".to_owned(), span };
@@ -82,7 +83,7 @@ fn missing(expected: &str, end: Span) -> Diagnostic {
     Diagnostic::new(end, format!("expected {expected} behind the declarations"))
 }
 
-/// `kernel! { items; name(…) = … where … }`
+/// Expands `kernel! { items; name(…) = … where … }`.
 pub(crate) fn kernel(mut body: Body) -> TokenStream {
     let (items, last) = split_last(&body.tokens);
     let is_before_name =
@@ -106,7 +107,8 @@ fn word(text: &str) -> TokenKind {
     TokenKind::Name(text.to_owned())
 }
 
-/// The items of a body with their `;`, and what stands behind the last of them; nothing, if that is an item.
+/// Splits a body into its items with their `;` and the remaining tokens. The remainder is empty if
+/// it begins an item.
 fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     let semicolon = TokenKind::Symbol(Symbol::Semicolon);
     let mut depth = 0_usize;
@@ -125,8 +127,8 @@ fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     tokens.split_at(if is_item { tokens.len() } else { start })
 }
 
-/// Every statement decided and every kernel written; kernels stand even beside errors, so that what calls them
-/// adds none.
+/// Decides every statement and emits every kernel. Kernels are emitted even if there are errors, so
+/// that calls of them cause no further errors.
 pub(crate) fn theory_checked(theory: Theory, diagnostics: Vec<Diagnostic>, origin: &Origin) -> TokenStream {
     let mut compiled = compile_theory(theory, diagnostics, &Options::default());
     let mut output = TokenStream::new();
@@ -141,7 +143,8 @@ pub(crate) fn theory_checked(theory: Theory, diagnostics: Vec<Diagnostic>, origi
     output
 }
 
-/// A kernel as a documented Rust function and the module of its tiers, the function's name on the user's own.
+/// Emits a kernel as a documented Rust function and the module of its tiers. The function name has
+/// the span of the user's own.
 fn function(
     compiled: &mut Compiled,
     of_kernel: &CompiledKernel,
@@ -168,7 +171,7 @@ fn function(
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
 }
 
-/// A warning of removable singularities in the declared domain, if there are any.
+/// Emits a warning about removable singularities in the declared domain, if there are any.
 fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     if kernel.domain.is_empty() {
         return None;
@@ -184,7 +187,8 @@ fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     })
 }
 
-/// The formula, the proved statements it rests on, the domain it is stated on, and whether it is computed.
+/// Collects the documentation: the formula, the proved statements that it rests on, the domain, the
+/// units, whether the kernel is proved equal to its formula, and its rounding error.
 fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated) -> KernelDocs {
     let theory = &compiled.theory;
     let arguments: Vec<&str> =
@@ -204,8 +208,9 @@ fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated) ->
     }
 }
 
-/// The function with its name on the user's own, and the rest at the same place but marked as generated: a span
-/// of the whole body would be several lines long, which lints on layout take for the layout of each line.
+/// Gives the function name the span of the user's own name. All other tokens have the same location
+/// but are marked as generated: a span of the whole body would be several lines long, and layout
+/// lints would apply that length to each line.
 fn named_at(function: TokenStream, name: &str, place: proc_macro2::Span) -> TokenStream {
     let generated = proc_macro2::Span::call_site().located_at(place);
     let mut is_name = false;

@@ -1,7 +1,8 @@
-//! `form! { items; expression }`: a scalar or form evaluated and simplified, as a constant of texts.
+//! `form! { items; expression }`: evaluates and simplifies a scalar or form; the result is a
+//! constant of strings.
 //!
 //! ```text
-//! value ─ coefficients, simplified, zeros left out ─▶ degree · (basis form, coefficient) … · the whole text
+//! value ─ coefficients, simplified, zeros omitted ─▶ degree · (basis form, coefficient) … · the whole text
 //! ```
 
 use crate::expand::{Resolved, resolved, theory_checked};
@@ -16,10 +17,10 @@ use forms_core::theory::{Named, Theory, Value};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// What the expression is called; with a space, so that nothing else can have the name.
+/// Internal name of the expression. It contains a space, so that no declared name can equal it.
 const NAME: &str = "the expression";
 
-/// The constant, or the errors of the body, as one expression.
+/// Expands to the constant, or to the errors of the body, as one expression.
 pub(crate) fn value(body: Body) -> TokenStream {
     let mut span = body.end();
     let Resolved { mut theory, mut diagnostics, origin } = resolved(body, "an expression", |last, end| {
@@ -35,14 +36,15 @@ pub(crate) fn value(body: Body) -> TokenStream {
     quote! { { #errors #constant } }
 }
 
-/// The item `let name = expression;`
+/// Builds the item `let name = expression;`.
 fn named(value: ast::Expr) -> Item {
     let span = value.span;
     let name = Name { text: NAME.to_owned(), span };
     Item { docs: Vec::new(), public: false, span, kind: ItemKind::Let { name, unit: None, value } }
 }
 
-/// The expression's value as a constant; no diagnostic if what keeps it from having one was reported.
+/// Emits the expression's value as a constant. The error is `None` if the reason for the missing
+/// value was already reported.
 fn written(theory: &mut Theory, span: Span) -> Result<TokenStream, Option<Diagnostic>> {
     let Some(Named::Object(number)) = theory.named(NAME) else { return Err(None) };
     let (degree, terms) = match &theory.objects[*number].value {
@@ -66,14 +68,14 @@ fn written(theory: &mut Theory, span: Span) -> Result<TokenStream, Option<Diagno
     Ok(quote! { ::forms::Form { degree: #degree, terms: &[#(#pairs),*], text: #text } })
 }
 
-/// `dx^dy`; `1` for scalars.
+/// Returns the basis form, for example `dx^dy`; `1` for scalars.
 fn basis(theory: &Theory, blade: Blade) -> String {
     let names: Vec<String> =
         blade.coordinates().map(|coordinate| format!("d{}", theory.coordinate_name(coordinate))).collect();
     if names.is_empty() { "1".to_owned() } else { names.join("^") }
 }
 
-/// The sum of the terms in the language's notation.
+/// Writes the sum of the terms in the notation of the language.
 fn text(theory: &Theory, terms: &[(Blade, Expr)]) -> String {
     let mut text = String::new();
     for (blade, value) in terms {
@@ -87,7 +89,7 @@ fn text(theory: &Theory, terms: &[(Blade, Expr)]) -> String {
     if text.is_empty() { "0".to_owned() } else { text }
 }
 
-/// One coefficient times one basis form.
+/// Writes one coefficient times one basis form.
 fn term(pool: &Pool, value: Expr, basis: &str) -> String {
     let coefficient = pool.text(value);
     match (pool.node(value), coefficient.as_str()) {

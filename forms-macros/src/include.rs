@@ -1,4 +1,4 @@
-//! Files named in macros: where they are, what is in them, and how the compiler learns that they changed.
+//! Files named in macros: finds and reads them, and makes the compiler track their changes.
 
 use crate::expand::theory_checked;
 use crate::report::{Origin, compile_error, warned};
@@ -11,21 +11,21 @@ use quote::quote;
 use std::path::{Path, PathBuf};
 use syn::LitStr;
 
-/// A `.forms` file as a macro names it.
+/// `.forms` file named in a macro.
 pub(crate) struct Included {
-    /// Its text, under the name the user wrote.
+    /// Text of the file, under the name written by the user.
     pub(crate) source: Source,
-    /// The literal that names it.
+    /// Span of the literal that names the file.
     pub(crate) place: proc_macro2::Span,
-    /// Where it was found.
+    /// Path of the file.
     path: PathBuf,
 }
 
 impl Included {
-    /// Reads the file a macro's argument names.
+    /// Reads the file named by a macro's argument.
     ///
     /// # Errors
-    /// A `compile_error!`, if the argument is no path or the file cannot be read.
+    /// A `compile_error!`, if the argument is not a path or the file cannot be read.
     pub(crate) fn read(argument: TokenStream) -> Result<Self, TokenStream> {
         let name: LitStr = syn::parse2(argument).map_err(|error| {
             let message =
@@ -46,8 +46,8 @@ impl Included {
         }
     }
 
-    /// Lets kernels be computed by the forms chosen in the file beside this one, if there is one; what makes the compiler
-    /// look at that file again when it changes.
+    /// Replaces the forms of kernels by those chosen in the accompanying stability file, if it
+    /// exists. Returns tokens that make the compiler track that file.
     fn choose(&self, theory: &mut Theory) -> Result<TokenStream, TokenStream> {
         let path = self.path.with_extension(EXTENSION);
         let Ok(text) = std::fs::read_to_string(&path) else { return Ok(TokenStream::new()) };
@@ -69,19 +69,20 @@ impl Included {
         }
     }
 
-    /// An expression of the file's text, which also makes the compiler look at the file again when it changes.
+    /// Returns an expression for the file's text; the expression also makes the compiler track the
+    /// file.
     pub(crate) fn text(&self) -> TokenStream {
         let path = self.path.to_string_lossy();
         quote! { ::core::include_str!(#path) }
     }
 }
 
-/// The folder of the Cargo.toml of the crate that uses the macro.
+/// Returns the folder with the Cargo.toml of the crate that uses the macro.
 fn folder() -> PathBuf {
     std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(PathBuf::new, |folder| Path::new(&folder).to_owned())
 }
 
-/// `include_forms!("file.forms")`
+/// Expands `include_forms!("file.forms")`.
 pub(crate) fn items(argument: TokenStream) -> TokenStream {
     let included = match Included::read(argument) {
         Ok(included) => included,
@@ -105,7 +106,7 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
 mod tests {
     use super::*;
 
-    /// The messages of the `compile_error!`s of an expansion.
+    /// Returns the messages of the `compile_error!`s in an expansion.
     fn messages(expansion: &TokenStream) -> Vec<String> {
         let text = expansion.to_string();
         let literals =

@@ -1,9 +1,10 @@
-//! The lattice of a kernel with effects: the same kernel without some of them, chosen when the program runs.
+//! Specialisations of a kernel with effects: variants of the kernel without some of its effects,
+//! selected at run time.
 //!
 //! ```text
 //! kernel ─ specialisations ─ rules ─ generate ─▶ With<false, true>, … ─▶ Effects::of, with, batch_with
 //! ```
-//! Each member is compiled by itself: what it is without is not in its code.
+//! Each member is compiled separately: its code does not contain the absent effects.
 
 use crate::tiers::{MATH, Tiers, operations};
 use forms_core::compile::compile_kernel;
@@ -17,18 +18,18 @@ use forms_core::theory::Kernel;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// A member of the lattice.
+/// Member of the lattice of specialisations.
 struct Member {
-    /// For each effect whether it is there.
+    /// Whether each effect is present.
     present: Vec<bool>,
     formula: String,
     generated: Generated,
 }
 
-/// The items for a kernel's module; none for a kernel without effects.
+/// Emits the items for a kernel's module; none for a kernel without effects.
 ///
 /// # Errors
-/// If a specialisation cannot be made, or is no kernel.
+/// If a specialisation cannot be generated, or is not a kernel.
 pub(crate) fn items(
     pool: &mut Pool,
     kernel: &Kernel,
@@ -60,7 +61,8 @@ pub(crate) fn items(
     Ok(lattice.items(conditions, lattice.formulas().map_err(unreadable)?))
 }
 
-/// What vanishes where each effect does: the argument that switches it off, less the value at which it does.
+/// Builds one output per effect that is zero where the effect is inactive: the controlling argument
+/// minus the value that switches the effect off.
 fn conditions(pool: &mut Pool, kernel: &Kernel) -> Result<Program, Diagnostic> {
     let difference = |effect: &forms_core::theory::Effect| {
         let variable = pool.symbol(effect.variable);
@@ -96,17 +98,17 @@ impl Lattice<'_> {
         }
     }
 
-    /// The name of an effect as a field.
+    /// Returns the effects as field names.
     fn fields(&self) -> Vec<Ident> {
         self.kernel.effects.iter().map(|effect| identifier(&effect.name)).collect()
     }
 
-    /// The names of the effects as parameters of a type.
+    /// Returns the effects as names of const parameters.
     fn parameters(&self) -> Vec<Ident> {
         self.kernel.effects.iter().map(|effect| format_ident!("{}", effect.name.to_uppercase())).collect()
     }
 
-    /// `struct Effects`
+    /// Emits `struct Effects`.
     fn effects(&self) -> TokenStream {
         let (fields, arguments) = (self.fields(), &self.tiers.arguments);
         let (count, kinds) = (arguments.len(), fields.len());
@@ -129,16 +131,17 @@ impl Lattice<'_> {
             impl Effects {
                 /// All effects on.
                 pub const ALL: Self = Self { #(#fields: true,)* };
-                /// No effect on.
+                /// All effects off.
                 pub const NONE: Self = Self { #(#fields: false,)* };
-                /// The effects that these arguments call for: an effect is off where the kernel is the same without.
+                /// Returns the effects that these arguments need: an effect is off where the kernel
+                /// has the same value without it.
                 #[inline]
                 pub fn of(#(#arguments: f64),*) -> Self {
                     let [#(#differences),*] =
                         <Conditions as ::forms::math::Formula<#count, #kinds>>::value([#(#arguments),*]);
                     Self { #(#fields: #differences != 0.0,)* }
                 }
-                /// How many operations a value takes with these effects.
+                /// Returns the number of operations per value with these effects.
                 pub const fn operations(self) -> usize {
                     match (#(self.#fields,)*) {
                         #(#patterns => #operations,)*
@@ -148,7 +151,7 @@ impl Lattice<'_> {
         }
     }
 
-    /// The type of the members.
+    /// Emits the type `With` of the members.
     fn with(&self) -> TokenStream {
         let parameters = self.parameters();
         let docs = self.members.iter().map(|member| format!(" - {}", self.account(member)));
@@ -161,7 +164,7 @@ impl Lattice<'_> {
         }
     }
 
-    /// What a member is, in a line.
+    /// Describes a member in one line.
     fn account(&self, member: &Member) -> String {
         let absent: Vec<String> = self
             .kernel
@@ -180,7 +183,7 @@ impl Lattice<'_> {
         format!("{what}: `{formula}`; {count}. {}", member.generated.account())
     }
 
-    /// The members as formulas.
+    /// Emits the formulas of the members.
     fn formulas(&self) -> Result<TokenStream, proc_macro2::LexError> {
         let mut formulas = TokenStream::new();
         for member in &self.members {
@@ -191,7 +194,7 @@ impl Lattice<'_> {
         Ok(formulas)
     }
 
-    /// `fn with`: the function of one value.
+    /// Emits `fn with`, which selects the function of single values.
     fn choice(&self) -> TokenStream {
         let Tiers { name, arguments, outputs } = &self.tiers;
         let (count, result) = (arguments.len(), self.tiers.result(&quote!(f64)));
@@ -224,7 +227,7 @@ impl Lattice<'_> {
         }
     }
 
-    /// `fn batch_with`: the function of columns.
+    /// Emits `fn batch_with`, which selects the function of columns.
     fn batch_choice(&self) -> TokenStream {
         let Tiers { name, arguments, outputs } = &self.tiers;
         let count = arguments.len();
@@ -256,7 +259,7 @@ impl Lattice<'_> {
         }
     }
 
-    /// The arms that choose a function of the effects.
+    /// Emits the match arms that select a function by its effects.
     fn choices(&self, function: &str) -> TokenStream {
         let function = format_ident!("{function}");
         let arms = self.members.iter().map(|member| {
@@ -267,7 +270,7 @@ impl Lattice<'_> {
     }
 }
 
-/// A name of the language as one of Rust, which has more words of its own.
+/// Converts a name of the language to a Rust identifier; a Rust keyword becomes a raw identifier.
 fn identifier(name: &str) -> Ident {
     syn::parse_str::<Ident>(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
 }

@@ -1,5 +1,5 @@
-//! `proof_tests!("file.forms")`: one `#[test]` for each statement of a file, which decides it, and for each kernel
-//! that claims something of itself.
+//! `proof_tests!("file.forms")`: one `#[test]` that decides each statement of a file, and one for
+//! each kernel with claims.
 
 use crate::include::Included;
 use crate::report::Origin;
@@ -10,7 +10,7 @@ use forms_core::theory::Statement;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The tests, or the errors of the file.
+/// Expands to the tests, or to the errors of the file.
 pub(crate) fn tests(argument: TokenStream) -> TokenStream {
     let included = match Included::read(argument) {
         Ok(included) => included,
@@ -34,7 +34,7 @@ pub(crate) fn tests(argument: TokenStream) -> TokenStream {
     output
 }
 
-/// The test `kernel_NAME` of what a kernel claims of itself.
+/// Emits the test `kernel_NAME` of a kernel's claims.
 fn test_of_kernel(name: &str, file: &str, text: &TokenStream) -> TokenStream {
     let function = quote::format_ident!("kernel_{name}");
     quote! {
@@ -54,7 +54,7 @@ fn test(statement: &Statement, file: &str, text: &TokenStream) -> Result<TokenSt
     let function = syn::parse_str::<syn::Ident>(name).map_err(|_| {
         Diagnostic::new(statement.name_span, format!("`{name}` cannot be the name of a test"))
     })?;
-    // Statements carry mathematicians' names, which may have capitals.
+    // Names of statements follow mathematical notation and can contain capitals.
     let spelling = name.chars().any(char::is_uppercase).then(|| {
         quote! { #[allow(non_snake_case, reason = "the name of the statement")] }
     });

@@ -1,4 +1,5 @@
-//! Diagnostics in, `compile_error!` out: on the user's own tokens, or with the line of a file quoted.
+//! Converts diagnostics to `compile_error!`s: on the user's own tokens, or with the line of a file
+//! quoted.
 
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::syntax::Source;
@@ -6,16 +7,16 @@ use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::quote;
 use std::fmt::Write;
 
-/// Where the language's tokens came from.
+/// Origin of the language's tokens.
 pub(crate) enum Origin {
-    /// A macro's body: where each token begins and ends.
+    /// Macro body: start and end of each token in the Rust source.
     Body(Vec<(proc_macro2::Span, proc_macro2::Span)>),
-    /// A file, and the literal that names it.
+    /// File, and the span of the literal that names it.
     File(Source, proc_macro2::Span),
 }
 
 impl Origin {
-    /// All diagnostics at once, each once.
+    /// Emits all diagnostics, in order and without duplicates.
     pub(crate) fn errors(&self, diagnostics: &[Diagnostic]) -> TokenStream {
         let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
         ordered.sort_by_key(|diagnostic| diagnostic.span);
@@ -34,7 +35,8 @@ impl Origin {
         }
     }
 
-    /// What stands beside the marks under a macro's tokens.
+    /// Returns the message for a macro body, with its note and help. The compiler shows it at the
+    /// marked tokens.
     fn text(&self, diagnostic: &Diagnostic) -> String {
         let mut text = diagnostic.message.clone();
         let mut put = |part: std::fmt::Arguments<'_>| text.write_fmt(part).expect("a String takes all text");
@@ -48,8 +50,8 @@ impl Origin {
         text
     }
 
-    /// Where a span begins and ends in the user's Rust source. Where something is missing, that is the token
-    /// before the gap.
+    /// Returns the start and end of a span in the user's Rust source. For a missing token, both are
+    /// the token before the gap.
     pub(crate) fn place(&self, span: Span) -> (proc_macro2::Span, proc_macro2::Span) {
         let places = match self {
             Origin::File(_, literal) => return (*literal, *literal),
@@ -67,7 +69,8 @@ impl Origin {
     }
 }
 
-/// What makes the compiler say this as a warning: macros cannot warn, but what they write can use something deprecated.
+/// Emits code that makes the compiler print this message as a warning. Macros cannot warn, but
+/// their expansion can use a deprecated item.
 pub(crate) fn warned(message: &str) -> TokenStream {
     quote! {
         const _: () = {
@@ -78,7 +81,7 @@ pub(crate) fn warned(message: &str) -> TokenStream {
     }
 }
 
-/// A `compile_error!` under everything from `first` to `last`.
+/// Emits a `compile_error!` that marks everything from `first` to `last`.
 pub(crate) fn compile_error(first: proc_macro2::Span, last: proc_macro2::Span, message: &str) -> TokenStream {
     let ends = [first, last].map(|place| TokenTree::Ident(Ident::new("_here", place)));
     syn::Error::new_spanned(TokenStream::from_iter(ends), message).into_compile_error()

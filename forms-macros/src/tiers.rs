@@ -1,14 +1,17 @@
-//! The module beside a kernel's function: the same kernel in other precisions, and as it was written.
+//! The module that accompanies a kernel's function: the same kernel in other precisions, and as
+//! written.
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
 //! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows
 //!                                        └─ with a promise: checked, unguarded, batch_unguarded
 //! ```
-//! The batch of a kernel that promises an accuracy keeps the promise; what it is without is `unguarded`.
+//! If a kernel promises an accuracy, its batch keeps the promise; the `unguarded` functions omit
+//! it.
 //!
-//! Each function is a thin wrapper that is compiled where it is called and nowhere else. Paths are absolute and
-//! types have no values of their name, so that neither the user's names nor the kernel's arguments get in the way.
+//! Each function is a thin wrapper, compiled only where it is called. Paths are absolute and types
+//! have no values of their name, so that neither the user's names nor the kernel's arguments
+//! collide with them.
 
 use forms_core::emission::{MANY_ARGUMENTS, emit_formula};
 use forms_core::generation::Generated;
@@ -16,10 +19,11 @@ use forms_core::kernel::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// Where the arithmetic is found from wherever a macro is used.
+/// Absolute path of the arithmetic, valid at every use of a macro.
 pub(crate) const MATH: &str = "::forms::math";
 
-/// `mod NAME { … }` with the tiers and what else belongs to the kernel, or why Rust cannot read what was generated.
+/// Emits `mod NAME { … }` with the tiers and `more` items of the kernel. The error says why Rust
+/// cannot parse the generated code.
 pub(crate) fn module(
     generated: &Generated,
     more: &TokenStream,
@@ -66,20 +70,20 @@ pub(crate) fn module(
     Ok(module)
 }
 
-/// All operations of a program.
+/// Returns the total number of operations of a program.
 pub(crate) fn operations(program: &Program) -> usize {
     let count = program.operations();
     count.arithmetic() + count.function_calls + count.selects
 }
 
-/// The lints that the names of the formula and tiers that nobody calls would set off.
+/// Emits `allow` attributes for the lints that names of the formula and unused tiers would trigger.
 fn attributes(program: &Program) -> TokenStream {
     let names = std::iter::once(program.name()).chain(program.arguments().iter().map(String::as_str));
     let case = names
         .flat_map(str::chars)
         .any(char::is_uppercase)
         .then(|| quote!(#[allow(non_snake_case, reason = "the names of the formula")]));
-    // a batch has one more, its output
+    // A batch has one more argument, its output.
     let many = (program.arguments().len() + 1 > MANY_ARGUMENTS)
         .then(|| quote!(#[allow(clippy::too_many_arguments, reason = "one for each variable")]));
     quote! {
@@ -89,19 +93,19 @@ fn attributes(program: &Program) -> TokenStream {
     }
 }
 
-/// A function of columns.
+/// Function of columns.
 struct Batch<'a> {
-    /// Its name in the module.
+    /// Name in the module.
     name: &'a str,
-    /// The function of `forms_math` it calls.
+    /// Function of `forms_math` that it calls.
     function: &'a str,
-    /// The type of its numbers.
+    /// Number type.
     number: &'a str,
-    /// What it promises, in units of 2⁻⁵³.
+    /// Promised error bound, in units of 2⁻⁵³.
     within: Option<f64>,
 }
 
-/// The batches of a kernel that promises this.
+/// Lists the batches of a kernel with this promised error bound.
 fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
     let batch = |name, function, within| Batch { name, function, number: "f64", within };
     let [one, all] = match within {
@@ -121,7 +125,7 @@ fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
     batches
 }
 
-/// What the wrappers of one kernel have in common.
+/// Common data of the wrappers of one kernel.
 pub(crate) struct Tiers {
     pub(crate) name: Ident,
     pub(crate) arguments: Vec<Ident>,
@@ -138,20 +142,21 @@ impl Tiers {
         }
     }
 
-    /// The formula as it is written, in `f64`.
+    /// Emits the formula as written, in `f64`.
     fn plain(&self) -> TokenStream {
         let docs = format!(" `{}` in `f64`, its formula computed as it is written.", self.name);
         self.scalar(&docs, &format_ident!("plain"), &quote!(f64), &quote!(Plain))
     }
 
-    /// The stable form in `f32`, which a promise does not reach.
+    /// Emits the stable form in `f32`. A promise does not apply to it.
     fn f32(&self, promised: bool) -> TokenStream {
         let promise = if promised { ", by its form alone: what `within` promises is not kept" } else { "" };
         let docs = format!(" `{}` in `f32`{promise}.", self.name);
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
 
-    /// The stable form in double-double; of a kernel with a promise to 29 digits at least.
+    /// Emits the stable form in double-double arithmetic. For a kernel with a promise, at least 29
+    /// digits are correct.
     fn dd(&self, promised: bool) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let number = quote!(::forms::math::DoubleDouble);
@@ -166,7 +171,8 @@ impl Tiers {
         self.function(&docs, &name, &number, value)
     }
 
-    /// The values as near as a kernel promises, or an error instead of a value that is not known so well.
+    /// Emits the function that returns values within the promise, or an error where the promised
+    /// accuracy cannot be ensured.
     fn checked(&self, within: f64) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let docs = format!(
@@ -187,7 +193,8 @@ impl Tiers {
             /// Outside the domain the value is NaN, without an error.
             ///
             /// # Errors
-            /// Where no precision that is tried bounds the error of a result as well as `within` promises.
+            /// If none of the available precisions bounds the error of a result within the promised
+            /// limit (`within`).
             #[inline]
             pub fn checked(
                 #(#arguments: f64),*
@@ -197,13 +204,13 @@ impl Tiers {
         }
     }
 
-    /// The form that a kernel with a promise is computed by, in `f64` and without the promise.
+    /// Emits the stable form of a kernel with a promise, in `f64` and without the promise.
     fn unguarded(&self) -> TokenStream {
         let docs = format!(" `{}` in `f64` by its form alone, without a bound of the error.", self.name);
         self.scalar(&docs, &format_ident!("unguarded"), &quote!(f64), &quote!(Stable))
     }
 
-    /// A function of columns, by a function of `forms_math`.
+    /// Emits a function of columns that calls a function of `forms_math`.
     fn batch(&self, Batch { name, function, number, within }: Batch) -> TokenStream {
         let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
         let how = match name {
@@ -214,14 +221,14 @@ impl Tiers {
         let docs = format!(" `{}` of each row of columns of `{number}`s{how}.", self.name);
         let [name, function, number] = [name, function, number].map(|name| format_ident!("{name}"));
         let within = within.map(|within| quote!(, #within));
-        // an argument may have this name
+        // An argument can have this name.
         let output = format_ident!("{}", self.unused("output"));
         let (column, columns) = self.output_columns(&output, &quote!(#number));
         quote! {
             #[doc = #docs]
             ///
             /// # Errors
-            /// Where a column's length is not that of the first.
+            /// If the length of a column differs from the first.
             #[inline]
             pub fn #name(
                 #(#arguments: &[#number],)*
@@ -232,7 +239,7 @@ impl Tiers {
         }
     }
 
-    /// A function of the rows of matrices.
+    /// Emits a function of the rows of matrices.
     fn batch_rows(&self, within: Option<f64>) -> TokenStream {
         let (count, outputs) = (self.arguments.len(), self.outputs);
         let docs = format!(
@@ -246,7 +253,7 @@ impl Tiers {
             #[doc = #docs]
             ///
             /// # Errors
-            /// Where the matrices have other numbers of columns, or not the same number of rows.
+            /// If the matrices have the wrong numbers of columns, or different numbers of rows.
             #[inline]
             pub fn batch_rows(
                 arguments: ::forms::math::ndarray::ArrayView2<'_, f64>,
@@ -257,7 +264,7 @@ impl Tiers {
         }
     }
 
-    /// The type of the columns of outputs, and an array of them.
+    /// Returns the type of the output columns, and an array of them.
     pub(crate) fn output_columns(&self, output: &Ident, number: &TokenStream) -> (TokenStream, TokenStream) {
         match self.outputs {
             1 => (quote!(&mut [#number]), quote!([#output])),
@@ -265,7 +272,7 @@ impl Tiers {
         }
     }
 
-    /// A name that no argument has.
+    /// Returns a name that differs from all arguments.
     pub(crate) fn unused(&self, name: &str) -> String {
         let mut name = name.to_owned();
         while self.arguments.iter().any(|argument| argument == &name) {
@@ -274,7 +281,7 @@ impl Tiers {
         name
     }
 
-    /// A function of numbers of one type.
+    /// Emits a function of numbers of one type that evaluates a formula.
     fn scalar(&self, docs: &str, name: &Ident, number: &TokenStream, formula: &TokenStream) -> TokenStream {
         let (arguments, outputs) = (&self.arguments, self.outputs);
         let (count, call) = (arguments.len(), quote!(::forms::math::Formula));
@@ -282,7 +289,7 @@ impl Tiers {
         self.function(docs, name, number, value)
     }
 
-    /// A function of numbers of one type, by an array of the outputs.
+    /// Emits a function of numbers of one type, given an expression for the array of its outputs.
     fn function(&self, docs: &str, name: &Ident, number: &TokenStream, value: TokenStream) -> TokenStream {
         let arguments = &self.arguments;
         let (result, body) = (self.result(number), self.body(value));
@@ -295,7 +302,7 @@ impl Tiers {
         }
     }
 
-    /// The type of what a function gives: a number, or an array of several.
+    /// Returns the result type of a function: a number, or an array if there are several outputs.
     pub(crate) fn result(&self, number: &TokenStream) -> TokenStream {
         match self.outputs {
             1 => number.clone(),
@@ -303,7 +310,7 @@ impl Tiers {
         }
     }
 
-    /// What it gives, of an array of the outputs.
+    /// Emits the result of a function from an expression for the array of its outputs.
     pub(crate) fn body(&self, value: TokenStream) -> TokenStream {
         match self.outputs {
             1 => quote!(let [value] = #value; value),

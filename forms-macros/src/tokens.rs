@@ -1,12 +1,13 @@
-//! Rust tokens in, the language's tokens out, with the Rust places of each.
+//! Converts Rust tokens to tokens of the language, with the Rust spans of each.
 //!
 //! ```text
 //! names, numbers ─────────────┐
 //! runs of joint punctuation ──┼─ the text lexer ─▶ Token 0, Token 1, …
 //! brackets, #[doc = "…"] ─────┘                    places[0], places[1], …
 //! ```
-//! The spelling of each piece goes through the lexer of `.forms` files, so both doors read the same tokens and
-//! say the same of what is none. The span of a token is its number.
+//! The spelling of each piece goes through the lexer of `.forms` files. Macro bodies and files
+//! therefore yield the same tokens and the same messages about invalid ones. The span of a token is
+//! its index.
 
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::syntax::lex;
@@ -14,18 +15,18 @@ use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use proc_macro2::{Delimiter, Group, Punct, Spacing, TokenStream, TokenTree, token_stream};
 use std::iter::Peekable;
 
-/// A macro's body as the language reads it.
+/// Macro body as tokens of the language.
 #[derive(Default)]
 pub(crate) struct Body {
     pub(crate) tokens: Vec<Token>,
-    /// What is not of the language.
+    /// Errors about text that is not part of the language.
     pub(crate) diagnostics: Vec<Diagnostic>,
-    /// Where each token begins and ends in the user's source.
+    /// Start and end of each token in the user's source.
     pub(crate) places: Vec<(proc_macro2::Span, proc_macro2::Span)>,
 }
 
 impl Body {
-    /// The place just behind the last token.
+    /// Returns the empty span after the last token.
     pub(crate) fn end(&self) -> Span {
         let end = number(self.tokens.len());
         Span::new(end, end)
@@ -39,7 +40,8 @@ impl Body {
         span
     }
 
-    /// Takes the tokens of a spelling whose parts stand at `parts`, each by its first byte.
+    /// Lexes a spelling and appends its tokens. `parts` holds the first byte and the Rust span of
+    /// each part of the spelling.
     fn spelled(&mut self, text: &str, parts: &[(usize, proc_macro2::Span)]) {
         let place = |offset: u32| {
             let after = parts.partition_point(|&(start, _)| start <= offset as usize);
@@ -56,7 +58,7 @@ impl Body {
         }
     }
 
-    /// Takes one Rust token, which is one mistake if anything in its spelling is.
+    /// Appends one Rust token. It becomes a single error if its spelling contains any.
     fn single(&mut self, text: &str, place: proc_macro2::Span) {
         let (tokens, diagnostics) = lex(text);
         match diagnostics.into_iter().next() {
@@ -72,7 +74,7 @@ impl Body {
         }
     }
 
-    /// Takes a doc comment, which may have several lines.
+    /// Appends a doc comment, which can have several lines.
     fn docs(&mut self, text: &str, place: proc_macro2::Span) {
         for line in text.split('\n') {
             self.push(TokenKind::Doc(line.to_owned()), place, place);
@@ -80,7 +82,8 @@ impl Body {
     }
 }
 
-/// A place as a number. A body this long is refused by the parser, whatever its places.
+/// Converts an index to 32 bits. The parser rejects a body that is too long for this, whatever its
+/// spans.
 fn number(place: usize) -> u32 {
     u32::try_from(place).unwrap_or(u32::MAX - 1)
 }
@@ -108,14 +111,14 @@ pub(crate) fn read(stream: TokenStream) -> Body {
 
 type Rest = Peekable<token_stream::IntoIter>;
 
-/// What is still to be read between two brackets, and the one that closes.
+/// Unread tokens between two brackets, and the closing bracket.
 struct Level {
     rest: Rest,
     close: Option<(Symbol, proc_macro2::Span)>,
 }
 
-/// Takes an opening bracket. What a `macro_rules!` macro passes on as one expression is held together by round
-/// brackets, unless it is a single token.
+/// Appends an opening bracket. An expression that a `macro_rules!` macro passes on as one group is
+/// wrapped in round brackets, unless it is a single token.
 fn open(body: &mut Body, group: &Group) -> Level {
     let rest = group.stream().into_iter().peekable();
     let symbols = match group.delimiter() {
@@ -132,7 +135,7 @@ fn open(body: &mut Body, group: &Group) -> Level {
     Level { rest, close }
 }
 
-/// Takes a run of punctuation without spaces, or a doc comment.
+/// Appends a run of punctuation without spaces, or a doc comment.
 fn punctuation(body: &mut Body, first: Punct, rest: &mut Rest) {
     let mut text = String::from(first.as_char());
     let mut parts = vec![(0, first.span())];
@@ -170,12 +173,13 @@ fn punctuation(body: &mut Body, first: Punct, rest: &mut Rest) {
     body.spelled(&text, &parts);
 }
 
-/// Whether one token begins where the other ends. A `macro_rules!` macro forgets that `**` was written in one.
+/// Whether one token begins where the other ends. A `macro_rules!` macro does not record that the
+/// two signs of `**` are joint.
 fn touch(first: proc_macro2::Span, next: proc_macro2::Span) -> bool {
     first.end() == next.start()
 }
 
-/// The text of `[doc = "…"]`, which is what Rust makes of `/// …`.
+/// Returns the text of `[doc = "…"]`, the form to which Rust converts `/// …`.
 fn doc_text(group: &Group) -> Option<String> {
     let mut inside = group.stream().into_iter();
     let (Some(TokenTree::Ident(word)), Some(TokenTree::Punct(assign)), Some(TokenTree::Literal(text)), None) =
@@ -202,7 +206,8 @@ mod tests {
         read(TokenStream::from_str(text).expect("Rust can read it"))
     }
 
-    /// What both doors make of a text.
+    /// Lexes a text both as a file and as a macro body; returns the tokens and the messages of
+    /// each.
     fn both(text: &str) -> [(Vec<TokenKind>, Vec<String>); 2] {
         let body = from_rust(text);
         let (tokens, diagnostics) = lex(text);

@@ -1,5 +1,6 @@
-//! Batches: each function in lanes of every set of instructions beside the function of one number, and within an accuracy
-//! that lanes bound themselves. The throughput is in values.
+//! Benchmarks of batches: each function in lanes, with every set of instructions, compared with the
+//! function of single numbers; and batches within an accuracy for which lanes compute the error
+//! bounds. The throughput is in values.
 
 use criterion::{
     BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime,
@@ -7,10 +8,10 @@ use criterion::{
 use forms_math::{Formula, Instructions, Real, batch_by, batch_f32_by, batch_within_by};
 use std::hint::black_box;
 
-/// Values of a batch: two columns of them are in the first cache.
+/// Number of values of a batch: two columns of this length fit in the L1 cache.
 const COUNT: usize = 2048;
 
-/// Numbers that are spread evenly, in no order.
+/// Returns uniformly distributed numbers in no particular order.
 fn column(from: f64, to: f64) -> Vec<f64> {
     (0..COUNT).map(|index| from + (to - from) * ((index * 797 % COUNT) as f64 + 0.5) / COUNT as f64).collect()
 }

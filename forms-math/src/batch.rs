@@ -1,12 +1,13 @@
 //! A formula over columns of arguments.
 //!
 //! ```text
-//! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best instructions there are ─▶ outputs
+//! columns ─▶ length checked ─▶ blocks of rows ─▶ lanes, by the best available instructions ─▶ outputs
 //!                                                          └─ rows with a NaN ─▶ the formula in one number ─┘
 //! ```
-//! Every row goes through the same instructions wherever it stands, fewer rows than a vector being filled up by copies of the
-//! last: the value of a row does not depend on the rows beside it. A NaN that a function of lanes gives for an argument out
-//! of its reach is computed again, so that what is NaN in an output is NaN by the formula.
+//! Every row is computed by the same instructions at every position; if there are fewer rows than a
+//! vector holds, it is filled with copies of the last row. Therefore the value of a row does not
+//! depend on the rows next to it. A NaN from a lane function for an argument outside its range is
+//! recomputed, so that a NaN in an output is a NaN of the formula.
 
 mod block;
 mod instructions;
@@ -26,10 +27,10 @@ use method::{Element, Method, Plain, Within};
 pub use rows::{RowsMismatch, batch_rows, batch_rows_within};
 use std::ops::Range;
 
-/// The values of a formula in `f64`, one row at each position of the columns.
+/// Computes the values of a formula in `f64`, one row for each position of the columns.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 ///
 /// ```
 /// use forms_math::{Formula, Real, batch};
@@ -53,10 +54,10 @@ pub fn batch<F: Formula<A, O>, const A: usize, const O: usize>(
     batch_by::<F, A, O>(Instructions::best(), columns, outputs)
 }
 
-/// [`batch`] in `f32`.
+/// Computes [`batch`] in `f32`.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 pub fn batch_f32<F: Formula<A, O>, const A: usize, const O: usize>(
     columns: [&[f32]; A],
     outputs: [&mut [f32]; O],
@@ -64,10 +65,11 @@ pub fn batch_f32<F: Formula<A, O>, const A: usize, const O: usize>(
     batch_f32_by::<F, A, O>(Instructions::best(), columns, outputs)
 }
 
-/// [`batch`] with given instructions: to measure them, or for the same bits on all processors that have them.
+/// Computes [`batch`] with given instructions: to measure them, or for the same bits on all
+/// processors that have them.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 pub fn batch_by<F: Formula<A, O>, const A: usize, const O: usize>(
     instructions: Instructions,
     columns: [&[f64]; A],
@@ -78,10 +80,10 @@ pub fn batch_by<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
-/// [`batch_f32`] with given instructions.
+/// Computes [`batch_f32`] with given instructions.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 pub fn batch_f32_by<F: Formula<A, O>, const A: usize, const O: usize>(
     instructions: Instructions,
     columns: [&[f32]; A],
@@ -92,11 +94,12 @@ pub fn batch_f32_by<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
-/// The values of a formula within `within` · 2⁻⁵³ of the exact ones, relative to them, as [`escalate`](crate::escalate) has
-/// them: lanes bound their errors, and rows whose bound is not good enough are escalated.
+/// Computes the values of a formula within a relative error of `within` · 2⁻⁵³, like
+/// [`escalate`](crate::escalate): lanes compute error bounds, and rows whose bound is insufficient
+/// are escalated.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 pub fn batch_within<F: Formula<A, O>, const A: usize, const O: usize>(
     columns: [&[f64]; A],
     outputs: [&mut [f64]; O],
@@ -105,10 +108,10 @@ pub fn batch_within<F: Formula<A, O>, const A: usize, const O: usize>(
     batch_within_by::<F, A, O>(Instructions::best(), columns, outputs, within)
 }
 
-/// [`batch_within`] with given instructions.
+/// Computes [`batch_within`] with given instructions.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
     instructions: Instructions,
     columns: [&[f64]; A],
@@ -120,7 +123,7 @@ pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
-/// What [`batch_within`] computes of one row by a formula known when the program runs.
+/// Computes one row as [`batch_within`] does, for a formula that is known only at run time.
 pub fn row_within(
     computation: &impl Computation,
     arguments: &[f64],
@@ -137,10 +140,10 @@ pub fn row_within(
     values
 }
 
-/// [`batch`] on all processors.
+/// Computes [`batch`] on all processors.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 #[cfg(feature = "rayon")]
 pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     columns: [&[f64]; A],
@@ -153,10 +156,10 @@ pub fn batch_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
-/// [`batch_within`] on all processors.
+/// Computes [`batch_within`] on all processors.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 #[cfg(feature = "rayon")]
 pub fn batch_within_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     columns: [&[f64]; A],
@@ -170,10 +173,10 @@ pub fn batch_within_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     Ok(())
 }
 
-/// [`batch_f32`] on all processors.
+/// Computes [`batch_f32`] on all processors.
 ///
 /// # Errors
-/// Where a column's length is not that of the first.
+/// If the length of a column differs from the first.
 #[cfg(feature = "rayon")]
 pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
     columns: [&[f32]; A],
@@ -189,7 +192,7 @@ pub fn batch_f32_parallel<F: Formula<A, O>, const A: usize, const O: usize>(
 #[cfg(feature = "rayon")]
 mod parallel;
 
-/// Columns of one length, block by block.
+/// Evaluates columns of the same length block by block.
 fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
     instructions: Instructions,
@@ -213,8 +216,9 @@ fn over_blocks<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     }
 }
 
-/// The rows that fill no vectors: with some of those before, which are computed again, or with copies of the last. A function of its own:
-/// larger batches need not touch the stack for its copies.
+/// Evaluates the rows that do not fill a vector: together with some of the rows before, which are
+/// computed again, or with copies of the last row. It is a separate function so that larger batches
+/// do not touch the stack for its copies.
 #[inline(never)]
 fn last_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
@@ -234,7 +238,7 @@ fn last_rows<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     copied(method, kernel, &block, STEP, outputs, 0..length);
 }
 
-/// The columns from a row on. Not by `map`, which is a call that copies all columns.
+/// Returns the columns from a row on. `map` is avoided, since it is a call that copies all columns.
 fn from<'a, E, const A: usize>(columns: &[&'a [E]; A], start: usize) -> block::Arguments<'a, E, A> {
     let mut rest = *columns;
     for column in &mut rest {
@@ -243,7 +247,7 @@ fn from<'a, E, const A: usize>(columns: &[&'a [E]; A], start: usize) -> block::A
     rest
 }
 
-/// Values of so many rows, of which the first go to these rows of the outputs.
+/// Computes the values of this number of rows; the first of them go to these rows of the outputs.
 #[inline(never)]
 fn copied<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,

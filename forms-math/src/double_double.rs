@@ -4,8 +4,8 @@
 //! arithmetic ─┬─ exponential ─┬─ elementary functions ─ special functions
 //!   └─ ends   └─ circular    ─┘
 //! ```
-//! The exponents are those of `f64`: a result beyond 2¹⁰²⁴ is infinite, and below 2⁻⁹⁰⁰ the second word loses bits to
-//! underflow. The bounds that stand at the functions hold above that.
+//! The exponents are those of `f64`: a result beyond 2¹⁰²⁴ is infinite, and below 2⁻⁹⁰⁰ the second
+//! word loses bits to underflow. The error bounds stated at the functions hold above 2⁻⁹⁰⁰.
 
 mod arithmetic;
 mod circular;
@@ -31,18 +31,18 @@ impl DoubleDouble {
     pub(crate) const ONE: Self = Self { high: 1.0, low: 0.0 };
     pub(crate) const NAN: Self = Self { high: f64::NAN, low: 0.0 };
 
-    /// The sum of two numbers of any sizes.
+    /// Returns the sum of two numbers of any sizes.
     pub const fn new(high: f64, low: f64) -> Self {
         let (high, low) = crate::error_free::two_sum(high, low);
         if high.is_finite() { Self { high, low } } else { Self { high, low: 0.0 } }
     }
 
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     pub const fn high(self) -> f64 {
         self.high
     }
 
-    /// What the nearest `f64` leaves.
+    /// Returns the remainder after the nearest `f64`.
     pub const fn low(self) -> f64 {
         self.low
     }

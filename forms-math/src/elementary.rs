@@ -1,7 +1,8 @@
-//! Elementary functions of any precision from a few of the type's own: +, −, ×, ÷, √, e^x, e^x − 1, sin and cos.
+//! Elementary functions of any precision, from a few functions of the type:
+//! +, −, ×, ÷, √, e^x, e^x − 1, sin and cos.
 //!
-//! The inverse functions take their first 50 bits from `f64` and all others from one evaluation of the function and a
-//! short series of what is left.
+//! The inverse functions take their first 50 bits from `f64` and all others from one evaluation of
+//! the function and a short series for the remainder.
 
 mod angle;
 mod hyperbolic;
@@ -15,10 +16,10 @@ pub(crate) use power::{LARGEST_BY_SQUARING, rational_power};
 
 use crate::scalar::Scalar;
 
-/// s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, of |s| < 2⁻⁴⁹.
+/// Evaluates s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, for |s| < 2⁻⁴⁹.
 fn odd_series<T: Scalar>(s: T, sign: f64) -> T {
     let square = s * s * T::from_f64(sign);
-    // The first term left out is below 2^(−98 (terms + 1)) of the sum.
+    // The first omitted term is below 2^(−98 (terms + 1)) of the sum.
     let terms = (T::PRECISION + 8).div_ceil(98) - 1;
     let mut sum = T::from_f64(0.0);
     for term in (1..=terms).rev() {

@@ -1,9 +1,10 @@
-//! Sums and products of two numbers as a rounded result and what the rounding left, both exact.
+//! Error-free transformations: sums and products of two numbers as a rounded result and its exact
+//! rounding error.
 //!
-//! Source: T. J. Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971);
-//! D. E. Knuth, The Art of Computer Programming 2, §4.2.2.
+//! Source: T. J. Dekker, A floating-point technique for extending the available precision, Numer.
+//! Math. 18 (1971); D. E. Knuth, The Art of Computer Programming 2, §4.2.2.
 
-/// a + b = sum + rest exactly, where nothing overflows.
+/// Returns (sum, rest) with a + b = sum + rest exactly, if nothing overflows.
 #[inline(always)]
 pub(crate) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -11,19 +12,19 @@ pub(crate) const fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
-/// a + b = sum + rest exactly, where |a| ≥ |b| or a = 0.
+/// Returns (sum, rest) with a + b = sum + rest exactly, if |a| ≥ |b| or a = 0.
 #[inline(always)]
 pub(crate) const fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// Beyond this the split would overflow: 2⁹⁹⁵.
+/// Limit beyond which the split would overflow: 2⁹⁹⁵.
 const SPLIT_LIMIT: f64 = f64::from_bits((995 + 1023) << 52);
-/// 2⁻²⁸, exact for what is beyond the limit, and its reciprocal.
+/// Scale for numbers beyond the limit, 2⁻²⁸; the scaling and its inverse are exact.
 const SPLIT_SCALE: f64 = 1.0 / (1_u64 << 28) as f64;
 
-/// a = high + low with 26 bits each.
+/// Splits a = high + low into parts with 26 bits each.
 #[inline(always)]
 const fn split(a: f64) -> (f64, f64) {
     const SPLITTER: f64 = ((1_u64 << 27) + 1) as f64;
@@ -41,7 +42,8 @@ const fn split_within(a: f64, splitter: f64) -> (f64, f64) {
     (high, a - high)
 }
 
-/// a b = product + rest exactly, where the product is finite and above [`EXACT_PRODUCT`] or zero.
+/// Returns (product, rest) with a b = product + rest exactly, if the product is finite and above
+/// [`EXACT_PRODUCT`] or zero.
 #[inline(always)]
 pub(crate) const fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -50,10 +52,10 @@ pub(crate) const fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low)
 }
 
-/// 2⁻⁹⁶⁹: what rounding leaves of a product at least this large is a normal number or zero.
+/// 2⁻⁹⁶⁹: the rounding error of a product at least this large is a normal number or zero.
 pub(crate) const EXACT_PRODUCT: f64 = f64::from_bits((1023 - 969) << 52);
 
-/// `value` · 2^`exponent`, rounded once unless the result is subnormal.
+/// Returns `value` · 2^`exponent`, rounded once unless the result is subnormal.
 #[inline]
 pub(crate) fn scaled(value: f64, exponent: i64) -> f64 {
     if (-1022..=1023).contains(&exponent) {
@@ -74,7 +76,7 @@ fn scaled_in_steps(value: f64, exponent: i64) -> f64 {
     value
 }
 
-/// A finite number other than zero as m 2ᵉ with ½ ≤ |m| < 1.
+/// Splits a finite non-zero number into m 2ᵉ with ½ ≤ |m| < 1.
 pub(crate) fn mantissa_and_exponent(value: f64) -> (f64, i64) {
     let bits = value.to_bits();
     let biased = (bits >> 52) & 0x7ff;
@@ -85,14 +87,14 @@ pub(crate) fn mantissa_and_exponent(value: f64) -> (f64, i64) {
     (f64::from_bits((bits & !(0x7ff << 52)) | (1022 << 52)), biased as i64 - 1022)
 }
 
-/// True where [`two_product`] holds what the rounding of a · b leaves.
+/// Whether [`two_product`] returns the exact rounding error of a · b.
 #[inline(always)]
 pub(crate) fn has_exact_rest(product: f64, a: f64, b: f64) -> bool {
     (product.abs() >= EXACT_PRODUCT && product.abs() <= SPLIT_LIMIT)
         || (product == 0.0 && (a == 0.0 || b == 0.0))
 }
 
-/// a b − c d within an ulp, at any size of the products that does not leave the range of the result.
+/// Computes a b − c d within an ulp, for products of any size, if the result is in range.
 #[inline(always)]
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (first, second) = (a * b, c * d);
@@ -103,8 +105,9 @@ pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     difference_of_scaled_products(a, b, c, d)
 }
 
-/// a b − c d as a sum of three words but for what two more roundings of the last leave, where the rests are exact:
-/// the second is at most half an ulp of the first, and the last is small beside the larger of the second and the first.
+/// Returns a b − c d as a sum of three words, exact up to two more roundings of the last word, if
+/// the rests of both products are exact. The second word is at most half an ulp of the first, and
+/// the last is small compared with the larger of the second and the first.
 #[inline(always)]
 pub(crate) fn difference_in_words(a: f64, b: f64, c: f64, d: f64) -> [f64; 3] {
     let (high_first, low_first) = two_product(a, b);
@@ -116,7 +119,8 @@ pub(crate) fn difference_in_words(a: f64, b: f64, c: f64, d: f64) -> [f64; 3] {
     [value, left, small + least]
 }
 
-/// The same where a product is near an end of the range: every factor is brought to about one, and the result back.
+/// Computes a b − c d where a product is near an end of the range: every factor is scaled to about
+/// one, and the result is scaled back.
 #[cold]
 fn difference_of_scaled_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     if !(a.is_finite() && b.is_finite() && c.is_finite() && d.is_finite()) {
@@ -136,7 +140,7 @@ fn difference_of_scaled_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     if common < -4000 {
         return 0.0;
     }
-    // What is 2³⁰⁰ times smaller than the other product changes it by less than half an ulp.
+    // A product 2³⁰⁰ times smaller than the other changes it by less than half an ulp.
     let below = |exponent: i64| (exponent - common).max(-300);
     let difference =
         difference_of_products(scaled(a, below(first_exponent)), b, scaled(c, below(second_exponent)), d);

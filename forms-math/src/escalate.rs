@@ -1,12 +1,13 @@
-//! A kernel in as much precision as its arguments need for the accuracy promised.
+//! Evaluation of a kernel in the precision that its arguments need for the promised accuracy.
 //!
 //! ```text
 //! Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ tape ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ … ─▶ <256>
-//!       └─ each output from the first that bounds its error well enough
+//!       └─ each output from the first that bounds its error sufficiently
 //! ```
-//! Results of two words begin with the second ([`double_double`]). Numbers of words have exponents of 60 bits, so that
-//! nothing is lost on the way to a result that `f64` holds. What 16 376 bits do not tell is NaN, and a [`NotWithin`] where
-//! it is asked for.
+//! Results of two words start with the second type ([`double_double`]). Numbers of words have
+//! exponents of 60 bits, so that nothing underflows or overflows on the way to a result that `f64`
+//! can hold. A result that 16 376 bits do not decide is NaN, and a [`NotWithin`] where that is
+//! requested.
 
 mod double_double;
 mod rounding;
@@ -23,29 +24,29 @@ use crate::{DoubleDouble, Formula, Real, Wide};
 use rounding::{Outcome, Rounding, ToDouble, ToSingle};
 use tape::Tape;
 
-/// The precision that an output was taken from.
+/// Precision from which an output was taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Tier {
     /// `f64`
     Double,
     /// 106 bits
     DoubleDouble,
-    /// So many words of 64 bits.
+    /// This number of words of 64 bits.
     Words(u16),
-    /// None bounded the error well enough.
+    /// No precision bounded the error sufficiently.
     Undecided,
 }
 
-/// The words of the widest numbers that are tried.
+/// Number of words of the widest numbers.
 const MOST_WORDS: usize = 256;
 
-/// The error of a kernel whose value no precision that is tried bounds as well as its `within` promises: it is computed as
-/// NaN.
+/// Error of a kernel for whose value no available precision reaches the bound promised by its
+/// `within`. The value is then NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotWithin {
-    /// The place of the result.
+    /// Index of the result.
     pub output: usize,
-    /// What is promised, in units of 2⁻⁵³.
+    /// Promised error bound, in units of 2⁻⁵³.
     pub within: f64,
 }
 
@@ -59,12 +60,14 @@ impl fmt::Display for NotWithin {
 
 impl std::error::Error for NotWithin {}
 
-/// The outputs within `within` · 2⁻⁵³ of their exact values, relative to them; half an ulp from them where they are below
-/// 2⁻¹⁰²², and infinite beyond the largest `f64`.
+/// Computes the outputs within a relative error of `within` · 2⁻⁵³. Below 2⁻¹⁰²² the error is at
+/// most half an ulp, and beyond the largest `f64` the output is infinite.
 ///
-/// Rounding to `f64` takes up to 2⁻⁵³ of that: with `within` below 1 there are values that no `f64` is near enough to. On the
-/// boundary of two roundings, where no precision tells which is nearer, the error may be 2⁻²⁸ of a unit more. NaN where
-/// a formula is not defined, and where no precision bounds the error well enough: [`escalate_checked`] tells these apart.
+/// Rounding to `f64` uses up to 2⁻⁵³ of this bound: with `within` below 1, some values have no
+/// sufficiently near `f64`. On the boundary of two roundings, where no precision decides which one
+/// is nearer, the error can be 2⁻²⁸ of a unit larger. The output is NaN where a formula is
+/// undefined, and where no precision bounds the error sufficiently: [`escalate_checked`]
+/// distinguishes these cases.
 ///
 /// ```
 /// use forms_math::{Formula, Real, escalate};
@@ -84,10 +87,10 @@ pub fn escalate<F: Formula<A, O>, const A: usize, const O: usize>(
     escalate_with_tier::<F, A, O>(arguments, within).map(|(value, _)| value)
 }
 
-/// [`escalate`], with an error where a value is not known as well as that.
+/// Computes [`escalate`], with an error if a value is not known to this accuracy.
 ///
 /// # Errors
-/// The first result that no precision bounds well enough.
+/// The first result that no precision bounds sufficiently.
 ///
 /// ```
 /// use forms_math::{Formula, NotWithin, Real, escalate_checked};
@@ -113,7 +116,7 @@ pub fn escalate_checked<F: Formula<A, O>, const A: usize, const O: usize>(
     }
 }
 
-/// [`escalate`], with the precision that each output was taken from.
+/// Computes [`escalate`], and returns the precision of each output.
 pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
@@ -121,8 +124,8 @@ pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     rounded::<F, A, O, _>(arguments, ToDouble { units: within })
 }
 
-/// [`escalate`] of numbers of `f32`: within `within` · 2⁻²⁴ of the exact values, relative to them, and half an ulp from them
-/// where they are below 2⁻¹²⁶.
+/// Computes [`escalate`] for `f32`: within a relative error of `within` · 2⁻²⁴, and within half an
+/// ulp below 2⁻¹²⁶.
 pub fn escalate_f32<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f32; A],
     within: f64,
@@ -156,18 +159,18 @@ fn beyond_double<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
     }
 }
 
-/// An argument of two words as it is.
+/// Converts an argument of two words exactly.
 fn argument(value: DoubleDouble) -> Guarded<DoubleDouble> {
     if value.is_nan() { Guarded::undefined() } else { Guarded::exact(value) }
 }
 
-/// What can be computed in numbers of every kind: a formula known when the program runs.
+/// Computation in every number type: a formula that is known only at run time.
 pub trait Computation {
-    /// The outputs in one kind of number.
+    /// Computes the outputs in one number type.
     fn values<T: Real>(&self, arguments: &[T]) -> Vec<T>;
 }
 
-/// A formula as a computation.
+/// Formula as a computation.
 struct Of<F, const A: usize, const O: usize>(PhantomData<F>);
 
 impl<F, const A: usize, const O: usize> Of<F, A, O> {
@@ -182,7 +185,7 @@ impl<F: Formula<A, O>, const A: usize, const O: usize> Computation for Of<F, A, 
     }
 }
 
-/// [`escalate_with_tier`] of a computation with so many outputs.
+/// Computes [`escalate_with_tier`] for a computation with this number of outputs.
 pub fn escalate_computation(
     computation: &impl Computation,
     arguments: &[f64],
@@ -199,7 +202,7 @@ pub fn escalate_computation(
     slots.into_iter().map(|slot| (slot.number, slot.tier)).collect()
 }
 
-/// What is open, from double-double on.
+/// Computes the open results, starting with double-double.
 fn from_two_words<R: Rounding>(
     computation: &impl Computation,
     arguments: &[DoubleDouble],
@@ -212,12 +215,12 @@ fn from_two_words<R: Rounding>(
     }
 }
 
-/// A result that is looked for.
+/// Result to be determined.
 #[derive(Clone, Copy)]
 struct Slot<N> {
     number: N,
     tier: Tier,
-    /// Whether more precision may tell.
+    /// Whether more precision can decide the result.
     is_open: bool,
 }
 
@@ -227,7 +230,8 @@ impl<N> Slot<N> {
     }
 }
 
-/// Takes of these values what is good enough of the results that are still open; true where none is left.
+/// Stores the values that are accurate enough for the open results; returns true if none remains
+/// open.
 fn take<T: Guardable, R: Rounding>(
     values: &[Guarded<T>],
     tier: Tier,
@@ -248,10 +252,11 @@ fn take<T: Guardable, R: Rounding>(
     !is_open
 }
 
-/// The widest numbers for a formula with an integral: its rule takes many nodes, and is no better than its estimate.
+/// Widest numbers for a formula with an integral: its rule needs many nodes, and its error is only
+/// estimated.
 const MOST_WORDS_OF_INTEGRALS: usize = 16;
 
-/// What is left open is computed in words, more and more of them.
+/// Computes the open results with increasing numbers of words.
 fn climb<R: Rounding>(
     computation: &impl Computation,
     arguments: &[DoubleDouble],
@@ -259,7 +264,7 @@ fn climb<R: Rounding>(
     slots: &mut [Slot<R::Number>],
 ) {
     let tape = Tape::of(arguments.len(), |arguments| computation.values(arguments));
-    // what does not depend on how large an infinite argument is shows at once
+    // Results that do not depend on the size of an infinite argument are known immediately.
     let is_finite = arguments.iter().all(|argument| argument.high().is_finite());
     let most = match (is_finite, tape.has_integral()) {
         (false, _) => 4,
@@ -275,7 +280,7 @@ fn climb<R: Rounding>(
         || climbing.is_done_in::<MOST_WORDS>(slots);
 }
 
-/// A formula at arguments, in up to so many words.
+/// Formula with its arguments, to be computed in up to this number of words.
 struct Climbing<'a, R> {
     tape: Tape,
     arguments: &'a [DoubleDouble],
@@ -284,10 +289,11 @@ struct Climbing<'a, R> {
 }
 
 impl<R: Rounding> Climbing<'_, R> {
-    /// Computes what is still open in so many words; true where nothing is left, or no more words are tried.
+    /// Computes the open results in this number of words; returns true if none remains, or if no
+    /// larger numbers are tried.
     #[inline(never)]
     fn is_done_in<const LIMBS: usize>(&self, slots: &mut [Slot<R::Number>]) -> bool {
-        // a number of two words is the sum of two exact ones
+        // A number of two words is the sum of two exact numbers.
         let exact = |value: &DoubleDouble| match value.low() {
             0.0 => Guarded::<Wide<LIMBS>>::from_f64(value.high()),
             low => Guarded::from_f64(value.high()) + Guarded::from_f64(low),

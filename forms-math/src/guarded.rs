@@ -1,14 +1,15 @@
 //! A number and a bound of its error.
 //!
 //! ```text
-//! bound ─ number (what each type states of its rounding) ─ Guarded ─┬─ arithmetic
-//!                                                                    ├─ functions, special functions
-//!                                                                    ├─ choices
-//!                                                                    └─ numbers beyond the exponents
+//! bound ─ number (rounding errors of each type) ─ Guarded ─┬─ arithmetic
+//!                                                          ├─ functions, special functions
+//!                                                          ├─ choices
+//!                                                          └─ numbers beyond the exponents
 //! ```
-//! The bound of a result is that of its own rounding and what the errors of the arguments make of it, to all orders.
-//! Arguments of a kernel have no error. Where a function is not defined for all that an argument may be, the result has
-//! no bound; where it is defined for none of it, the result is undefined: NaN without an error.
+//! The bound of a result consists of its own rounding error and the propagated errors of the
+//! arguments, to all orders. Arguments of a kernel have no error. If a function is undefined for a
+//! part of the possible arguments, the result has no bound; if it is undefined for all of them, the
+//! result is undefined: NaN without an error.
 
 mod arithmetic;
 mod beyond;
@@ -21,7 +22,7 @@ mod special;
 pub use bound::{Bound, Magnitude};
 pub use number::{Guardable, Units};
 
-/// A number whose exact value is at most `error` away.
+/// Number whose exact value is at most `error` away.
 ///
 /// ```
 /// use forms_math::{Guarded, Real};
@@ -38,38 +39,38 @@ pub struct Guarded<T: Guardable> {
 }
 
 impl<T: Guardable> Guarded<T> {
-    /// A number without error.
+    /// Creates a number without error.
     pub fn exact(value: T) -> Self {
         let known = value.exponent().is_some() || value == T::from_f64(0.0) || value.is_beyond().is_some();
         Self { value, error: if known { T::Bound::ZERO } else { T::Bound::INFINITE } }
     }
 
-    /// A number and a bound of its error.
+    /// Creates a number with an error bound.
     pub fn new(value: T, error: T::Bound) -> Self {
         if value.is_nan() { Self::undecided(value) } else { Self { value, error } }
     }
 
-    /// What is defined nowhere.
+    /// Returns an undefined value.
     pub fn undefined() -> Self {
         Self { value: T::nan(), error: T::Bound::ZERO }
     }
 
-    /// A number of which nothing is known.
+    /// Returns a number without a known bound.
     pub(crate) fn undecided(value: T) -> Self {
         Self { value, error: T::Bound::INFINITE }
     }
 
-    /// The number.
+    /// Returns the number.
     pub fn value(self) -> T {
         self.value
     }
 
-    /// The bound of its error.
+    /// Returns the error bound.
     pub fn error(self) -> T::Bound {
         self.error
     }
 
-    /// True where the exact value is no number.
+    /// Whether the exact value is undefined.
     pub fn is_undefined(self) -> bool {
         self.value.is_nan() && self.error.is_zero()
     }

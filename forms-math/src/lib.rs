@@ -1,4 +1,4 @@
-//! The arithmetic that generated kernels run in.
+//! Arithmetic of generated kernels.
 //!
 //! ```text
 //! Formula: one generic body ─┬─ f32, f64 ───────────▶ a value
@@ -6,8 +6,8 @@
 //!                            ├─ Guarded<T> ─────────▶ a value and a bound of its error
 //!                            └─ Lane<FMA> ──────────▶ batches over slices, vectorised, chosen at run time
 //! ```
-//! A kernel is written once, as a function of any [`Real`]; a precision is a type. What stands here needs nothing
-//! but the standard library, so that it can be pasted beside a kernel.
+//! A kernel is written once, as a function of any [`Real`]; a precision is a type. Without its
+//! features, the crate needs only the standard library, so that it can be pasted next to a kernel.
 
 mod batch;
 mod double_double;
@@ -42,7 +42,7 @@ pub use escalate::{
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
-/// The matrices of [`batch_rows`].
+/// Matrix library of [`batch_rows`].
 #[cfg(feature = "ndarray")]
 pub use ndarray;
 pub use number::Number;

@@ -1,6 +1,6 @@
-//! Numbers of a formula, exactly.
+//! Exact numbers of a formula.
 
-/// ± n/d · πᵏ other than zero, of any length, with the first two words of its value.
+/// Non-zero number ± n/d · πᵏ with n and d of any length, and the first two words of its value.
 ///
 /// ```
 /// use forms_math::{Number, Real, Wide};
@@ -19,8 +19,9 @@ pub struct Number<'a> {
 }
 
 impl<'a> Number<'a> {
-    /// n/d · πᵏ with the least significant words of n and d first, the sign that of the first word: the nearest `f64`,
-    /// and the nearest of what that leaves.
+    /// Creates n/d · πᵏ from the first two words of its value (the nearest `f64`, and the `f64`
+    /// nearest to the remainder) and the words of n and d, the least significant first. The sign is
+    /// that of the first word.
     pub const fn new(
         words: [f64; 2],
         numerator: &'a [u64],
@@ -30,27 +31,27 @@ impl<'a> Number<'a> {
         Self { words, numerator, denominator, pi_exponent }
     }
 
-    /// The nearest `f64`, and the nearest of what that leaves.
+    /// Returns the nearest `f64`, and the `f64` nearest to the remainder.
     pub fn words(&self) -> &[f64; 2] {
         &self.words
     }
 
-    /// True below zero.
+    /// Whether the number is negative.
     pub(crate) fn is_negative(&self) -> bool {
         self.words[0] < 0.0
     }
 
-    /// n, the least significant word first.
+    /// Returns n, the least significant word first.
     pub(crate) fn numerator(&self) -> &'a [u64] {
         self.numerator
     }
 
-    /// d, the least significant word first.
+    /// Returns d, the least significant word first.
     pub(crate) fn denominator(&self) -> &'a [u64] {
         self.denominator
     }
 
-    /// k
+    /// Returns k.
     pub(crate) fn pi_exponent(&self) -> i32 {
         self.pi_exponent
     }

@@ -1,23 +1,26 @@
-//! ∫ₐᵇ f(t) dt by the double-exponential rule, with an estimate of its error, on intervals halved where it is slow.
+//! ∫ₐᵇ f(t) dt by the double-exponential rule, with an estimate of its error. Intervals with slow
+//! convergence are halved.
 //!
-//! With t = a + (b − a) w(s), w = 1/(1 + e^(−π sinh s)), the integrand falls doubly exponentially in s, also at a weak
-//! singularity of f at an end, and the trapezoidal sum over s = kh converges exponentially in 1/h.
+//! With t = a + (b − a) w(s), w = 1/(1 + e^(−π sinh s)), the integrand falls doubly exponentially
+//! in s, also at a weak singularity of f at an end, and the trapezoidal sum over s = kh converges
+//! exponentially in 1/h.
 //!
-//! Source: H. Takahasi, M. Mori, Double exponential formulas for numerical integration, Publ. RIMS 9 (1974);
-//! the estimate of the error: D. H. Bailey, K. Jeyabalan, X. S. Li, A comparison of three high-precision quadrature
-//! schemes, Experimental Mathematics 14 (2005).
+//! Source: H. Takahasi, M. Mori, Double exponential formulas for numerical integration, Publ. RIMS
+//! 9 (1974); the estimate of the error: D. H. Bailey, K. Jeyabalan, X. S. Li, A comparison of three
+//! high-precision quadrature schemes, Experimental Mathematics 14 (2005).
 
 use crate::Real;
 use crate::scalar::Scalar;
 use crate::table::table;
 
-/// The most intervals that an integral is taken over, fewer where each takes more nodes of more digits.
+/// Returns the largest number of intervals of an integral; it is smaller for higher precisions,
+/// whose intervals need more nodes.
 const fn most_intervals(precision: u32) -> u32 {
     let intervals = 256 * f64::MANTISSA_DIGITS / precision;
     if intervals < 16 { 16 } else { intervals }
 }
 
-/// A place in the unit interval, from its nearer end, and its weight.
+/// Node in the unit interval, measured from its nearer end, with its weight.
 #[derive(Clone, Copy)]
 struct Node<S> {
     place: S,
@@ -26,7 +29,8 @@ struct Node<S> {
 
 struct Nodes;
 
-/// The nodes s = 0, h, 2h, … of level 0 (h = ½), of the others the odd multiples of h = 2^(−1 − level).
+/// Returns the nodes s = 0, h, 2h, … for level 0 (h = ½), and the odd multiples of
+/// h = 2^(−1 − level) for the other levels.
 fn nodes<S: Scalar>(level: u32) -> &'static [Node<S>] {
     table::<Nodes, Node<S>>(level as usize, || {
         let one = S::Wider::from_f64(1.0);
@@ -48,35 +52,38 @@ fn nodes<S: Scalar>(level: u32) -> &'static [Node<S>] {
     })
 }
 
-/// What a rule needs to know of the kind of number it integrates.
+/// Properties of the number type that the rule integrates.
 pub(crate) struct Kind<T, S> {
-    /// The kind's number for a node or a weight.
+    /// Converts a node or a weight to the number type.
     pub(crate) of: fn(S) -> T,
-    /// A number near the kind's, to judge convergence by.
+    /// Converts to a nearby scalar, to judge convergence.
     pub(crate) number: fn(T) -> S,
-    /// The bits that the integrand's values hold.
+    /// Number of significant bits of the integrand's values.
     pub(crate) bits: u32,
 }
 
 impl<T, S: Scalar> Kind<T, S> {
-    /// Levels are added until the estimate is within two ulp of the scale.
+    /// Returns the relative tolerance: levels are added until the estimate is within two ulp of the
+    /// scale.
     fn tolerance(&self) -> S {
         S::from_f64(4.0).scaled(-i64::from(self.bits))
     }
-    /// An interval is halved where the estimate is beyond what the rounding of the integrand alone may make of it.
+    /// Returns the tolerance of an interval: it is halved if the estimate exceeds the error that
+    /// the rounding of the integrand alone can cause.
     fn tolerance_of_interval(&self) -> S {
         self.tolerance().scaled(6)
     }
 }
 
-/// An integral and the estimate of the error of the rule.
+/// Integral with an estimate of the error of the rule.
 struct Estimate<T, S> {
     value: T,
     magnitude: S,
     error: S,
 }
 
-/// The integral and an estimate of the error that the rule leaves, without that of the integrand's rounding.
+/// Computes the integral and an estimate of the error of the rule, without the rounding error of
+/// the integrand.
 pub(crate) fn double_exponential<T: Real, S: Scalar>(
     from: T,
     to: T,
@@ -106,7 +113,8 @@ pub(crate) fn double_exponential<T: Real, S: Scalar>(
     (total, error)
 }
 
-/// Level after level until the estimate is within the tolerance of the larger of the integral and `scale`, or the last.
+/// Adds levels until the estimate is within the tolerance of the larger of the integral and
+/// `scale`, or until the last level.
 fn over_interval<T: Real, S: Scalar>(
     from: T,
     to: T,
@@ -137,7 +145,7 @@ fn over_interval<T: Real, S: Scalar>(
         }
         let scale = if scale > estimate.magnitude { scale } else { estimate.magnitude };
         estimate.error = rule_error(sums, scale);
-        // NaN ends here too.
+        // NaN also ends the loop.
         if estimate.error > scale * kind.tolerance() {
             continue;
         }
@@ -146,7 +154,8 @@ fn over_interval<T: Real, S: Scalar>(
     estimate
 }
 
-/// w f at the node and at its mirror image, and the sum of their sizes; a node that rounds to an end counts as nothing.
+/// Returns w f at the node plus its mirror image, and the sum of their magnitudes. A node that
+/// rounds to an end counts as zero.
 fn at_node<T: Real, S: Scalar>(
     from: T,
     to: T,
@@ -172,8 +181,8 @@ fn at_node<T: Real, S: Scalar>(
     (first + second, (kind.number)(first).abs() + (kind.number)(second).abs())
 }
 
-/// The error of the newest of three sums: convergence squares a difference, relative to the scale, each level. A difference
-/// that is smaller than the square of the one before is so by chance.
+/// Estimates the error of the newest of three sums: each level squares the difference, relative to
+/// the scale. A difference smaller than the square of the previous one is accidental.
 fn rule_error<S: Scalar>(sums: [S; 3], scale: S) -> S {
     let zero = S::from_f64(0.0);
     let newest = (sums[0] - sums[1]).abs();
@@ -209,7 +218,7 @@ mod tests {
 
     #[test]
     fn a_smooth_integrand_that_two_levels_agree_on_by_chance_is_integrated() {
-        // the H function of Chandrasekhar, by the formula of Stibbs and Weir
+        // The H function of Chandrasekhar, by the formula of Stibbs and Weir.
         let (albedo, cosine) = (0.11979952456552519_f64, 0.41128390788583297_f64);
         let integrand = |p: f64| {
             let turned = p.sin().atan2(cosine * p.cos());

@@ -1,40 +1,42 @@
-//! The numbers a kernel can be computed in.
+//! Number types in which a kernel can be computed.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::Number;
 
-/// Real numbers of some precision, with NaN for what is no real number.
+/// Real numbers of some precision; NaN represents undefined values.
 ///
-/// A choice evaluates both of its branches, so that a body is one straight line and can run in the lanes of a vector.
-/// Where its sides cannot be compared because one is NaN, its value is NaN.
+/// A choice evaluates both of its branches, so that a body is straight-line code and can run in the
+/// lanes of a vector. If its sides cannot be compared because one is NaN, its value is NaN.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
-    /// The number c₀ + c₁ + …: each word is the nearest `f64` of what the words before it leave.
+    /// Returns the number c₀ + c₁ + …: each word is the `f64` nearest to the remainder after the
+    /// words before it.
     fn constant(words: &[f64]) -> Self;
-    /// A number of a formula in all digits that the type holds.
+    /// Returns a number of a formula, with all digits that the type holds.
     #[inline(always)]
     fn number(number: Number<'_>) -> Self {
         Self::constant(number.words())
     }
-    /// The number of this value.
+    /// Returns the number with this value.
     fn from_f64(value: f64) -> Self;
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     fn to_f64(self) -> f64;
-    /// The value that no operation is defined at.
+    /// Returns NaN, at which no operation is defined.
     fn nan() -> Self {
         Self::from_f64(f64::NAN)
     }
 
-    /// self · factor + summand, with one rounding where the type has that in an instruction.
+    /// Computes self · factor + summand, with one rounding if the type has an instruction for it.
     #[inline(always)]
     fn mul_add(self, factor: Self, summand: Self) -> Self {
         self * factor + summand
     }
-    /// a b − c d without cancellation of its roundings: within a few ulp of the exact value.
+    /// Computes a b − c d without cancellation of its rounding errors: within a few ulp of the
+    /// exact value.
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self;
-    /// a b + c d, likewise.
+    /// Computes a b + c d within a few ulp of the exact value.
     #[inline(always)]
     fn sum_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         Self::difference_of_products(a, b, -c, d)
@@ -42,29 +44,30 @@ pub trait Real:
 
     /// √x
     fn sqrt(self) -> Self;
-    /// x^(numerator/denominator), of x > 0, or x = 0 where the exponent is positive.
+    /// Computes x^(numerator/denominator) for x > 0, or for x = 0 if the exponent is positive.
     fn power(self, numerator: i64, denominator: i64) -> Self;
     /// |x|
     fn abs(self) -> Self;
 
-    /// `then` where left < right, `otherwise` where left ≥ right.
+    /// Returns `then` if left < right, and `otherwise` if left ≥ right.
     fn if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self;
-    /// `then` where left ≤ right, `otherwise` where left > right.
+    /// Returns `then` if left ≤ right, and `otherwise` if left > right.
     fn if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self;
-    /// `then` where left = right, `otherwise` where they differ.
+    /// Returns `then` if left = right, and `otherwise` if they differ.
     fn if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self;
 
-    /// [`Real::if_less`] for choices that are followed by NaN where their sides cannot be compared: `otherwise` will do there.
+    /// Variant of [`Real::if_less`] for choices that a later step turns into NaN if their sides
+    /// cannot be compared; in that case it can return `otherwise`.
     #[inline(always)]
     fn either_if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
         Self::if_less(left, right, then, otherwise)
     }
-    /// [`Real::if_less_equal`], likewise.
+    /// Variant of [`Real::if_less_equal`] with the same property as [`Real::either_if_less`].
     #[inline(always)]
     fn either_if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
         Self::if_less_equal(left, right, then, otherwise)
     }
-    /// [`Real::if_equal`], likewise.
+    /// Variant of [`Real::if_equal`] with the same property as [`Real::either_if_less`].
     #[inline(always)]
     fn either_if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
         Self::if_equal(left, right, then, otherwise)
@@ -76,13 +79,13 @@ pub trait Real:
     fn cos(self) -> Self;
     /// tan x
     fn tan(self) -> Self;
-    /// The angle in [−π/2, π/2] of that sine.
+    /// Returns the angle in [−π/2, π/2] with this sine.
     fn asin(self) -> Self;
-    /// The angle in [0, π] of that cosine.
+    /// Returns the angle in [0, π] with this cosine.
     fn acos(self) -> Self;
-    /// The angle in (−π/2, π/2) of that tangent.
+    /// Returns the angle in (−π/2, π/2) with this tangent.
     fn atan(self) -> Self;
-    /// The angle in (−π, π] of the point (x, y), with `self` = y.
+    /// Returns the angle in (−π, π] of the point (x, y), where `self` = y.
     fn atan2(self, x: Self) -> Self;
     /// eˣ
     fn exp(self) -> Self;
@@ -100,16 +103,17 @@ pub trait Real:
     fn tanh(self) -> Self;
     /// erf x = 2/√π ∫₀ˣ e^(−t²) dt
     fn erf(self) -> Self;
-    /// E₁(x) = ∫₁^∞ e^(−xt)/t dt, of x > 0
+    /// E₁(x) = ∫₁^∞ e^(−xt)/t dt, for x > 0
     fn expint1(self) -> Self;
-    /// E₂(x) = ∫₁^∞ e^(−xt)/t² dt, of x ≥ 0
+    /// E₂(x) = ∫₁^∞ e^(−xt)/t² dt, for x ≥ 0
     fn expint2(self) -> Self;
-    /// E₃(x) = ∫₁^∞ e^(−xt)/t³ dt, of x ≥ 0
+    /// E₃(x) = ∫₁^∞ e^(−xt)/t³ dt, for x ≥ 0
     fn expint3(self) -> Self;
-    /// The dilogarithm Li₂(x) = −∫₀ˣ ln(1 − t)/t dt, of x ≤ 1
+    /// Dilogarithm Li₂(x) = −∫₀ˣ ln(1 − t)/t dt, for x ≤ 1
     fn dilog(self) -> Self;
     /// Clausen's function Cl₂(x) = −∫₀ˣ ln|2 sin(t/2)| dt
     fn clausen(self) -> Self;
-    /// ∫ₐᵇ f(t) dt, of an integrand that is analytic between a and b; it may have weak singularities at the ends.
+    /// ∫ₐᵇ f(t) dt for an integrand that is analytic between a and b; weak singularities at the
+    /// ends are allowed.
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self;
 }

@@ -1,19 +1,20 @@
-//! `f32` and `f64` as numbers of a kernel, and what the special functions ask of a single number.
+//! `f32` and `f64` as numbers of a kernel, and the operations that special functions need from a
+//! single number.
 //!
-//! The elementary functions of `f64` are those of the standard library; `f32` computes in `f64` wherever a rounding
-//! to `f32` in between would cost accuracy.
+//! The elementary functions of `f64` are those of the standard library; `f32` computes in `f64`
+//! wherever an intermediate rounding to `f32` would reduce accuracy.
 
 use crate::error_free;
 use crate::quadrature::{Kind, double_exponential};
 use crate::{DoubleDouble, Real};
 
-/// A [`Real`] that is one number: its order can be branched on, and its precision is known.
+/// [`Real`] that is a single number: code can branch on its order, and its precision is known.
 pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
-    /// The bits of its significand.
+    /// Number of bits of the significand.
     const PRECISION: u32;
-    /// What tables of this type are computed in, so that each entry is rounded once.
+    /// Type in which tables of this type are computed, so that each entry is rounded once.
     type Wider: Scalar;
-    /// The nearest number.
+    /// Rounds to the nearest number.
     fn rounded(wider: Self::Wider) -> Self;
 
     /// π
@@ -22,24 +23,25 @@ pub trait Scalar: Real + PartialOrd + Send + Sync + 'static {
     fn ln_2() -> Self;
     /// Euler's constant γ
     fn euler_gamma() -> Self;
-    /// The nearest number.
+    /// Converts an integer to the nearest number.
     fn from_integer(value: i64) -> Self;
-    /// e of a finite number m 2ᵉ other than zero, ½ ≤ |m| < 1.
+    /// Returns e of a finite non-zero number m 2ᵉ with ½ ≤ |m| < 1.
     fn exponent(self) -> Option<i64>;
-    /// True of what is no number.
+    /// Whether this is NaN.
     #[inline(always)]
     fn is_nan(self) -> bool {
         self.partial_cmp(&self).is_none()
     }
     /// self · 2^exponent
     fn scaled(self, exponent: i64) -> Self;
-    /// (q mod 4, self − q π/2) with q the nearest integer, the rest accurate relative to itself.
+    /// Returns (q mod 4, self − q π/2) with q the nearest integer. The remainder has a small
+    /// relative error.
     fn quadrant(self) -> (u8, Self);
     /// (sin x, cos x)
     fn sine_and_cosine(self) -> (Self, Self);
 }
 
-/// What one hardware type takes from the standard library as it is.
+/// Functions that a hardware type takes unchanged from the standard library.
 macro_rules! standard_functions {
     ($type:ty: $($name:ident),*) => { $(
         #[inline(always)]
@@ -49,7 +51,7 @@ macro_rules! standard_functions {
     )* };
 }
 
-/// Choices by one comparison, of a type whose numbers are ordered by the hardware.
+/// Choices by a single comparison, for types with a hardware order.
 macro_rules! either_choices {
     () => {
         #[inline(always)]
@@ -68,7 +70,7 @@ macro_rules! either_choices {
 }
 pub(crate) use either_choices;
 
-/// All choices of such a type.
+/// All choices of types with a hardware order.
 macro_rules! choices {
     () => {
         #[inline(always)]
@@ -106,7 +108,7 @@ macro_rules! choices {
 }
 pub(crate) use choices;
 
-/// The special functions to so many bits, computed in a type of at least as many.
+/// Special functions with this number of bits, computed in a type of at least this precision.
 macro_rules! special_functions {
     (@one $type:ty, $bits:expr, $name:ident, |$x:ident| $value:expr) => {
         fn $name(self) -> Self {
@@ -125,11 +127,11 @@ macro_rules! special_functions {
 }
 pub(crate) use special_functions;
 
-/// A number as one of a type with more bits, and back.
+/// Conversion to a type with more bits, and back.
 pub(crate) trait Widen<Wider>: Sized {
-    /// The same number.
+    /// Converts the number exactly.
     fn widened(self) -> Wider;
-    /// The nearest number.
+    /// Rounds to the nearest number.
     fn narrowed(wider: Wider) -> Self;
 }
 
@@ -160,7 +162,8 @@ impl Widen<f64> for f32 {
     }
 }
 
-/// What a type of more precision takes from `elementary` and `special`, its quadrature, and its choices.
+/// Functions that a type of higher precision takes from `elementary` and `special`, its quadrature,
+/// and its choices.
 macro_rules! composed_functions {
     () => {
         fn power(self, numerator: i64, denominator: i64) -> Self {
@@ -251,8 +254,8 @@ impl Real for f64 {
     }
 }
 
-/// x^(n/d), where no function of the standard library takes a quotient for an exponent: n/d = p + r with p rounded,
-/// and x^p x^r = x^p (1 + r ln x) to well below an ulp.
+/// Computes x^(n/d). No function of the standard library accepts a quotient as exponent:
+/// n/d = p + r with p rounded, and x^p x^r = x^p (1 + r ln x) with an error far below an ulp.
 #[inline(always)]
 fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
     match (numerator, denominator) {
@@ -317,7 +320,7 @@ impl Scalar for f64 {
     }
 }
 
-/// Functions of one `f32` by those of `f64`, rounded once.
+/// Functions of one `f32`, computed in `f64` and rounded once.
 macro_rules! by_f64 {
     ($($name:ident),*) => { $(
         #[inline(always)]
@@ -357,7 +360,7 @@ impl Real for f32 {
     fn atan2(self, x: Self) -> Self {
         f32::atan2(self, x)
     }
-    /// In `f32`, so that the integrand is the one of the kernel in this precision.
+    /// Evaluates the integrand in `f32`, so that it is the kernel's integrand in this precision.
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
         let integrand = |place: f64| f64::from(integrand(place as f32));
         let kind = Kind { of: |node| node, number: |value: f64| value, bits: f32::MANTISSA_DIGITS };

@@ -1,11 +1,11 @@
-//! The text of this crate's single numbers, to be pasted beside a kernel.
+//! The text of this crate's scalar arithmetic, to be pasted next to a kernel.
 //!
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Lanes and batches are left out: what is pasted is for one value at a time.
+//! Lanes and batches are omitted: the pasted text is for single values.
 
-/// The files that are pasted, by their path without `.rs` or `/mod.rs`.
+/// Files that are pasted, by their path without `.rs` or `/mod.rs`.
 const FILES: &[(&str, &str)] = &[
     ("double_double", include_str!("double_double.rs")),
     ("double_double/arithmetic", include_str!("double_double/arithmetic.rs")),
@@ -56,7 +56,7 @@ const FILES: &[(&str, &str)] = &[
     ("wide/sum", include_str!("wide/sum.rs")),
 ];
 
-/// The files that are not pasted, since they are for more than one value at a time.
+/// Files that are not pasted, since they process several values at a time.
 const OTHER_FILES: &[(&str, &str)] = &[
     ("batch", include_str!("batch.rs")),
     ("batch/block", include_str!("batch/block.rs")),
@@ -79,8 +79,8 @@ const OTHER_FILES: &[(&str, &str)] = &[
     ("lane/word", include_str!("lane/word.rs")),
 ];
 
-/// This crate as files of a folder, by their paths in it, to be compiled beside kernels where the crate itself is not at
-/// hand: without features, tests and this function.
+/// Returns this crate as files of a folder, by their relative paths, for compilation with kernels
+/// where the crate itself is not available: without features, tests and this function.
 ///
 /// ```
 /// let files = forms_math::crate_files();
@@ -94,8 +94,9 @@ pub fn crate_files() -> Vec<(String, String)> {
     std::iter::once(("lib.rs".to_string(), root)).chain(modules).collect()
 }
 
-/// `mod forms_math { … }` for the root of a crate: `f32`, `f64`, [`DoubleDouble`](crate::DoubleDouble) and
-/// [`Wide`](crate::Wide) as [`Real`](crate::Real)s, without comments on files and without tests.
+/// Returns `mod forms_math { … }` for the root of a crate: `f32`, `f64`,
+/// [`DoubleDouble`](crate::DoubleDouble) and [`Wide`](crate::Wide) as [`Real`](crate::Real)s,
+/// without module comments and tests.
 ///
 /// ```
 /// let text = forms_math::source();
@@ -108,7 +109,7 @@ pub fn source() -> String {
     )
 }
 
-/// The text of a module with the files of its modules in their places.
+/// Returns the text of a module with its submodules inserted.
 fn pasted(path: &str, text: &str) -> String {
     let mut lines = Vec::new();
     let mut within_left_out = false;
@@ -123,7 +124,7 @@ fn pasted(path: &str, text: &str) -> String {
         };
         within_left_out = left_out && !line.ends_with(';');
         if left_out {
-            // with the attributes above it
+            // The attributes above the line are dropped too.
             while lines.last().is_some_and(|line: &String| line.starts_with("#[")) {
                 lines.pop();
             }
@@ -136,7 +137,7 @@ fn pasted(path: &str, text: &str) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The file of a module within another.
+/// Returns the file of a module within another.
 fn file(path: &str, module: &str) -> Option<(String, &'static str)> {
     let path = if path.is_empty() { module.to_string() } else { format!("{path}/{module}") };
     let (_, text) = FILES.iter().find(|(known, _)| *known == path)?;

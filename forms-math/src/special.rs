@@ -1,7 +1,8 @@
-//! Special functions of any precision: series and continued fractions with as many terms as the bits asked for.
+//! Special functions of any precision: series and continued fractions with the number of terms that
+//! the requested bits need.
 //!
-//! Every function takes the number of bits that its value shall have. A type that has more bits than that spends the
-//! spare ones on cancellation and so saves terms: `f64` computes in a wider type and rounds once.
+//! Every function takes the number of bits of its value. A type with more bits uses the spare ones
+//! for cancellation and so saves terms: `f64` computes in a wider type and rounds once.
 
 mod clausen;
 mod dilogarithm;

@@ -1,4 +1,4 @@
-//! Tables that a type of number needs and that are computed once for it.
+//! Tables that are computed once for each number type.
 
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
@@ -6,7 +6,8 @@ use std::sync::{OnceLock, RwLock};
 
 type Tables = RwLock<HashMap<(TypeId, usize), &'static (dyn Any + Send + Sync)>>;
 
-/// The table `Kind` number `index` of entries `T`; `compute` gives it when it is asked for the first time.
+/// Returns table `Kind` with this `index` and entries of type `T`; `compute` is called at the first
+/// request.
 pub(crate) fn table<Kind: 'static, T: Send + Sync + 'static>(
     index: usize,
     compute: impl FnOnce() -> Vec<T>,
@@ -18,7 +19,8 @@ pub(crate) fn table<Kind: 'static, T: Send + Sync + 'static>(
     if let Some(known) = known.and_then(|known| known.downcast_ref::<Vec<T>>()) {
         return known;
     }
-    // Computed outside the lock, since a table may ask for another. Two threads may do it at once; one is kept.
+    // Computed outside the lock, since a table can request another. Two threads can compute it
+    // simultaneously; one result is kept.
     let computed = compute();
     let Ok(mut tables) = tables.write() else { return Box::leak(computed.into_boxed_slice()) };
     let kept = tables.entry(key).or_insert_with(|| Box::leak(Box::new(computed)));

@@ -1,4 +1,5 @@
-//! Binary floating point of as many words as one likes, with an exponent that does not run out.
+//! Binary floating-point numbers with any number of words, and exponents that practically never
+//! overflow.
 //!
 //! ```text
 //! natural (integers of any length) ─ constants ─┐
@@ -27,7 +28,7 @@ enum Class {
     Nan,
 }
 
-/// A number of 64 · `LIMBS` bits, ± 0.m · 2^exponent with the first bit of m set; at least two limbs.
+/// Number of 64 · `LIMBS` bits, ± 0.m · 2^exponent with the first bit of m set; at least two limbs.
 ///
 /// ```
 /// use forms_math::{Real, Wide};
@@ -39,6 +40,6 @@ pub struct Wide<const LIMBS: usize> {
     class: Class,
     negative: bool,
     exponent: i64,
-    /// The least significant word first.
+    /// Words of the mantissa, the least significant first.
     mantissa: [u64; LIMBS],
 }

@@ -1,4 +1,5 @@
-//! Double-double near the ends of the range of exponents, and where its own digits do not do.
+//! Double-double numbers near the ends of the range of exponents, and where their own digits are
+//! insufficient.
 
 use forms_math::{DoubleDouble, Formula, Real, Wide, escalate_double_double};
 use proptest::prelude::*;
@@ -9,7 +10,7 @@ fn exactly(value: DoubleDouble) -> Truth {
     Truth::from_f64(value.high()) + Truth::from_f64(value.low())
 }
 
-/// The relative error in units of 2⁻¹⁰⁶.
+/// Returns the relative error in units of 2⁻¹⁰⁶.
 fn units(value: DoubleDouble, exact: Truth) -> f64 {
     let difference = exactly(value) - exact;
     if difference == Truth::from_f64(0.0) {
@@ -19,7 +20,7 @@ fn units(value: DoubleDouble, exact: Truth) -> f64 {
     }
 }
 
-/// m (1 + r 2⁻⁵⁴) 2ᵉ with a second word that is not zero.
+/// Generates m (1 + r 2⁻⁵⁴) 2ᵉ with a non-zero second word.
 fn number() -> impl Strategy<Value = DoubleDouble> {
     (-960..1023_i32, 1.0..2.0_f64, 0.3..0.7_f64).prop_map(|(exponent, mantissa, rest)| {
         let scale = 2.0_f64.powi(exponent);

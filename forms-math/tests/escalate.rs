@@ -1,4 +1,4 @@
-//! Escalation: what is promised is kept, by as little precision as it takes.
+//! Escalation: promises are kept, with the least sufficient precision.
 
 use forms_math::{
     Formula, Guarded, NotWithin, Number, Real, Tier, Wide, escalate, escalate_checked, escalate_f32,
@@ -18,7 +18,8 @@ impl Formula<1, 3> for Cancelling {
     }
 }
 
-/// The area of a triangle of sides a, b, c by Heron's formula as written, NaN where there is none.
+/// Area of a triangle with the sides a, b, c by Heron's formula as written; NaN if there is no such
+/// triangle.
 struct Heron;
 
 impl Formula<3, 1> for Heron {
@@ -28,7 +29,7 @@ impl Formula<3, 1> for Heron {
     }
 }
 
-/// 2 below 1, 3 from there on, of the square of a root.
+/// Step from 2 to 3 at 2, as a function of the square of the root of x.
 struct Piecewise;
 
 impl Formula<1, 1> for Piecewise {
@@ -91,7 +92,7 @@ fn as_little_precision_as_it_takes() {
     assert_eq!(escalate_with_tier::<Heron, 3, 1>([3.0, 4.0, 5.0], 1.0)[0].1, Tier::Double);
 }
 
-/// Every precision comes to the end of its digits somewhere on the way.
+/// Every precision runs out of digits for some of these arguments.
 #[test]
 fn promises_are_kept_where_digits_run_out() {
     for quarter in 0..400 {
@@ -115,7 +116,7 @@ fn outside_of_the_domain_at_once() {
 #[test]
 fn a_choice_on_a_tie_is_left_open() {
     assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([1.5], 1.0), [(2.0, Tier::Double)]);
-    // The root of 2 is irrational: whether its square is below 2 no precision tells.
+    // √2 is irrational: no precision decides whether its square is below 2.
     assert_eq!(escalate_with_tier::<Piecewise, 1, 1>([2.0], 1.0)[0].1, Tier::Undecided);
 }
 
@@ -138,10 +139,10 @@ fn what_overflows_on_the_way_does_not_matter() {
         (planck / (-400.0_f64).exp() / (-400.0_f64).exp() - 1.0).abs() < 1e-12 || planck == 0.0,
         "{planck:e}"
     );
-    // e^−700, of which the sum with 1 leaves nothing in a thousand bits
+    // Added to 1, e^−700 vanishes even in a thousand bits.
     let [softplus, ..] = escalate::<Exponentials, 1, 4>([-700.0], 2.0);
     assert!((softplus / (-700.0_f64).exp() - 1.0).abs() < 4.0 * f64::EPSILON);
-    // below half the least number
+    // Below half the least number.
     assert_eq!(escalate::<Exponentials, 1, 4>([-800.0], 2.0)[0], 0.0);
 }
 
@@ -150,7 +151,7 @@ fn beyond_all_exponents_sign_and_least_size_are_known() {
     let found = escalate_with_tier::<Exponentials, 1, 4>([1e300], 2.0);
     assert_eq!([found[1].0, found[3].0], [0.0, 0.0]);
     assert_eq!([found[1].1, found[3].1], [Tier::Words(4); 2]);
-    // how large e^1e300 is no exponent holds, so that what depends on it is not known
+    // No exponent holds e^1e300, so that results that depend on its magnitude are unknown.
     assert_eq!([found[0].1, found[2].1], [Tier::Undecided; 2]);
     assert!(found[0].0.is_nan());
     assert_eq!(
@@ -161,7 +162,7 @@ fn beyond_all_exponents_sign_and_least_size_are_known() {
     assert_eq!([of_infinity[1], of_infinity[3]], [0.0, 0.0]);
 }
 
-/// x/π − x/3, with the numbers as kernels have them.
+/// x/π − x/3, with the numbers in the form of kernels.
 struct Shares;
 
 impl Formula<1, 1> for Shares {
@@ -169,7 +170,7 @@ impl Formula<1, 1> for Shares {
         let pi = Number::new([std::f64::consts::FRAC_1_PI, -1.967_867_667_518_248_6e-17], &[1], &[1], -1);
         let third = Number::new([1.0 / 3.0, 1.850_371_707_708_594e-17], &[1], &[3], 0);
         let one = T::from_f64(1.0);
-        // the difference of what is left of 1 + x/π and 1 + x/3, x far below the digits of 1
+        // Difference of the remainders of 1 + x/π and 1 + x/3, for x far below the digits of 1.
         let left = |number: Number<'_>| (one + x * T::number(number)) - one;
         [left(pi) - left(third)]
     }
@@ -195,7 +196,7 @@ fn results_below_the_normal_numbers_are_rounded_once() {
     }
     let least = f64::from_bits(1);
     let squares = |x: f64| escalate::<Squares, 1, 2>([x], 1000.0);
-    // 2^−1075 is half way to the least number, and rounds to even
+    // 2^−1075 is half of the least number, and rounds to even.
     assert_eq!(squares(2.0_f64.powi(-537))[0], least);
     assert_eq!(squares(2.0_f64.powf(-537.5).next_up())[0], least);
     assert_eq!(squares(2.0_f64.powi(-538)), [0.0, 0.0]);

@@ -1,9 +1,10 @@
-//! A bound of an error is never exceeded: random formulas in guarded arithmetic against more precision.
+//! Error bounds are never exceeded: random formulas in guarded arithmetic are compared with higher
+//! precision.
 
 use forms_math::{Bound, DoubleDouble, Guardable, Guarded, Magnitude, Real, Scalar, Wide};
 use proptest::prelude::*;
 
-/// One step of a formula: an operation on values that stand before it.
+/// Step of a formula: an operation on earlier values.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     operation: usize,
@@ -73,7 +74,8 @@ fn run<T: Real>(steps: &[Step], arguments: &[f64]) -> Vec<T> {
 
 type Truth = Guarded<Wide<8>>;
 
-/// |value − truth| ≤ the two errors, with the words of a value as exact summands.
+/// Whether |value − truth| is at most the sum of the two errors; the words of a value are exact
+/// summands.
 fn within<T: Guardable>(
     value: Guarded<T>,
     truth: Truth,
@@ -151,7 +153,7 @@ proptest! {
     }
 }
 
-/// Functions of two numbers.
+/// Returns functions of two numbers.
 fn functions_of_two<T: Real>() -> [fn(T, T) -> T; 9] {
     [
         |a, b| a + b,
@@ -173,7 +175,7 @@ fn in_words(value: f64) -> Truth {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// What is said of x with an error of ε holds of every number between x − ε and x + ε.
+    /// The bound for x with an error of ε holds for every number between x − ε and x + ε.
     #[test]
     fn errors_of_arguments_are_carried(
         places in prop::array::uniform2(argument()),
@@ -194,12 +196,12 @@ proptest! {
         }
     }
 
-    /// An operation of wide numbers that is said to be exact is.
+    /// A wide operation that is reported as exact is exact.
     #[test]
     fn what_is_exact_is_known(a in any::<i64>(), b in any::<i64>(), shift in -260..260_i64) {
         let number = |value: i64, shift: i64| Wide::<4>::from_integer(value).scaled(shift);
         let (x, y) = (number(a, shift), number(b, 0) + number(a, -190));
-        // All bits in use, so that a carry pushes the last one out.
+        // All bits are in use, so that a carry shifts the last one out.
         let (full, other) = (number(a, 0) + number(b, -193), number(b, 0) + number(a, -193));
         let exactly = |value: Wide<4>| value.to_limbs::<16>();
         for (value, exact) in [
@@ -213,7 +215,7 @@ proptest! {
     }
 }
 
-/// A bound that is never exceeded is worth something only if it is not far above the error.
+/// Bounds are not far above the actual errors.
 #[test]
 fn bounds_are_sharp() {
     let x = Guarded::<f64>::from_f64;

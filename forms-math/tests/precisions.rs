@@ -1,21 +1,21 @@
-//! `f64`, `DoubleDouble` and `Wide` against astro-float, on arguments from all binades.
+//! `f64`, `DoubleDouble` and `Wide` compared with astro-float, on arguments from all binades.
 
 use astro_float::{BigFloat, Consts, RoundingMode};
 use forms_math::{DoubleDouble, Real, Scalar, Wide};
 use proptest::prelude::*;
 
 const ROUNDING: RoundingMode = RoundingMode::ToEven;
-/// Bits of what is compared with.
+/// Precision of the reference values, in bits.
 const PRECISION: usize = 896;
 
-/// What is compared: more than 512 bits and fewer than the reference has.
+/// Type of the comparison: more than 512 bits, and fewer than the reference.
 type Truth = Wide<16>;
 
 fn exactly(x: f64) -> BigFloat {
     BigFloat::from_f64(x, PRECISION)
 }
 
-/// The words of a reference value, put together again.
+/// Converts a reference value from its words.
 fn truth(value: &BigFloat) -> Truth {
     let Some((words, _, sign, exponent, _)) = value.as_raw_parts() else { return Truth::nan() };
     let mut sum = Truth::from_f64(0.0);
@@ -28,17 +28,18 @@ fn truth(value: &BigFloat) -> Truth {
     if sign == astro_float::Sign::Neg { -sum } else { sum }
 }
 
-/// The relative error in units of 2^−bits.
+/// Returns the relative error in units of 2^−bits.
 fn units(value: Truth, exact: Truth, bits: i64) -> f64 {
     if value == exact { 0.0 } else { ((value - exact) / exact).abs().scaled(bits).to_f64() }
 }
 
-/// A function of the reference, of one of this crate for all numbers, and where it is asked for.
+/// Function of the reference, the same function of this crate for all number types, and its range
+/// of arguments.
 struct Function {
     name: &'static str,
     reference: fn(&BigFloat, &mut Consts) -> BigFloat,
     numbers: [fn(f64) -> Truth; 4],
-    /// Arguments have these exponents of 2.
+    /// Range of the arguments' exponents of 2.
     exponents: (i32, i32),
     negative: bool,
 }
@@ -98,7 +99,7 @@ fn functions() -> Vec<Function> {
     ]
 }
 
-/// ± (1 + fraction) 2^exponent, the exponent at a place between the ends.
+/// Returns ± (1 + fraction) 2^exponent, with the exponent at a relative place between the ends.
 fn argument(function: &Function, place: f64, fraction: f64, negative: bool) -> f64 {
     let (least, most) = function.exponents;
     let exponent = least + (place * f64::from(most - least)) as i32;
@@ -121,7 +122,7 @@ proptest! {
             let exact = truth(&(function.reference)(&exactly(x), &mut constants));
             let exponent = exact.exponent().unwrap_or(0);
             for ((name, bits, most), number) in NUMBERS.into_iter().zip(function.numbers) {
-                // The ends of the range of f64, where rounding is not relative.
+                // Near the ends of the range of f64, rounding is not relative.
                 let out_of_range = match bits {
                     53 => exponent < -1021,
                     106 => exponent.abs() > 900 || x.abs().log2().abs() > 900.0,
@@ -143,7 +144,7 @@ proptest! {
         c in prop::num::f64::NORMAL,
         shift in -300..300_i64,
     ) {
-        // Operands with all of their bits: quotients.
+        // Operands with all of their bits in use: quotients.
         let operands = |value: f64| {
             (Wide::<4>::from_f64(value) / Wide::from_f64(c)).scaled(shift)
         };

@@ -1,9 +1,10 @@
-//! The special functions and integrals: by their definitions, as integrals, and by what they satisfy.
+//! Special functions and integrals, compared with their definitions as integrals and with
+//! identities.
 
 use forms_math::{DoubleDouble, Guarded, Real, Scalar, Wide};
 use proptest::prelude::*;
 
-/// |a − b| in units of 2^−bits of b.
+/// Returns |a − b| in units of 2^−bits of b.
 fn units<T: Scalar>(value: T, exact: T, bits: i64) -> f64 {
     if value == exact { 0.0 } else { ((value - exact) / exact).abs().scaled(bits).to_f64() }
 }
@@ -12,7 +13,8 @@ fn number<T: Real>(value: f64) -> T {
     T::from_f64(value)
 }
 
-/// Every special function with the integral that defines it, of 0.1 < x < 1 and e^(−x/t) tamed at 0 by itself.
+/// Returns every special function with its defining integral, for 0.1 < x < 1; e^(−x/t) needs no
+/// special treatment at 0.
 fn definitions<T: Scalar>(x: T) -> [(&'static str, T, T); 6] {
     let (zero, one) = (number::<T>(0.0), number::<T>(1.0));
     let decay = |order: i64| T::quadrature(zero, one, |t| (-(x / t)).exp() * t.power(order - 2, 1));

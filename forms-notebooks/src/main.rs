@@ -1,5 +1,5 @@
-//! Runs the code cells of the notebooks that are named, or of all, and prints what they print; `FORMS_CELL n` stands before
-//! what comes from cell n.
+//! Runs the code cells of the given notebooks, or of all notebooks, and prints their outputs. A
+//! line `FORMS_CELL n` precedes the output of cell n.
 
 #[allow(clippy::all, reason = "the cells are written for readers, who see each by itself")]
 mod cells {

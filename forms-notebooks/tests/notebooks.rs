@@ -1,10 +1,11 @@
-//! The notebooks run without Jupyter: their cells become a program, and show what is stored below them.
+//! Runs the notebooks without Jupyter: their cells become a program, and its outputs must equal the
+//! stored outputs.
 //!
 //! ```text
-//! docs/notebooks/*.ipynb ─ build ─▶ program ─ run ─▶ what each cell prints ─▶ outputs = stored outputs
+//! docs/notebooks/*.ipynb ─ build ─▶ program ─ run ─▶ output of each cell ─▶ outputs = stored outputs
 //! ```
-//! With `FORMS_WRITE=1` the stored outputs are written anew. The outputs of a cell with the tag `nbval-ignore-output`, which
-//! hang on the clock, are compared by their kinds only.
+//! With `FORMS_WRITE=1` the stored outputs are rewritten. The outputs of a cell with the tag
+//! `nbval-ignore-output` depend on the clock; only their kinds are compared.
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -32,12 +33,12 @@ fn is_code(cell: &Value) -> bool {
     cell["cell_type"] == "code"
 }
 
-/// Whether what the cell shows hangs on the clock.
+/// Whether the output of the cell depends on the clock.
 fn hangs_on_the_clock(cell: &Value) -> bool {
     cell["metadata"]["tags"].as_array().is_some_and(|tags| tags.contains(&json!("nbval-ignore-output")))
 }
 
-/// What each code cell of a notebook prints.
+/// Returns the printed output of each code cell of a notebook.
 fn printed(path: &Path) -> Vec<String> {
     let name = path.file_stem().unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_forms-notebooks")).arg(name).output().unwrap();
@@ -54,7 +55,8 @@ fn printed(path: &Path) -> Vec<String> {
     cells
 }
 
-/// What Jupyter stores of what cell `number` prints: its text, then the content between the marks by MIME type.
+/// Converts the printed output of cell `number` to the stored form of Jupyter: its text, then the
+/// content between the marks by MIME type.
 fn outputs(number: usize, printed: &str) -> Value {
     let (mut text, mut data) = (String::new(), Map::new());
     let mut open: Option<(&str, String)> = None;
@@ -91,7 +93,7 @@ fn lines(text: &str) -> Value {
     text.split_inclusive('\n').collect()
 }
 
-/// The kinds of outputs without their content.
+/// Returns the kinds of outputs without their content.
 fn kinds(outputs: &Value) -> Vec<Vec<String>> {
     let kind = |output: &Value| {
         let mimes = output["data"].as_object().into_iter().flat_map(Map::keys).cloned();
@@ -100,7 +102,8 @@ fn kinds(outputs: &Value) -> Vec<Vec<String>> {
     outputs.as_array().unwrap().iter().map(kind).collect()
 }
 
-/// Asserts that a notebook shows formulas, tables or pictures, and that enough of what it shows is compared.
+/// Asserts that a notebook shows at least four formulas, tables or pictures, and that at least four
+/// cells are compared.
 fn assert_rich(path: &Path, cells: &[&Value]) {
     let kinds: Vec<String> = cells.iter().flat_map(|cell| kinds(&cell["outputs"])).flatten().collect();
     let is_rich =
@@ -110,7 +113,7 @@ fn assert_rich(path: &Path, cells: &[&Value]) {
     assert!(compared >= 4, "{}: too little is compared", path.display());
 }
 
-/// As Jupyter writes it: sorted keys, one space a level.
+/// Serialises a notebook in the format of Jupyter: sorted keys, one space per level.
 fn written(notebook: &Value) -> Vec<u8> {
     let formatter = serde_json::ser::PrettyFormatter::with_indent(b" ");
     let mut text = Vec::new();
@@ -154,7 +157,7 @@ fn every_cell_shows_what_is_stored_below_it() {
     }
 }
 
-/// The parts of nbformat 4.5 that a reader needs.
+/// Checks the fields of nbformat 4.5 that a reader needs.
 #[test]
 fn a_notebook_has_the_shape_of_version_4_5() {
     for path in files() {

@@ -1,20 +1,21 @@
-//! The book: its pages and figures by name, with a way back to the editor.
+//! The book: its pages and figures by name, with a link back to the editor.
 //!
-//! Pages bring their own styles, and no scripts. A page is decided and typeset when it is asked for first, which can take a second.
+//! Pages contain their own styles, and no scripts. A page is decided and typeset at its first
+//! request, which can take a second.
 
 use crate::reply::{kind, nothing, page_with_styles, reply};
 use axum::response::Response;
 
-/// The page that a reader sees first.
+/// First page of the book.
 const FIRST: &str = "index.html";
-/// Where the list of contents begins, and with it the way back.
+/// Start of the table of contents; the link back to the editor is inserted after it.
 const CONTENTS: &str = "<nav id=\"contents\" aria-label=\"Contents\">";
 const ICON: &str = "<link rel=\"icon\" href=\"/page/icon.svg\">";
 const BACK: &str = "<p class=\"back\"><a href=\"/\">Editor</a></p>";
 
-/// A page or figure of the book, by its path below it.
+/// Replies with a page or figure of the book, given its path below the book.
 pub(crate) async fn book(path: String) -> Response {
-    // proofs take their time, and others are answered meanwhile
+    // Proofs take time; other requests are served meanwhile.
     tokio::task::spawn_blocking(move || found(&path)).await.unwrap_or_else(|_| nothing())
 }
 
@@ -26,7 +27,8 @@ fn found(path: &str) -> Response {
     }
 }
 
-/// A whole page. One with formulas that cannot be read is not there: the tests of the book let none through.
+/// Returns a complete page. A page with formulas that cannot be parsed counts as missing: the tests
+/// of the book let none pass.
 fn html(name: &str) -> Option<String> {
     let html = forms_book::book().html(name)?.ok()?;
     let html = html.replacen(CONTENTS, &format!("{CONTENTS}{BACK}"), 1);

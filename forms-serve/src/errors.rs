@@ -1,17 +1,17 @@
-//! Why the page cannot be served.
+//! Errors that prevent the page from being served.
 
 use std::fmt;
 use std::io;
 use std::net::SocketAddr;
 
-/// Why the page cannot be served, and what to do about it.
+/// Reason why the page cannot be served. The message includes a remedy where one is known.
 #[derive(Debug)]
 pub enum ServeError {
-    /// Another program listens there.
+    /// Another program listens on this address.
     PortTaken(SocketAddr),
-    /// The address cannot be listened at.
+    /// The address cannot be bound.
     Address(SocketAddr, io::Error),
-    /// The system grants no threads.
+    /// The system provides no threads.
     Runtime(io::Error),
     /// The address could not be announced.
     Announcement(io::Error),

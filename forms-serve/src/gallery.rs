@@ -1,4 +1,4 @@
-//! The gallery: scenes, their pictures and what is known of them, as they lie in the folder `scenes`.
+//! The gallery: scenes, their pictures and their reference results, read from the folder `scenes`.
 
 use crate::markdown::markdown;
 use crate::reply::{kind, nothing, page, reply};
@@ -8,11 +8,11 @@ use include_dir::{Dir, include_dir};
 
 static SCENES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../scenes");
 static FIGURES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../docs/figures/scenes");
-/// Where figures lie, seen from the gallery, in the text and on the page.
+/// Folders of the figures as seen from the gallery: in the Markdown text, and on the served page.
 const FIGURES_IN_THE_TEXT: &str = "../docs/figures/scenes/";
 const FIGURES_ON_THE_PAGE: &str = "figures/";
 
-/// A page or file of the gallery, by its path below it.
+/// Replies with a page or file of the gallery, given its path below the gallery.
 pub(crate) fn gallery(path: &str) -> Response {
     if path.is_empty() {
         return page(gallery_page());
@@ -29,7 +29,7 @@ fn gallery_page() -> String {
     shell("Gallery", "gallery", &markdown(text, place))
 }
 
-/// Links lead to what is here.
+/// Returns the target of a link, or `None` if the file is not part of the gallery.
 fn place(link: &str) -> Option<String> {
     if let Some(name) = link.strip_prefix(FIGURES_IN_THE_TEXT) {
         return Some(format!("{FIGURES_ON_THE_PAGE}{name}"));

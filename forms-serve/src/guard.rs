@@ -1,8 +1,11 @@
-//! Whose request it is: those that another site made a browser send are refused, and every reply forbids what it does not need.
+//! Origin checks: requests that another site made a browser send are refused, and every reply
+//! forbids all features that it does not need.
 //!
-//! A page of another site can have its own name point to this machine (DNS rebinding) and then read replies as its own. Its
-//! requests name that site as their `Host`; so only `localhost` and plain addresses, which no other site can own, are served.
-//! It can also send requests here without reading the replies; browsers then name it as the `Origin`, which has to be the host.
+//! A page of another site can have its own name point to this machine (DNS rebinding) and then read
+//! replies as its own. Its requests name that site as their `Host`. Therefore only `localhost` and
+//! IP addresses are served: no other site can own them. Such a page can also send requests here
+//! without reading the replies; browsers then name the site as the `Origin`, which must equal the
+//! host.
 
 use crate::reply::refusal;
 use axum::extract::Request;
@@ -12,7 +15,7 @@ use axum::middleware::Next;
 use axum::response::Response;
 use std::net::IpAddr;
 
-/// What replies say beside their content.
+/// Security headers of all replies.
 const HEADERS: [(&str, &str); 6] = [
     (
         "content-security-policy",
@@ -35,18 +38,19 @@ pub(crate) async fn guard(request: Request, next: Next) -> Response {
         None => next.run(request).await,
     };
     for (name, value) in HEADERS {
-        // a reply may have a policy of its own
+        // A reply can have its own policy.
         response.headers_mut().entry(name).or_insert(HeaderValue::from_static(value));
     }
     response
 }
 
-/// Whether a request names several hosts or origins, of which one program may see the first and another the last.
+/// Whether a request names several hosts or origins: one program might use the first and another
+/// program the last.
 fn is_said_twice(headers: &HeaderMap) -> bool {
     [header::HOST, header::ORIGIN].iter().any(|name| headers.get_all(name).iter().count() > 1)
 }
 
-/// Why a request is refused.
+/// Returns the reason to refuse a request, if there is one.
 fn objection(headers: &HeaderMap) -> Option<&'static str> {
     let text = |name| headers.get(name).map(|value: &HeaderValue| value.to_str().unwrap_or_default());
     let Some(host) = text(header::HOST).filter(|host| is_of_this_machine(host)) else {
@@ -58,7 +62,7 @@ fn objection(headers: &HeaderMap) -> Option<&'static str> {
     is_foreign.then_some("this request comes from another site")
 }
 
-/// Whether a host is `localhost` or an address, with or without a port.
+/// Whether a host is `localhost` or an IP address, with or without a port.
 fn is_of_this_machine(host: &str) -> bool {
     let Ok(authority) = host.parse::<Authority>() else { return false };
     let name = authority.host();

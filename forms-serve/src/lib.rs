@@ -1,12 +1,13 @@
-//! The page of the program `forms`, on this machine: requests come in by HTTP, and pages and answers go out.
+//! The local web page of the program `forms`: HTTP requests come in, pages and answers go out.
 //!
 //! ```text
-//! connection ─ server (at most so many) ─ guard (whose request is it?) ─ routes ─┬─ site ─▶ the page, its scripts, examples
-//!                                                                                ├─ gallery, book ─▶ pages to read
-//!                                                                                └─ work ─ a process, bounded ─▶ JSON
+//! connection ─ server (bounded number) ─ guard (origin check) ─ routes ─┬─ site ─▶ the page, its scripts, examples
+//!                                                                       ├─ gallery, book ─▶ pages to read
+//!                                                                       └─ work ─ a process, bounded ─▶ JSON
 //! ```
-//! Nothing is decided here. A request about a text is given to another process, which may take a bounded time and is killed
-//! after it; at most as many work at once as there are processors, and a bounded number waits. No file is read or written.
+//! No statement is decided in this process. A request about a text is passed to a worker process,
+//! which is killed when its time limit is over. At most one worker per processor runs after its
+//! first second, and a bounded number of requests waits. No file is read or written.
 
 mod book;
 mod errors;
@@ -26,61 +27,64 @@ use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// The port that the page has where none is named.
+/// Default port of the page.
 pub const USUAL_PORT: u16 = 4177;
 
-/// What is served, where and within which bounds.
+/// Settings of the server: its content, address and limits.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// The address to listen at.
+    /// IP address to bind.
     pub bind: IpAddr,
-    /// The port to listen at, or 0 for any that is free.
+    /// Port to listen on, or 0 for any free port.
     pub port: u16,
-    /// The time that one piece of work may take.
+    /// Time limit of one request to a worker.
     pub time_limit: Duration,
-    /// What works.
+    /// Program that answers requests about texts.
     pub worker: Worker,
-    /// What the editor begins with, if that is not the first example.
+    /// Initial text of the editor; `None` shows the first example.
     pub opened: Option<Opened>,
-    /// The words of the language, by which the editor has colours.
+    /// Words of the language, for highlighting in the editor.
     pub words: Words,
 }
 
-/// The words of the language.
+/// Words of the language.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
 pub struct Words {
-    /// Those that begin an item.
+    /// Words that begin an item.
     pub items: &'static [&'static str],
-    /// Those that stand inside items.
+    /// Words inside items.
     pub inside: &'static [&'static str],
-    /// The functions and constants of expressions.
+    /// Functions and constants of expressions.
     pub functions: &'static [&'static str],
 }
 
-/// A program that is started with these arguments and the name of a task: `check`, `derive`, `emit` or `plot`.
+/// Program that is started with these arguments and the name of a task: `check`, `derive`, `emit`
+/// or `plot`.
 ///
-/// It reads a JSON object from standard input and writes one a line to standard output, whose lists go behind each other.
+/// It reads one JSON object from standard input and writes JSON objects to standard output, one per
+/// line. Lists of the same key in several lines are concatenated.
 #[derive(Clone, Debug)]
 pub struct Worker {
-    /// The program.
+    /// Path of the program.
     pub program: PathBuf,
-    /// What stands before the name of the task.
+    /// Arguments before the name of the task.
     pub arguments: Vec<String>,
 }
 
-/// A text to begin with.
+/// Initial text of the editor.
 #[derive(Clone, Debug)]
 pub struct Opened {
-    /// Its name, as it is shown.
+    /// Displayed name.
     pub name: String,
-    /// Its characters.
+    /// Content.
     pub text: String,
 }
 
-/// Serves the page until the process is asked to end, by Ctrl-C or otherwise. The address is announced as soon as it answers.
+/// Serves the page until the process is asked to end, by Ctrl-C or a signal to terminate. The
+/// address is announced as soon as the server listens there.
 ///
 /// # Errors
-/// If nothing can be listened at that address, or the announcement fails.
+/// If the address cannot be bound, or the announcement fails.
 pub fn serve(
     settings: Settings,
     announce: impl FnOnce(SocketAddr) -> io::Result<()>,

@@ -1,8 +1,8 @@
-//! Markdown to the HTML of a page of ours.
+//! Conversion of Markdown to the HTML body of a page.
 
 use pulldown_cmark::{CowStr, Event, HeadingLevel, Options, Parser, Tag, TagEnd, html};
 
-/// The HTML of a text. `place` says where a link leads, or that its text stands without a link.
+/// Converts a text to HTML. `place` returns the target of a link, or `None` to keep only its text.
 pub(crate) fn markdown(text: &str, place: impl Fn(&str) -> Option<String>) -> String {
     let mut kept = Vec::new();
     let options = Options::ENABLE_TABLES | Options::ENABLE_HEADING_ATTRIBUTES;
@@ -21,13 +21,13 @@ pub(crate) fn markdown(text: &str, place: impl Fn(&str) -> Option<String>) -> St
     page
 }
 
-/// Each heading of the second level begins a section.
+/// Wraps the text in sections; each heading of the second level begins one.
 fn in_sections<'a>(events: impl Iterator<Item = Event<'a>>) -> impl Iterator<Item = Event<'a>> {
     let (first, last) = (Event::Html("<section>\n".into()), Event::Html("</section>\n".into()));
     std::iter::once(first).chain(events.flat_map(after_a_wall)).chain([last])
 }
 
-/// A heading that begins a section with the end of the one before it, anything else alone.
+/// Puts a section break before a heading of the second level; other events pass unchanged.
 fn after_a_wall(event: Event) -> impl Iterator<Item = Event> {
     let is_heading = matches!(event, Event::Start(Tag::Heading { level: HeadingLevel::H2, .. }));
     is_heading.then(|| Event::Html("</section>\n<section>\n".into())).into_iter().chain([event])

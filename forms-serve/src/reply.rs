@@ -1,19 +1,20 @@
-//! Replies: a body with its kind, or a refusal with its reason.
+//! Replies: a body with its media type, or a refusal with its reason.
 
 use axum::body::Body;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::Response;
 
-/// The kind of pictures that can hold styles of their own.
+/// Media type of pictures that can contain styles.
 const PICTURE: &str = "image/svg+xml";
-/// What such a picture may do where it is looked at by itself: have its styles, and nothing else.
+/// Content security policy of such a picture when it is opened directly: its own styles are
+/// allowed, and nothing else.
 const POLICY_OF_PICTURES: &str = "default-src 'none'; style-src 'unsafe-inline'; sandbox";
 
-/// What a page may do that brings its own styles.
+/// Content security policy of a page with its own styles.
 const POLICY_OF_PAGES_WITH_STYLES: &str = "default-src 'self'; script-src 'none'; style-src 'self' 'unsafe-inline'; \
      base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
-/// The kind of a file, by the ending of its name.
+/// Returns the media type of a file, by the extension of its name.
 pub(crate) fn kind(name: &str) -> &'static str {
     match name.rsplit_once('.').map_or("", |(_, ending)| ending) {
         "html" => "text/html; charset=utf-8",
@@ -26,7 +27,7 @@ pub(crate) fn kind(name: &str) -> &'static str {
     }
 }
 
-/// A body of that kind.
+/// Builds a reply with a body of this media type.
 pub(crate) fn reply(kind: &'static str, body: impl Into<Body>) -> Response {
     let mut response = Response::new(body.into());
     response.headers_mut().insert(header::CONTENT_TYPE, HeaderValue::from_static(kind));
@@ -37,12 +38,12 @@ pub(crate) fn reply(kind: &'static str, body: impl Into<Body>) -> Response {
     response
 }
 
-/// An HTML page.
+/// Builds a reply with an HTML page.
 pub(crate) fn page(html: String) -> Response {
     reply(kind(".html"), html)
 }
 
-/// A page that brings its own styles, and no scripts.
+/// Builds a reply with a page that contains its own styles, and no scripts.
 pub(crate) fn page_with_styles(html: String) -> Response {
     let mut response = page(html);
     let policy = HeaderValue::from_static(POLICY_OF_PAGES_WITH_STYLES);
@@ -50,19 +51,19 @@ pub(crate) fn page_with_styles(html: String) -> Response {
     response
 }
 
-/// JSON.
+/// Builds a reply with JSON.
 pub(crate) fn json(value: &serde_json::Value) -> Response {
     reply(kind(".json"), value.to_string())
 }
 
-/// A refusal, with a reason for people.
+/// Builds a refusal with a reason for human readers.
 pub(crate) fn refusal(status: StatusCode, reason: &str) -> Response {
     let mut response = json(&serde_json::json!({ "refusal": reason }));
     *response.status_mut() = status;
     response
 }
 
-/// There is no such page.
+/// Builds the reply for a missing page.
 pub(crate) fn nothing() -> Response {
     let mut response = reply(kind(".txt"), "There is no such page. The editor is at /\n");
     *response.status_mut() = StatusCode::NOT_FOUND;

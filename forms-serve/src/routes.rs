@@ -1,4 +1,4 @@
-//! Paths, and what answers them.
+//! Routes: paths and their handlers.
 
 use crate::guard::guard;
 use crate::reply::{json, nothing, refusal};
@@ -16,14 +16,14 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::time::timeout;
 
-/// The longest request, in bytes.
+/// Longest accepted request, in bytes.
 const LONGEST_REQUEST: usize = 256 << 10;
-/// The time that a request may take to arrive.
+/// Time limit for the arrival of a request.
 const ARRIVAL: Duration = Duration::from_secs(10);
-/// What the workers do.
+/// Tasks of the workers.
 const TASKS: [&str; 4] = ["check", "derive", "emit", "plot"];
 
-/// All routes, guarded.
+/// Returns all routes, protected by the guard.
 pub(crate) fn routes(workers: Arc<Workers>, opened: Option<Opened>, words: Words) -> Router {
     let opened = opened.map(|Opened { name, text }| value!({ "name": name, "text": text }));
     let start = value!({ "opened": opened, "examples": site::examples(), "words": words });
@@ -43,7 +43,7 @@ pub(crate) fn routes(workers: Arc<Workers>, opened: Option<Opened>, words: Words
         .with_state(workers)
 }
 
-/// Whether a request says, once, that it is JSON.
+/// Whether a request declares, exactly once, that it is JSON.
 fn is_json(headers: &HeaderMap) -> bool {
     let mut kinds = headers.get_all(header::CONTENT_TYPE).iter();
     let (Some(kind), None) = (kinds.next(), kinds.next()) else { return false };
@@ -52,7 +52,7 @@ fn is_json(headers: &HeaderMap) -> bool {
     essence.eq_ignore_ascii_case("application/json")
 }
 
-/// Has a request answered by a process.
+/// Lets a worker process answer a request.
 async fn work(
     State(workers): State<Arc<Workers>>,
     Path(task): Path<String>,
@@ -78,7 +78,7 @@ async fn work(
         return refusal(StatusCode::BAD_REQUEST, &format!("the request is no JSON object: {error}"));
     }
     match workers.answer(task, &request).await {
-        // what the task refuses is another request than it expects
+        // A refusal by the task means that the request does not have the expected fields.
         Ok(answer) => match answer.get("refusal").and_then(serde_json::Value::as_str) {
             Some(reason) => refusal(StatusCode::BAD_REQUEST, reason),
             None => json(&answer),

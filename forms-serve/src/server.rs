@@ -1,4 +1,5 @@
-//! Connections: each is accepted, served by the routes, and bounded in number and in the time its requests take to arrive.
+//! Connections: each is accepted and served by the routes. Their number, and the time in which
+//! requests must arrive, are bounded.
 
 use crate::routes::routes;
 use crate::work::Workers;
@@ -21,17 +22,17 @@ use tokio::sync::Semaphore;
 use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
-/// Connections at once.
+/// Limit of simultaneous connections.
 const CONNECTIONS: usize = 256;
-/// The time that the head of a request may take to arrive.
+/// Time limit for the head of a request to arrive.
 const HEAD: Duration = Duration::from_secs(10);
-/// The time that a connection may last, or four times as long as a piece of work if that is more: a client that does not read
-/// its replies gives up its place then.
+/// Longest duration of a connection; four times the time limit of a request if that is longer. A
+/// client that does not read its replies loses its connection after this time.
 const LIFETIME: Duration = Duration::from_secs(600);
-/// The time before the next connection is tried to be accepted when the system refused one.
+/// Delay before the next attempt to accept a connection after the system has refused one.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Listens, announces the address and serves until the process is asked to end.
+/// Listens, announces the address, and serves until the process is asked to end.
 pub(crate) async fn run(
     settings: Settings,
     announce: impl FnOnce(SocketAddr) -> io::Result<()>,
@@ -50,12 +51,13 @@ pub(crate) async fn run(
         () = accept(listener, routes, lifetime) => {}
         () = asked_to_end() => {}
     }
-    // work that is left ends with the runtime: its processes are killed when their handles are dropped
+    // Unfinished work ends with the runtime: its processes are killed when their handles are
+    // dropped.
     Ok(())
 }
 
-/// Accepts connections for ever. Where all places are taken, the connection that has waited longest for a request gives up
-/// its own; so clients that connect and say nothing keep nobody else waiting.
+/// Accepts connections for ever. At the limit, the oldest idle connection is closed, so clients
+/// that connect and send nothing do not block others.
 async fn accept(listener: TcpListener, routes: Router, lifetime: Duration) {
     let free = Arc::new(Semaphore::new(CONNECTIONS));
     let mut open: VecDeque<Open> = VecDeque::new();
@@ -82,10 +84,10 @@ async fn accept(listener: TcpListener, routes: Router, lifetime: Duration) {
     }
 }
 
-/// A connection that was accepted.
+/// Accepted connection.
 struct Open {
     task: JoinHandle<()>,
-    /// The requests that are being answered.
+    /// Number of requests being answered.
     requests: Arc<AtomicUsize>,
 }
 
@@ -95,7 +97,7 @@ impl Open {
     }
 }
 
-/// Counts a request while it is answered.
+/// Counts a request while it is being answered.
 async fn counted(State(requests): State<Arc<AtomicUsize>>, request: Request, next: Next) -> Response {
     struct Answered(Arc<AtomicUsize>);
     impl Drop for Answered {
@@ -108,7 +110,7 @@ async fn counted(State(requests): State<Arc<AtomicUsize>>, request: Request, nex
     next.run(request).await
 }
 
-/// Serves one connection; what its client does wrong ends it and nothing else.
+/// Serves one connection. An error of its client ends this connection only.
 async fn connection(stream: TcpStream, routes: Router) {
     let service = TowerToHyperService::new(routes);
     let mut server = http1::Builder::new();
@@ -116,7 +118,7 @@ async fn connection(stream: TcpStream, routes: Router) {
     let _ = server.serve_connection(TokioIo::new(stream), service).await;
 }
 
-/// Waits for Ctrl-C, and on Unix for the signal to terminate.
+/// Waits for Ctrl-C, and on Unix also for the signal to terminate.
 async fn asked_to_end() {
     #[cfg(unix)]
     {

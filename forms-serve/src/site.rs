@@ -1,4 +1,4 @@
-//! The page and what belongs to it, as they lie in the folder `page`.
+//! The page with the editor, its scripts, styles and examples, embedded from the folder `page`.
 
 use crate::reply::{kind, nothing, reply};
 use axum::response::Response;
@@ -7,31 +7,31 @@ use serde_json::{Value, json};
 
 static PAGE: Dir = include_dir!("$CARGO_MANIFEST_DIR/page");
 
-/// The frame of a page to read: `{title}`, `{body}` and the mark of the current link.
+/// Template of a page to read: `{title}`, `{body}`, and links of which the current one gets marked.
 const SHELL: &str = include_str!("../page/shell.html");
 
-/// Endings of files that are not served by themselves.
+/// Extension of files that are not served directly.
 const INSIDE: &str = "html";
 
-/// A script, a style or a picture, by its name.
+/// Replies with a script, a style or a picture, by its name.
 pub(crate) fn file(name: &str) -> Response {
     let found = PAGE.get_file(name).filter(|_| !name.ends_with(INSIDE));
     found.map_or_else(nothing, |file| reply(kind(name), file.contents()))
 }
 
-/// The page with the editor.
+/// Replies with the page of the editor.
 pub(crate) fn editor() -> Response {
     reply(kind(".html"), include_str!("../page/index.html"))
 }
 
-/// A page to read.
+/// Fills the template of a page to read.
 pub(crate) fn shell(title: &str, current: &str, body: &str) -> String {
     let current = format!("href=\"/{current}/\"");
     let marked = SHELL.replace(&current, &format!("{current} aria-current=\"page\""));
     marked.replace("{title}", title).replace("{body}", body)
 }
 
-/// The examples in their order: each with a title, which is its first line, and its text.
+/// Returns the examples in order: each with a name, a title, which is its first line, and its text.
 pub(crate) fn examples() -> Value {
     let mut files: Vec<_> = PAGE.get_dir("examples").into_iter().flat_map(Dir::files).collect();
     files.sort_by_key(|file| file.path().to_owned());

@@ -1,13 +1,15 @@
-//! Work in other processes: a request goes in, JSON comes out, and neither lasts long.
+//! Worker processes: a request goes in, JSON comes out, and the time for both is bounded.
 //!
 //! ```text
-//! request ─ queue (bounded) ─ process ─┬─ ends within a second ────────────────────────────────────┬─▶ one object
-//!                                     └─ is halted ─ turn (one for each processor) ─ ends, or is killed ┘
+//! request ─ queue (bounded) ─ process ─┬─ ends within a second ─────────────────────────────────────────┬─▶ one object
+//!                                      └─ is suspended ─ turn (one per processor) ─ ends, or is killed ─┘
 //! ```
-//! Every process has its first second soon, whatever the others take; those that need more wait for each other.
+//! Every process gets its first second soon, independent of the others. Processes that need more
+//! time wait for each other.
 //!
-//! A process that computes for ever is killed when its time is over; what it has written by then is the answer, with the reason
-//! why it is not all. If the client goes away, the process is killed too.
+//! A process that does not end is killed when its time limit is over. Its output up to then is the
+//! answer, together with the reason why the answer is incomplete. If the client disconnects, the
+//! process is killed too.
 
 use crate::Worker;
 use serde_json::{Map, Value, json};
@@ -20,16 +22,16 @@ use tokio::process::{Child, Command};
 use tokio::sync::{Semaphore, SemaphorePermit};
 use tokio::time::timeout;
 
-/// Requests that wait for a turn or have one.
+/// Limit of requests that wait for a turn or have one.
 const QUEUE: usize = 64;
-/// Processes in their first second, which share the processors.
+/// Limit of processes in their first second, which share the processors.
 const BEGINNERS: usize = 16;
-/// That second.
+/// Length of the first period of a process, in which it needs no turn.
 const BEGINNING: Duration = Duration::from_secs(1);
-/// A longer answer is cut off.
+/// Longest answer, in bytes; a longer one is cut off.
 const LONGEST_ANSWER: u64 = 16 << 20;
 
-/// The processes.
+/// Worker processes and the limits of their number.
 pub(crate) struct Workers {
     worker: Worker,
     time_limit: Duration,
@@ -38,16 +40,16 @@ pub(crate) struct Workers {
     turns: Semaphore,
 }
 
-/// Why there is no answer.
+/// Reason why there is no answer.
 #[derive(Debug)]
 pub(crate) enum NoAnswer {
-    /// Too many requests wait already.
+    /// Too many requests are waiting.
     Busy,
     /// The process cannot be started.
     Broken(io::Error),
 }
 
-/// How a process ended.
+/// Way in which a process ended.
 enum End {
     Done,
     OutOfTime,
@@ -63,10 +65,10 @@ impl Workers {
         Workers { worker, time_limit, places, beginners, turns }
     }
 
-    /// The answer to a request.
+    /// Answers a request.
     pub(crate) async fn answer(&self, task: &str, request: &[u8]) -> Result<Value, NoAnswer> {
         let _place = self.places.try_acquire().map_err(|_| NoAnswer::Busy)?;
-        // who would wait for long does not wait at all
+        // A request that would wait too long is rejected.
         let Ok(Ok(beginner)) = timeout(self.time_limit.saturating_mul(2), self.beginners.acquire()).await
         else {
             return Err(NoAnswer::Busy);
@@ -79,19 +81,19 @@ impl Workers {
             Some(Ok(())) if written.len() as u64 > LONGEST_ANSWER => End::TooLong,
             Some(Ok(())) => match timeout(self.time_limit, process.wait()).await {
                 Ok(Ok(status)) if status.success() => End::Done,
-                // a process that ended by itself has a code
+                // Only a process that was not killed has an exit code.
                 Ok(Ok(status)) if status.code().is_some() => End::Failed,
                 _ => End::Killed,
             },
             Some(Err(_)) => End::Killed,
         };
-        // one that has ended by itself is not harmed by this
+        // This has no effect on a process that has already ended.
         let _ = process.kill().await;
         Ok(merged(&written, self.reason(&end)))
     }
 
-    /// Talks to a process: in its first second at once, and for the rest of its time when it has a turn. Nothing if its time
-    /// is over before it has said all.
+    /// Exchanges the request and the answer with a process: at once in its first second, and then
+    /// when it has a turn. Returns `None` if the time limit is over before the answer is complete.
     async fn conversed(
         &self,
         process: &mut Child,
@@ -121,13 +123,13 @@ impl Workers {
     fn start(&self, task: &str) -> io::Result<Child> {
         let mut command = Command::new(&self.worker.program);
         command.args(&self.worker.arguments).arg(task);
-        // processes are as many as processors, so each has one
+        // There are as many processes as processors, so each process uses one thread.
         command.env("RAYON_NUM_THREADS", "1");
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
         command.kill_on_drop(true).spawn()
     }
 
-    /// Why the answer is not all there is to say.
+    /// Returns the reason why the answer is incomplete, if it is.
     fn reason(&self, end: &End) -> Option<String> {
         match end {
             End::Done => None,
@@ -141,14 +143,14 @@ impl Workers {
     }
 }
 
-/// What a process is told.
+/// Signal to a process.
 #[derive(Clone, Copy)]
 enum Signal {
     Halt,
     GoOn,
 }
 
-/// Halts a process that has not ended, or lets it go on.
+/// Suspends or resumes a process that has not ended.
 #[cfg(unix)]
 fn signal(id: Option<u32>, signal: Signal) {
     use rustix::process::{Pid, Signal as Number, kill_process};
@@ -157,21 +159,22 @@ fn signal(id: Option<u32>, signal: Signal) {
         Signal::GoOn => Number::CONT,
     };
     let process = id.and_then(|id| i32::try_from(id).ok()).and_then(Pid::from_raw);
-    // one that has ended meanwhile needs no signal; its number is kept until it is waited for
+    // A process that has ended meanwhile needs no signal; its number is not reused until it is
+    // waited for.
     let _ = process.map(|process| kill_process(process, number));
 }
 
-/// Processes share the processors here.
+/// Does nothing: on other systems the processes share the processors.
 #[cfg(not(unix))]
 fn signal(_: Option<u32>, _: Signal) {}
 
-/// Sends the request and reads what is written, up to one byte more than the longest answer.
+/// Sends the request and reads the output, up to one byte more than the longest answer.
 async fn converse(process: &mut Child, request: &[u8], written: &mut Vec<u8>) -> io::Result<()> {
     let none = || io::Error::other("no pipe");
     let mut input = process.stdin.take().ok_or_else(none)?;
     let output = process.stdout.take().ok_or_else(none)?;
     let send = async move {
-        // a process that does not read all of its request may still answer
+        // A process that does not read all of its request can still answer.
         let _ = input.write_all(request).await;
         drop(input);
     };
@@ -180,8 +183,8 @@ async fn converse(process: &mut Child, request: &[u8], written: &mut Vec<u8>) ->
     read.map(|_| ())
 }
 
-/// One object of all lines: lists go behind each other, other values take the place of earlier ones. A last line that was cut
-/// off is left out.
+/// Merges all lines into one object: lists are concatenated, other values replace earlier ones. A
+/// last line that was cut off is skipped.
 fn merged(written: &[u8], stopped: Option<String>) -> Value {
     let mut whole = Map::new();
     for line in written.split(|&byte| byte == b'\n') {

@@ -1,12 +1,12 @@
-//! What tests share: random numbers, and optional tools: whether a program is installed, and the report of a check that is
-//! skipped for want of it.
+//! Shared test utilities: random numbers, detection of optional tools, and reports of checks that
+//! are skipped because a tool is missing.
 //!
 //! ```text
 //! test ─ is_installed(tool) ─┬─ yes ─▶ the check
 //!                            └─ no ──▶ skipped(test, tool, why) ─▶ a line on standard error ─ .ci/run ─▶ the list at its end
 //! ```
-//! A test that skips a check passes, and the test runner shows nothing of a test that passes. So the line is written to
-//! standard error itself, which the runner does not capture.
+//! A test that skips a check passes, and the test runner prints nothing about a test that passes.
+//! Therefore the line is written directly to standard error, which the runner does not capture.
 
 mod random;
 
@@ -35,7 +35,7 @@ fn is_executable(file: &Path) -> bool {
 /// Reports that a test skips a check because it needs a tool: `skipped: TEST: needs TOOL: WHY`.
 pub fn skipped(test: &str, tool: &str, why: &str) {
     let line = line(test, tool, why);
-    // Nobody is told where standard error is closed, and the test passes all the same.
+    // If standard error is closed, the report is lost and the test still passes.
     let _ = std::io::stderr().lock().write_all(line.as_bytes());
 }
 
@@ -58,7 +58,7 @@ mod tests {
 
     #[test]
     fn programs_are_found_by_the_folders_of_path_and_nothing_else_is() {
-        // The tests are started by cargo, which puts the folder of the compiler into PATH.
+        // Cargo starts the tests and puts the folder of the compiler into PATH.
         assert!(is_installed("cargo") || std::env::var_os("CARGO").is_none());
         assert!(!is_installed("a program that nobody has"));
         assert!(!is_executable(Path::new(env!("CARGO_MANIFEST_DIR"))), "a folder is no program");

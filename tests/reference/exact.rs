@@ -1,9 +1,9 @@
-//! Decimals of the reference, exactly.
+//! Exact values of the decimals in the reference.
 
 use num_rational::BigRational;
 use num_traits::pow;
 
-/// A decimal such as `-1.5e-3`.
+/// Parses a decimal such as `-1.5e-3`.
 pub(crate) fn exact(text: &str) -> BigRational {
     let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));

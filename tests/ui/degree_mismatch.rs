@@ -1,4 +1,4 @@
-//! Sums of different degree, and a declared degree that is not the form's.
+//! Sums of different degree, and a declared degree that differs from the degree of the form.
 
 forms::forms! {
     chart Plane(x, y);

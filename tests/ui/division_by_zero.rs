@@ -1,4 +1,4 @@
-//! Division by what is zero everywhere.
+//! Division by an expression that is zero everywhere.
 
 forms::forms! {
     chart Line(x);

@@ -1,4 +1,4 @@
-//! A statement that speaks of no point.
+//! A vacuous statement.
 
 forms::forms! {
     chart Line(x);

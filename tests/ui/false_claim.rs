@@ -1,4 +1,4 @@
-//! False claims, with a witness each.
+//! False claims, each with a witness.
 
 forms::forms! {
     chart Plane(x, y);

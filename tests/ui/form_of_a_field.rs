@@ -1,4 +1,4 @@
-//! A field is no form; an error in the declarations.
+//! A field where a form is expected; an error in the declarations.
 
 fn main() {
     let _ = forms::form! { chart Line(x); x*@x };

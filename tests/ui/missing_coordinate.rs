@@ -1,4 +1,4 @@
-//! A map with a component too few, and one that uses a foreign coordinate.
+//! A map with one component too few, and one that uses a foreign coordinate.
 
 forms::forms! {
     chart UV(u, v);

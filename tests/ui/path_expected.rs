@@ -1,4 +1,4 @@
-//! Something that is no path.
+//! An argument that is not a path.
 
 forms::include_forms!(sphere.forms);
 

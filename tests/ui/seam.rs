@@ -1,4 +1,4 @@
-//! Pieces that do not meet where their condition turns.
+//! Pieces that do not agree at the boundary of their condition.
 
 forms::forms! {
     chart UV(u, v);

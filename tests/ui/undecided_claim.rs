@@ -1,4 +1,4 @@
-//! A true equation outside the class that is decided.
+//! A true equation outside the decidable class.
 
 forms::forms! {
     chart Line(x);

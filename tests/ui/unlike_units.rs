@@ -1,4 +1,4 @@
-//! A radiance is no irradiance.
+//! A radiance where an irradiance is expected.
 
 forms::forms! {
     param irradiance: W/m**2, radiance: W/m**2/sr;

@@ -1,4 +1,4 @@
-//! Identities that a condition makes true.
+//! Identities that hold only under a condition.
 
 use crate::dice::Dice;
 use crate::parts::{any, positive, signed, square};
@@ -6,12 +6,12 @@ use crate::statement::{Condition, Statement};
 use crate::tree::Tree::{self, *};
 use crate::tree::{apply, atan2, number, power, variable};
 
-/// An identity with the conditions it needs.
+/// Returns an identity with the conditions that it needs.
 pub(crate) fn conditional(dice: &mut Dice) -> Statement {
     if dice.below(2) == 0 { of_a_sign(dice) } else { of_a_range(dice) }
 }
 
-/// u > 0 or the like.
+/// Returns an identity that needs the sign of an expression, for example u > 0.
 fn of_a_sign(dice: &mut Dice) -> Statement {
     let (u, w, p) = (signed(dice), signed(dice), positive(dice));
     let [sqrt, abs, log, atan] = ["sqrt", "abs", "log", "atan"].map(|name| move |of: &Tree| apply(name, of));
@@ -46,7 +46,7 @@ fn of_a_sign(dice: &mut Dice) -> Statement {
     }
 }
 
-/// The range of an angle.
+/// Returns an identity that needs the range of an angle.
 fn of_a_range(dice: &mut Dice) -> Statement {
     let v = variable(dice.below(2) as usize);
     let [sin, cos, tan] = ["sin", "cos", "tan"].map(|name| move |of: &Tree| apply(name, of));

@@ -1,9 +1,9 @@
-//! Reproducible choices: the same number of a case gives the same case.
+//! Reproducible random choices: the same case number gives the same case.
 
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// Dice of one case.
+/// Random number generator of one case.
 pub(crate) struct Dice(TestRng);
 
 impl Dice {
@@ -13,12 +13,12 @@ impl Dice {
         Dice(TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
     }
 
-    /// A number below the limit.
+    /// Returns a number below the limit.
     pub(crate) fn below(&mut self, limit: u64) -> u64 {
         self.0.next_u64() % limit
     }
 
-    /// A number of the range, ends included.
+    /// Returns a number in the range, ends included.
     pub(crate) fn between(&mut self, low: i64, high: i64) -> i64 {
         low + self.below((high - low + 1) as u64) as i64
     }

@@ -1,4 +1,4 @@
-//! Identities between scalars that are told by forms, fields and maps.
+//! Identities between scalars that are written with forms, fields and maps.
 
 use crate::dice::Dice;
 use crate::notation::Notation::{self, *};
@@ -11,7 +11,8 @@ fn written<const N: usize>(notation: Notation, parts: [&Tree; N]) -> Tree {
     Tree::Written(notation, parts.map(Tree::clone).to_vec())
 }
 
-/// Of coefficients of d, wedge products, interior products, Lie derivatives and pullbacks.
+/// Returns an identity about coefficients of d, wedge products, interior products, Lie derivatives
+/// or pullbacks.
 pub(crate) fn exterior(dice: &mut Dice) -> Equation {
     let [f, g, p, q] = [0; 4].map(|_| smooth(dice));
     let [x, y] = [|of: &Tree| partial(of, 0), |of: &Tree| partial(of, 1)];

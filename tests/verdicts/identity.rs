@@ -1,4 +1,4 @@
-//! Known identities with random parts in them, put together.
+//! Combinations of known identities with random subexpressions.
 
 use crate::conditional::conditional;
 use crate::dice::Dice;
@@ -8,7 +8,7 @@ use crate::statement::{Equation, Statement};
 use crate::tree::Tree::{self, *};
 use crate::tree::{apply, atan2, number, partial, power, raised};
 
-/// A known identity; the variable of its derivatives is a coordinate.
+/// Returns a known identity; its derivatives are by a coordinate.
 fn known(dice: &mut Dice) -> Statement {
     let sides = match dice.below(10) {
         0 => rational(&any(dice), &any(dice), dice),
@@ -87,7 +87,7 @@ fn radical(a: &Tree, b: &Tree, p: &Tree, q: &Tree, dice: &mut Dice) -> Equation 
     }
 }
 
-/// Powers with any exponents.
+/// Returns an identity about powers with arbitrary exponents.
 fn symbolic(p: &Tree, q: &Tree, [e, f]: [Tree; 2], dice: &mut Dice) -> Equation {
     match dice.below(8) {
         0 => [raised(p, &e) * raised(p, &f), raised(p, &(e + f))],
@@ -104,7 +104,7 @@ fn symbolic(p: &Tree, q: &Tree, [e, f]: [Tree; 2], dice: &mut Dice) -> Equation 
     }
 }
 
-/// The angle of a point.
+/// Returns an identity about the angle of a point.
 fn polar(a: &Tree, p: &Tree, dice: &mut Dice) -> Equation {
     let angle = atan2(a, p);
     let radius = || apply("sqrt", &(square(a) + square(p)));
@@ -149,7 +149,7 @@ fn differential(a: &Tree, p: &Tree, x: usize, dice: &mut Dice) -> Equation {
     }
 }
 
-/// Several identities put together in the same way on both sides.
+/// Combines several identities in the same way on both sides.
 pub(crate) fn identity(dice: &mut Dice) -> Statement {
     let Statement { sides: [mut left, mut right], mut conditions } = known(dice);
     for _ in 0..dice.below(3) {

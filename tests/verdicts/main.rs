@@ -1,7 +1,8 @@
-//! Verdicts against values: random statements, made from known identities by putting them together and damaging
-//! some, are decided; whoever is right must agree with values of some 90 digits from another library.
+//! Verdicts compared with values: random statements are decided, and every verdict must agree with
+//! values of some 90 digits from another library. The statements are combinations of known
+//! identities, some of them damaged.
 //!
-//! `FORMS_STATEMENTS=100000` tries that many statements.
+//! `FORMS_STATEMENTS=100000` runs this number of statements.
 
 mod conditional;
 mod dice;
@@ -24,15 +25,16 @@ use statement::{Condition, Statement};
 use tree::{NAMES, apply, number, partial, power, variable};
 use value::Calculator;
 
-/// How many statements are tried where nobody asks for more.
+/// Default number of statements.
 const STATEMENTS: u64 = 1_000;
-/// Of a hundred statements so many have to be decided.
+/// Smallest percentage of statements that must be decided.
 const DECIDED: u64 = 95;
-/// Points looked at, and how many of them of which the statement speaks are enough.
+/// Number of points that are tried, and number of points in the domain of the statement that are
+/// sufficient.
 const POINTS: usize = 100;
 const ENOUGH: usize = 8;
 
-/// What is found of the statements.
+/// Numbers of verdicts, with the unknown and the wrong ones.
 #[derive(Default)]
 struct Tally {
     proved: u64,
@@ -42,7 +44,8 @@ struct Tally {
     wrong: Vec<String>,
 }
 
-/// Values with some 90 digits, and with four times as many for what seems to differ.
+/// Calculators with some 90 digits, and with four times that number for values that appear to
+/// differ.
 struct Values {
     quick: Calculator,
     sure: Calculator,
@@ -72,7 +75,7 @@ fn no_verdict_on_a_random_statement_contradicts_its_values() {
     assert!(proved * 4 > count && refuted * 4 > count, "{proved} proved and {refuted} refuted say little");
 }
 
-/// Decides these cases.
+/// Decides these cases and checks the verdicts.
 fn tally(cases: impl Iterator<Item = u64>) -> Tally {
     let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };
     let mut tally = Tally::default();
@@ -100,7 +103,7 @@ fn judge(case: u64, statement: &Statement, dice: &mut Dice, values: &mut Values,
     let mut wrong = |what: &str| tally.wrong.push(format!("case {case}: {what}: {statement}"));
     let (mut theory, errors) = read_theory(&statement.source());
     if !errors.is_empty() {
-        // The resolver refuses a division by zero; the values must have no point either.
+        // The resolver rejects a division by zero; then no point can have values either.
         if values.differ_somewhere(statement, dice).is_some() {
             wrong(&format!("it has points: {errors:?}"));
         }
@@ -138,7 +141,8 @@ fn judge(case: u64, statement: &Statement, dice: &mut Dice, values: &mut Values,
 }
 
 impl Values {
-    /// Whether the sides differ at one of some random points; nothing where the statement speaks of none of them.
+    /// Whether the sides differ at one of some random points; `None` if the statement applies to
+    /// none of them.
     fn differ_somewhere(&mut self, statement: &Statement, dice: &mut Dice) -> Option<bool> {
         let mut met = 0;
         for _ in 0..POINTS {
@@ -155,7 +159,8 @@ impl Values {
         (met > 0).then_some(false)
     }
 
-    /// Whether the sides differ at the point of a witness; a variable it does not name has no influence.
+    /// Whether the sides differ at the point of a witness; variables that the witness does not name
+    /// have no influence.
     fn bear_out(&mut self, statement: &Statement, witness: &Witness) -> bool {
         let value =
             |name: &str| witness.point.iter().find(|entry| entry.0 == name).map_or("1", |entry| &entry.1);
@@ -164,7 +169,7 @@ impl Values {
     }
 }
 
-/// Whether the sides differ at a point; nothing where the statement does not speak of it.
+/// Whether the sides differ at a point; `None` if the statement does not apply to the point.
 fn differ(calculator: &mut Calculator, statement: &Statement, point: &[BigFloat]) -> Option<bool> {
     for condition in &statement.conditions {
         if calculator.meets(condition, point) != Some(true) {
@@ -175,7 +180,7 @@ fn differ(calculator: &mut Calculator, statement: &Statement, point: &[BigFloat]
     calculator.differ([left, right], point)
 }
 
-/// A random point with positive parameters; every second coordinate is small.
+/// Returns a random point with positive parameters; every second coordinate is small.
 fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
     let coordinate = |low: i64| {
         let high = if dice.below(2) == 0 { 40 } else { 13 };
@@ -184,7 +189,8 @@ fn random_point(dice: &mut Dice, calculator: &Calculator) -> Vec<BigFloat> {
     [-40, -40, 1, 1].map(coordinate).map(|(p, q)| calculator.ratio(p, q)).to_vec()
 }
 
-/// The judge can be trusted: √x² = x holds for some x, for all x > 0, and √(−1 − x²) = x speaks of none.
+/// Tests the judge itself: √x² = x holds for some x and for all x > 0, and √(−1 − x²) = x is
+/// vacuous.
 #[test]
 fn values_tell_what_holds_from_what_does_not() {
     let mut values = Values { quick: Calculator::new(320), sure: Calculator::new(1280) };

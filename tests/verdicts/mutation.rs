@@ -1,4 +1,4 @@
-//! Damage: one part of a statement changed, so that it is most often false.
+//! Mutation: changes one part of a statement, which usually makes the statement false.
 
 use crate::dice::Dice;
 use crate::notation::{MAPS, Notation};
@@ -6,7 +6,7 @@ use crate::statement::Statement;
 use crate::tree::Tree::{self, *};
 use crate::tree::{apply, number};
 
-/// Changes an expression of a statement, or a condition if it has any.
+/// Mutates an expression of a statement, or one of its conditions.
 pub(crate) fn damage(statement: &mut Statement, dice: &mut Dice) {
     if !statement.conditions.is_empty() && dice.below(2) == 0 {
         return weaken(statement, dice);
@@ -16,7 +16,7 @@ pub(crate) fn damage(statement: &mut Statement, dice: &mut Dice) {
     change(expression.part_mut(place), dice);
 }
 
-/// Drops a condition, turns it around, or asks for less (or more) than was needed.
+/// Drops a condition, reverses it, or makes it weaker or stronger.
 fn weaken(statement: &mut Statement, dice: &mut Dice) {
     let place = dice.below(statement.conditions.len() as u64) as usize;
     let condition = &mut statement.conditions[place];
@@ -30,7 +30,7 @@ fn weaken(statement: &mut Statement, dice: &mut Dice) {
     }
 }
 
-/// Another sign, number, exponent, function, variable or order; a part lost.
+/// Changes a sign, number, exponent, function, variable or order, or drops a part.
 fn change(part: &mut Tree, dice: &mut Dice) {
     let (step, other, first) = (dice.between(1, 2), dice.below(4) as usize, dice.below(2) == 0);
     *part = match part.clone() {
@@ -81,7 +81,7 @@ fn change(part: &mut Tree, dice: &mut Dice) {
     };
 }
 
-/// Along another coordinate or map, or with the parts in another order.
+/// Changes the coordinate or map of a notation, or the order of its parts.
 fn rewritten(notation: Notation, mut parts: Vec<Tree>, first: bool) -> Tree {
     let next = |map: usize| (map + 1) % MAPS.len();
     let notation = match notation {
@@ -98,7 +98,7 @@ fn rewritten(notation: Notation, mut parts: Vec<Tree>, first: bool) -> Tree {
     Written(notation, parts)
 }
 
-/// A function that is easily mistaken for another.
+/// Returns a function that is easily confused with the given one.
 fn exchanged(name: &str) -> &'static str {
     match name {
         "sin" => "cos",

@@ -1,10 +1,10 @@
-//! Scalars told by forms and fields, with what they mean by rules of the tests' own.
+//! Scalars written with forms and fields, and their meaning by rules independent of the engine.
 
 use crate::tree::Tree::{self, *};
 use crate::tree::{NAMES, number, power, variable};
 use std::fmt;
 
-/// A way to write a scalar by forms and fields in the coordinates x, y.
+/// Way to write a scalar with forms and fields in the coordinates x, y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Notation {
     /// `diff(f, x)`
@@ -29,10 +29,10 @@ pub(crate) enum Notation {
 
 use Notation::*;
 
-/// The maps that forms are pulled back along.
+/// Maps along which forms are pulled back.
 pub(crate) const MAPS: [&str; 3] = ["F", "G", "H"];
 
-/// The components of a map.
+/// Returns the components of a map.
 pub(crate) fn image(map: usize) -> [Tree; 2] {
     let [x, y, a] = [0, 1, 2].map(variable);
     match map {
@@ -42,7 +42,7 @@ pub(crate) fn image(map: usize) -> [Tree; 2] {
     }
 }
 
-/// The items that declare the maps a text uses.
+/// Returns the items that declare the maps used in a text.
 pub(crate) fn declarations(text: &str) -> String {
     let used = (0..MAPS.len()).filter(|&map| text.contains(&format!("pullback({},", MAPS[map])));
     used.map(|map| {
@@ -68,7 +68,7 @@ impl Notation {
         }
     }
 
-    /// The same without forms; defined where the parts are.
+    /// Returns the same scalar without forms; it is defined where the parts are defined.
     pub(crate) fn meaning(self, parts: &[Tree]) -> Tree {
         let d = |of: &Tree, by: usize| of.derivative(by);
         let scalar = match (self, parts) {

@@ -1,4 +1,4 @@
-//! Random expressions that identities are about.
+//! Random subexpressions of the identities.
 
 use crate::dice::Dice;
 use crate::tree::Tree::{self, *};
@@ -8,7 +8,7 @@ pub(crate) fn square(a: &Tree) -> Tree {
     power(a, (2, 1))
 }
 
-/// A small expression that is defined everywhere.
+/// Returns a small expression that is defined everywhere.
 pub(crate) fn any(dice: &mut Dice) -> Tree {
     let [x, y, a] = [0, 1, 2].map(variable);
     match dice.below(12) {
@@ -26,7 +26,7 @@ pub(crate) fn any(dice: &mut Dice) -> Tree {
     }
 }
 
-/// An expression that is positive everywhere.
+/// Returns an expression that is positive everywhere.
 pub(crate) fn positive(dice: &mut Dice) -> Tree {
     let [x, y, a, b] = [0, 1, 2, 3].map(variable);
     match dice.below(9) {
@@ -42,7 +42,7 @@ pub(crate) fn positive(dice: &mut Dice) -> Tree {
     }
 }
 
-/// An exponent.
+/// Returns an exponent.
 pub(crate) fn exponent(dice: &mut Dice) -> Tree {
     let [x, a, b] = [0, 2, 3].map(variable);
     match dice.below(4) {
@@ -53,7 +53,7 @@ pub(crate) fn exponent(dice: &mut Dice) -> Tree {
     }
 }
 
-/// An angle: linear in the variables.
+/// Returns an angle, linear in the variables.
 pub(crate) fn angle(dice: &mut Dice) -> Tree {
     let [x, y, a] = [0, 1, 2].map(variable);
     match dice.below(5) {
@@ -65,7 +65,7 @@ pub(crate) fn angle(dice: &mut Dice) -> Tree {
     }
 }
 
-/// An expression of any sign, about which a condition is to say more.
+/// Returns an expression of any sign, to be restricted by a condition.
 pub(crate) fn signed(dice: &mut Dice) -> Tree {
     let [x, y, a] = [0, 1, 2].map(variable);
     match dice.below(6) {
@@ -77,7 +77,7 @@ pub(crate) fn signed(dice: &mut Dice) -> Tree {
     }
 }
 
-/// A smooth expression, not always defined everywhere.
+/// Returns a smooth expression, which need not be defined everywhere.
 pub(crate) fn smooth(dice: &mut Dice) -> Tree {
     match dice.below(5) {
         0 => apply("sin", &any(dice)),

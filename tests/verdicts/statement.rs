@@ -5,7 +5,7 @@ use crate::notation;
 use crate::tree::{Tree, number};
 use std::fmt;
 
-/// Two sides.
+/// The two sides of an equation.
 pub(crate) type Equation = [Tree; 2];
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +15,7 @@ pub(crate) enum Relation {
     NotEqual,
 }
 
-/// A relation between two expressions.
+/// Relation between two expressions.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Condition {
     pub(crate) left: Tree,
@@ -49,7 +49,7 @@ impl fmt::Display for Condition {
     }
 }
 
-/// An equation under conditions.
+/// Equation with conditions.
 #[derive(Clone, Debug)]
 pub(crate) struct Statement {
     pub(crate) sides: Equation,
@@ -67,14 +67,14 @@ impl Statement {
         Statement { sides, conditions: conditions.into_iter().collect() }
     }
 
-    /// The file that states it.
+    /// Returns the text of a file with this statement.
     pub(crate) fn source(&self) -> String {
         let statement = self.to_string();
         let maps = notation::declarations(&statement);
         format!("chart P(x, y); param a, b where a > 0, b > 0; {maps}prove s: {statement};")
     }
 
-    /// Any of its expressions.
+    /// Returns a random side.
     pub(crate) fn expression(&mut self, dice: &mut Dice) -> &mut Tree {
         &mut self.sides[dice.below(2) as usize]
     }

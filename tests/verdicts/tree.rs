@@ -1,12 +1,13 @@
-//! Expressions of the tests' own: written in the language, differentiated and evaluated without the engine.
+//! Expressions of these tests: written in the language, differentiated and evaluated without the
+//! engine.
 
 use crate::notation::Notation;
 use std::fmt;
 
-/// The variables: two coordinates, then two positive parameters.
+/// Names of the variables: two coordinates, then two positive parameters.
 pub(crate) const NAMES: [&str; 4] = ["x", "y", "a", "b"];
 
-/// An expression.
+/// Expression tree.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Tree {
     Variable(usize),
@@ -17,13 +18,13 @@ pub(crate) enum Tree {
     Product(Box<Tree>, Box<Tree>),
     Quotient(Box<Tree>, Box<Tree>),
     Negative(Box<Tree>),
-    /// A power with a rational exponent.
+    /// Power with a rational exponent.
     Power(Box<Tree>, i64, i64),
-    /// A power of a positive base with any exponent.
+    /// Power of a positive base with any exponent.
     Raised(Box<Tree>, Box<Tree>),
     Function(&'static str, Box<Tree>),
     Atan2(Box<Tree>, Box<Tree>),
-    /// A scalar that the language is told by forms and fields.
+    /// Scalar that is written with forms and fields.
     Written(Notation, Vec<Tree>),
 }
 
@@ -103,11 +104,11 @@ impl fmt::Display for Tree {
 }
 
 impl Tree {
-    /// The partial derivative by the rules of a textbook.
+    /// Returns the partial derivative, by the rules of a textbook.
     pub(crate) fn derivative(&self, place: usize) -> Tree {
         let d = |tree: &Tree| tree.derivative(place);
         if !self.mentions(place) {
-            // also where the derivative by what it depends on has no value
+            // Zero even where the derivative by another variable is undefined.
             return number(0);
         }
         match self {
@@ -128,7 +129,7 @@ impl Tree {
         }
     }
 
-    /// The expression at the image of a map.
+    /// Returns the composition with a map.
     pub(crate) fn composed(&self, image: &[Tree; 2]) -> Tree {
         match self {
             Variable(place) if *place < 2 => image[*place].clone(),
@@ -163,7 +164,7 @@ impl Tree {
         }
     }
 
-    /// Whether it depends on a variable as it is written: a composition with a map does by what the map brings in.
+    /// Whether the expression contains a variable, after forms and maps have been expanded.
     fn mentions(&self, place: usize) -> bool {
         match self {
             Written(notation, parts) => notation.meaning(parts).mentions(place),
@@ -171,12 +172,12 @@ impl Tree {
         }
     }
 
-    /// How many parts it has, itself counted.
+    /// Returns the number of nodes, including the root.
     pub(crate) fn size(&self) -> usize {
         1 + self.parts().into_iter().map(Tree::size).sum::<usize>()
     }
 
-    /// The part of that number, itself being number 0.
+    /// Returns the node with this number; the root has number 0.
     pub(crate) fn part_mut(&mut self, place: usize) -> &mut Tree {
         if place == 0 {
             return self;
@@ -193,7 +194,7 @@ impl Tree {
     }
 }
 
-/// f′ at an argument.
+/// Returns f′ at an argument.
 fn outer_derivative(name: &str, a: &Tree) -> Tree {
     let square = || power(a, (2, 1));
     match name {

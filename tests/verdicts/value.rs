@@ -1,23 +1,25 @@
-//! Values with many digits, by a library that knows nothing of the engine's enclosures.
+//! Values with many digits, from a library that is independent of the engine's interval arithmetic.
 
 use crate::statement::{Condition, Relation};
 use crate::tree::Tree::{self, *};
 use astro_float::{BigFloat, Consts, Radix, RoundingMode};
 
-/// To the last bit but few: correct rounding would never end at an exact value such as 4^(1/2).
+/// Rounding mode without correct rounding, which would not terminate at an exact value such as
+/// 4^(1/2). Only the last few bits are wrong.
 const ROUNDING: RoundingMode = RoundingMode::None;
 
-/// Evaluates trees at points.
+/// Evaluator of trees at points.
 pub(crate) struct Calculator {
     constants: Consts,
-    /// Bits of every operation.
+    /// Precision of every operation, in bits.
     bits: usize,
-    /// Below this a value counts as zero: what is left where values of ordinary size cancel.
+    /// Threshold below which a value counts as zero: the residue when values of moderate size
+    /// cancel.
     nothing: BigFloat,
 }
 
 impl Calculator {
-    /// Of the bits given, three eighths may be lost.
+    /// Creates a calculator with this precision; three eighths of the bits can be lost.
     pub(crate) fn new(bits: usize) -> Self {
         let half = BigFloat::from_f64(0.5, bits);
         let nothing = half.powi(bits * 5 / 8, bits, ROUNDING);
@@ -28,7 +30,8 @@ impl Calculator {
         self.integer(p).div(&self.integer(q), self.bits, ROUNDING)
     }
 
-    /// The value of a coordinate of a witness: sums, products and quotients of numbers with any number of digits and π.
+    /// Parses a coordinate of a witness: sums, products and quotients of π and of integers with any
+    /// number of digits.
     pub(crate) fn coordinate(&mut self, text: &str) -> BigFloat {
         let mut rest = text;
         let value = self.sum(&mut rest);
@@ -102,7 +105,7 @@ impl Calculator {
         !value.is_negative() && !self.is_nothing(value)
     }
 
-    /// The value; nothing where the expression is not defined.
+    /// Returns the value; `None` where the expression is undefined.
     pub(crate) fn value(&mut self, tree: &Tree, point: &[BigFloat]) -> Option<BigFloat> {
         let (p, rm) = (self.bits, ROUNDING);
         let value = match tree {
@@ -141,7 +144,7 @@ impl Calculator {
         (!value.is_nan() && !value.is_inf()).then_some(value)
     }
 
-    /// An integer power of any base, a fractional one of a base that is not negative.
+    /// Computes an integer power of any base, or a fractional power of a non-negative base.
     fn power(&mut self, base: &BigFloat, n: i64, d: i64) -> Option<BigFloat> {
         let (p, rm) = (self.bits, ROUNDING);
         if self.is_nothing(base) && (n < 0 || n % d != 0) {
@@ -155,7 +158,7 @@ impl Calculator {
         Some(if n < 0 { self.integer(1).div(&raised, p, rm) } else { raised })
     }
 
-    /// qᵉ = exp(e log q)
+    /// Computes qᵉ = exp(e log q).
     fn raised(&mut self, base: &BigFloat, exponent: &BigFloat) -> Option<BigFloat> {
         let (p, rm) = (self.bits, ROUNDING);
         let logarithm = self.function("log", base)?;
@@ -184,7 +187,8 @@ impl Calculator {
             "asin" | "acos" => {
                 let rest = self.integer(1).sub(&x.mul(x, p, rm), p, rm);
                 let cosine = self.function("sqrt", &rest)?;
-                // asin x is the angle of (√(1 − x²), x), acos x that of (x, √(1 − x²))
+                // asin x is the angle of the point (√(1 − x²), x), and acos x is the angle of (x,
+                // √(1 − x²)).
                 return if name == "asin" { self.angle(x, &cosine) } else { self.angle(&cosine, x) };
             }
             "sinh" => x.sinh(p, rm, cc),
@@ -195,7 +199,7 @@ impl Calculator {
         })
     }
 
-    /// The angle of a point off the cut.
+    /// Returns the angle of a point; `None` on the branch cut.
     fn atan2(&mut self, y: &BigFloat, x: &BigFloat) -> Option<BigFloat> {
         if self.is_nothing(y) && !self.is_positive(x) {
             return None;
@@ -203,7 +207,8 @@ impl Calculator {
         self.angle(y, x)
     }
 
-    /// The angle of a point in (−π, π]: atan(y/x) where x > 0, ±π/2 − atan(x/y) or π elsewhere.
+    /// Returns the angle of a point in (−π, π]: atan(y/x) where x > 0, ±π/2 − atan(x/y) or π
+    /// elsewhere.
     fn angle(&mut self, y: &BigFloat, x: &BigFloat) -> Option<BigFloat> {
         let (p, rm) = (self.bits, ROUNDING);
         if self.is_positive(x) {
@@ -218,7 +223,7 @@ impl Calculator {
         Some(quarter.sub(&x.div(y, p, rm).atan(p, rm, &mut self.constants), p, rm))
     }
 
-    /// Whether a condition holds; nothing where a side of it is not defined.
+    /// Whether a condition holds; `None` where one of its sides is undefined.
     pub(crate) fn meets(&mut self, condition: &Condition, point: &[BigFloat]) -> Option<bool> {
         let (left, right) = (self.value(&condition.left, point)?, self.value(&condition.right, point)?);
         let difference = right.sub(&left, self.bits, ROUNDING);
@@ -229,8 +234,8 @@ impl Calculator {
         })
     }
 
-    /// Whether both sides are defined at a point and, if so, whether they differ by a part of their size that is
-    /// not nothing.
+    /// Whether the sides differ at a point, relative to their size, by more than the threshold;
+    /// `None` where a side is undefined.
     pub(crate) fn differ(&mut self, sides: [&Tree; 2], point: &[BigFloat]) -> Option<bool> {
         let (p, rm) = (self.bits, ROUNDING);
         let (left, right) = (self.value(sides[0], point)?, self.value(sides[1], point)?);

@@ -1,4 +1,4 @@
-//! One kernel with a promise, and what its values are worth.
+//! Comparison of one kernel with a promise of accuracy (`within N`) with its true values.
 
 use crate::points::Dice;
 use crate::random::Term;
@@ -13,23 +13,23 @@ use forms::core::theory::{Kernel, Theory};
 use forms::math::Tier;
 use std::fmt;
 
-/// Draws for one point of the domain.
+/// Number of attempts to find a point of the domain.
 const DRAWS: usize = 40;
 
-/// What is found of values.
+/// Numbers of values by outcome.
 #[derive(Default)]
 pub(crate) struct Tally {
-    /// Values that are as near to the truth as is promised.
+    /// Number of values that keep the promise.
     pub(crate) known: usize,
-    /// Of these, so many are below the normal numbers.
+    /// Number of subnormal values among them.
     subnormal: usize,
-    /// Points without a value, or whose value the judge does not know.
+    /// Number of points without a value or without a known true value.
     open: usize,
-    /// The tiers that values came from: `f64`, double-double, words.
+    /// Numbers of values by tier: `f64`, double-double, words.
     tiers: [usize; 3],
-    /// Values that are NaN with an error, though there is one.
+    /// Values that are NaN with an error, although a value exists.
     pub(crate) unknown: Vec<String>,
-    /// Values that are not what is promised.
+    /// Values that break the promise.
     pub(crate) wrong: Vec<String>,
 }
 
@@ -62,18 +62,18 @@ impl fmt::Display for Tally {
     }
 }
 
-/// A kernel with a promise.
+/// Kernel with a promise of accuracy.
 pub(crate) struct Judge {
     theory: Theory,
     kernel: Kernel,
     generated: Generated,
     within: f64,
-    /// The text it stands in, where that is short.
+    /// Text of the kernel's file if it is short, else the name of the kernel.
     text: String,
 }
 
 impl Judge {
-    /// The kernels of a text that have a promise; none of a text that is no theory.
+    /// Returns the kernels with a promise in a text; none if the text has errors.
     pub(crate) fn of_promises(text: &str) -> Vec<Judge> {
         if !text.contains("within") {
             return Vec::new();
@@ -93,14 +93,15 @@ impl Judge {
         Some(Judge { theory, kernel, generated, within, text })
     }
 
-    /// Whether the truth of a value takes seconds: of an integral, and of hundreds of functions.
+    /// Whether computing a true value takes seconds, because of an integral or hundreds of
+    /// instructions.
     pub(crate) fn is_long(&self) -> bool {
         let instructions = self.generated.written.instructions();
         let is_integral = |instruction: &Instruction| matches!(instruction, Instruction::Quadrature { .. });
         instructions.len() > 600 || instructions.iter().any(is_integral)
     }
 
-    /// A point of the domain, if one is found.
+    /// Returns a point of the domain, if one is found.
     fn point(&self, truth: &Truth<'_>, dice: &mut Dice) -> Option<Vec<f64>> {
         (0..DRAWS).find_map(|_| {
             let point: Vec<f64> = self.kernel.arguments.iter().map(|_| dice.argument()).collect();
@@ -146,7 +147,7 @@ impl Judge {
             return;
         }
         let subnormal = high.abs() < f64::MIN_POSITIVE;
-        // rounding is right where the promise is about a number that is not normal
+        // For a subnormal or infinite true value the promise means correct rounding.
         let is_right =
             if subnormal || !high.is_finite() { value == high } else { self.is_within(value, high, low) };
         if is_right {
@@ -162,21 +163,22 @@ impl Judge {
         }
     }
 
-    /// |value − truth| ≤ N 2⁻⁵³ |truth|
+    /// Whether |value − truth| ≤ N 2⁻⁵³ |truth|.
     fn is_within(&self, value: f64, high: f64, low: f64) -> bool {
         let exact = |value: f64| Rational::from_float(value);
         let (Some(value), Some(high), Some(low)) = (exact(value), exact(high), exact(low)) else {
             return false;
         };
         let truth = high + low;
-        // the truth has 32 digits
+        // The true value has 32 digits.
         let units =
             Rational::from_float(self.within * (1.0 + 1e-14) * f64::EPSILON / 2.0).expect("a finite number");
         let size = |value: Rational| if value < Rational::from_integer(0.into()) { -value } else { value };
         size(value - &truth) <= units * size(truth)
     }
 
-    /// How many truths are those of another library, all that both know.
+    /// Compares true values with another library, at points where both have one; returns the number
+    /// of comparisons.
     pub(crate) fn agrees_with(&self, term: &Term, seed: u64) -> usize {
         let truth = Truth::new(&self.theory.pool, &self.kernel.outputs, &self.kernel.domain);
         let mut constants = Consts::new().expect("constants fit in memory");
@@ -191,7 +193,7 @@ impl Judge {
             let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
             let short: String = digits.chars().take(60).collect();
             let nearest: f64 = format!("{short}e{exponent}").parse().expect("a number");
-            // what cancels to nothing in the other library may be nothing
+            // If the other library cancels to almost zero, the true value can be zero.
             let agrees = nearest == known || (nearest - known).abs() <= known.abs() * f64::EPSILON + 5e-324;
             let is_nothing = known == 0.0 && nearest.abs() < 1e-250;
             assert!(

@@ -1,12 +1,14 @@
-//! `within N` against the truth: kernels of the repository and random ones, at arguments of every size, are within what
-//! they promise, or NaN with an error; subnormal results are right to half a unit of the last place.
+//! `within N` compared with true values: kernels of the repository and random ones, at arguments of
+//! every size, keep their promise or return NaN with an error. Subnormal results are accurate to
+//! half a unit in the last place.
 //!
 //! ```text
 //! files, pages ─┐
-//! grammar ──────┴─▶ kernels ─┬─ in as much precision as it takes ─▶ values ─┐
-//!                            └─ enclosures of the formula ────────▶ truth ──┴─▶ tally
+//! grammar ──────┴─▶ kernels ─┬─ in the required precision ─▶ values ─┐
+//!                            └─ enclosures of the formula ─▶ truth ──┴─▶ tally
 //! ```
-//! `FORMS_WITHIN=600` tries that many points of each kernel, `FORMS_WITHIN_KERNELS=2000` that many random kernels.
+//! `FORMS_WITHIN=600` tries this number of points of each kernel, `FORMS_WITHIN_KERNELS=2000` this
+//! number of random kernels.
 
 mod judge;
 mod points;
@@ -16,10 +18,10 @@ mod sources;
 use judge::{Judge, Tally};
 use random::Term;
 
-/// Points of each kernel, and random kernels, where nobody asks for more.
+/// Default numbers of points of each kernel and of random kernels.
 const POINTS: usize = 2;
 const KERNELS: usize = 40;
-/// Of a thousand values that exist at most so many may be NaN.
+/// Largest number of NaN results per thousand existing values.
 const UNKNOWN: usize = 10;
 
 fn wanted(variable: &str, usual: usize) -> usize {
@@ -27,7 +29,7 @@ fn wanted(variable: &str, usual: usize) -> usize {
         .map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{variable} is a number")))
 }
 
-/// Tallies of the numbers below a count, on all processors.
+/// Adds the tallies of the numbers below a count, computed on all processors.
 fn shared(count: usize, tally: impl Fn(usize) -> Tally + Sync) -> Tally {
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let next = std::sync::atomic::AtomicUsize::new(0);
@@ -98,7 +100,7 @@ fn random_kernels_keep_what_they_promise() {
     report("random kernels", &tally);
 }
 
-/// The truth itself, against another library.
+/// Compares the true values themselves with another library.
 #[test]
 fn the_truth_is_that_of_another_library() {
     let kernels = wanted("FORMS_WITHIN_KERNELS", KERNELS);

@@ -1,9 +1,10 @@
-//! Arguments of every size, and where rounding changes its steps.
+//! Arguments of every size, including the neighbours of powers of two, where the spacing of
+//! floating-point numbers changes.
 
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-/// Reproducible choices: the same number gives the same ones.
+/// Reproducible random choices: the same number gives the same choices.
 pub(crate) struct Dice(TestRng);
 
 impl Dice {
@@ -13,12 +14,13 @@ impl Dice {
         Dice(TestRng::from_seed(RngAlgorithm::ChaCha, &seed))
     }
 
-    /// A number below the limit.
+    /// Returns a number below the limit.
     pub(crate) fn below(&mut self, limit: u64) -> u64 {
         self.0.next_u64() % limit
     }
 
-    /// 0, ±1/4, ±1/2, ±1, ±2, ± a power of ten from 1e-320 to 1e308, or a neighbour of one of these.
+    /// Returns 0, ±1/4, ±1/2, ±1, ±2, ± a power of ten from 1e-320 to 1e308, or a neighbour of one
+    /// of these.
     pub(crate) fn argument(&mut self) -> f64 {
         let size = match self.below(8) {
             0 => 0.0,

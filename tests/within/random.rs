@@ -3,17 +3,17 @@
 use crate::points::Dice;
 use astro_float::{BigFloat, Consts, RoundingMode};
 
-/// Functions that kernels and the other library have.
+/// Functions available in kernels and in the other library.
 const FUNCTIONS: [&str; 14] = [
     "sqrt", "exp", "log", "sin", "cos", "tan", "atan", "sinh", "cosh", "tanh", "abs", "expm1", "log1p",
     "asin",
 ];
 
-/// Bits of the other library.
+/// Precision of the other library, in bits.
 const BITS: usize = 4608;
 const ROUNDING: RoundingMode = RoundingMode::None;
 
-/// A term of a formula.
+/// Term of a formula.
 pub(crate) enum Term {
     Argument(usize),
     Number(u64, u64),
@@ -52,7 +52,7 @@ impl Term {
         }
     }
 
-    /// The kernel with a promise.
+    /// Returns the text of a kernel with a promise.
     pub(crate) fn kernel(&self, within: usize) -> String {
         format!("kernel k(x, y) = {} within {within};", self.text())
     }
@@ -70,7 +70,8 @@ impl Term {
         }
     }
 
-    /// Its value by the other library; nothing where it has none or is beyond its exponents.
+    /// Computes the value with the other library; `None` where it is undefined or exceeds the range
+    /// of exponents.
     pub(crate) fn value(&self, arguments: &[f64; 2], constants: &mut Consts) -> Option<BigFloat> {
         let (p, rm) = (BITS, ROUNDING);
         let one = BigFloat::from_i64(1, p);
@@ -117,7 +118,8 @@ impl Term {
     }
 }
 
-/// The number of that library: it does not read subnormal ones as they are.
+/// Converts a number for the other library, which does not read subnormal numbers correctly: those
+/// are scaled first.
 fn exactly(value: f64) -> BigFloat {
     let scale = if value.abs() < 1e-290 { 512 } else { 0 };
     let scaled = BigFloat::from_f64(value * 2.0_f64.powi(scale), BITS);

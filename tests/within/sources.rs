@@ -1,12 +1,12 @@
-//! The texts of the repository that kernels may stand in.
+//! Texts of the repository that can contain kernels.
 
 use std::fs;
 use std::path::Path;
 
-/// Folders without sources of their own.
+/// Folders without sources of the repository.
 const OTHER: [&str; 3] = ["target", ".git", "node_modules"];
 
-/// Every file of theories and every block of one in a page.
+/// Returns the texts of all theory files and of all theory blocks in pages.
 pub(crate) fn all() -> Vec<String> {
     let mut texts = Vec::new();
     collect(Path::new(env!("CARGO_MANIFEST_DIR")), &mut texts);
@@ -30,7 +30,7 @@ fn collect(folder: &Path, texts: &mut Vec<String>) {
     }
 }
 
-/// The theories of a page.
+/// Returns the theories of a page.
 fn blocks(page: &str) -> Vec<String> {
     let is_theory = |block: &&str| block.starts_with("forms\n") || block.starts_with("forms,continued\n");
     let blocks = page.split("```").skip(1).step_by(2).filter(is_theory);

@@ -1,9 +1,9 @@
-//! `forms accuracy`: what each precision and each form of a kernel costs and buys.
+//! `forms accuracy`: the run time and the accuracy of each precision and form of a kernel.
 //!
 //! ```text
 //! kernel ─┬─ sheet ──▶ errors of every variant in every regime ─┐
-//!         ├─ timing ─▶ time per value, where there is a rustc ──┴─ Report ─▶ table · JSON · figure · page
-//!         └─ search ─▶ the forms to use, written beside the file
+//!         ├─ timing ─▶ time per value, if rustc is available ───┴─ Report ─▶ table · JSON · figure · page
+//!         └─ search ─▶ the forms to use, written next to the file
 //! ```
 
 mod choose;
@@ -25,25 +25,25 @@ use std::io::{self, Write};
 use std::path::Path;
 use timing::Workshop;
 
-/// What is asked for.
+/// Request of the command line.
 pub(crate) struct Request<'a> {
-    /// The file, or that of the library.
+    /// The file, or the value that selects the library.
     pub(crate) file: &'a str,
-    /// Only this kernel.
+    /// Name of the only kernel to measure, if given.
     pub(crate) kernel: Option<&'a str>,
-    /// One JSON object a line.
+    /// Whether to print one JSON object per line.
     pub(crate) json: bool,
-    /// The forms to use are looked for and written beside the file.
+    /// Whether to search better forms and to write them next to the file.
     pub(crate) write: bool,
-    /// Where the page and its figures are written.
+    /// Folder for the page and its figures.
     pub(crate) pages: Option<&'a str>,
-    /// Samples of each regime.
+    /// Number of samples of each regime.
     pub(crate) samples: usize,
-    /// Whether times are measured.
+    /// Whether to measure times.
     pub(crate) times: bool,
 }
 
-/// Measures, and shows what was measured.
+/// Measures kernels and prints the results.
 pub(crate) fn accuracy(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
     if request.write {
         return choose::choose(request.file, output);
@@ -71,7 +71,8 @@ pub(crate) fn accuracy(request: &Request<'_>, output: &mut dyn Write) -> io::Res
         };
         show(&report, request, output)?;
         reports.push(report);
-        // so that what was measured is kept when the rest is not waited for
+        // The page is rewritten after each kernel, so that results are kept if the run is
+        // interrupted.
         if let Some(folder) = request.pages {
             let file = (request.file != LIBRARY).then(|| Path::new(request.file));
             page::Page { folder: Path::new(folder), file, samples: request.samples, left_out: &left_out }
@@ -84,11 +85,11 @@ pub(crate) fn accuracy(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     Ok(Status::AsStated)
 }
 
-/// Kernels with the files they stand in.
+/// Kernels with their files.
 type Chosen<'a> = Vec<(&'a TheoryFile, &'a Kernel)>;
 
-/// The kernel that was named, or all of them; of a page the names of those that it leaves out, because their integrals take
-/// long to be enclosed.
+/// Returns the named kernel, or all kernels. For a page, kernels with integrals are omitted and
+/// their names returned, because enclosing integrals takes long.
 fn choice<'a>(request: &Request<'_>, files: &'a [TheoryFile]) -> Result<(Chosen<'a>, Vec<&'a str>), String> {
     if let Some(name) = request.kernel {
         return Ok((vec![find(files, name)?], Vec::new()));

@@ -1,4 +1,4 @@
-//! `forms book`: the book that comes with the program, written as pages or put in place for mdBook.
+//! `forms book`: the embedded book, written as pages or expanded for mdBook.
 
 use crate::commands::refuse;
 use crate::decisions::workers;
@@ -37,7 +37,8 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     fs::write(path, bytes)
 }
 
-/// Answers mdBook: whether a renderer is known, or the book with formulas and verdicts in place.
+/// Answers mdBook: whether a renderer is supported, or the book with formulas and verdicts
+/// inserted.
 pub(crate) fn preprocess(question: &[String], output: &mut dyn Write) -> io::Result<Status> {
     if let [question, renderer] = question {
         let is_known = question == "supports" && renderer == "html";

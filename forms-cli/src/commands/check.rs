@@ -1,7 +1,8 @@
-//! `forms check`: a certificate, checked without the prover.
+//! `forms check`: checks a certificate without the prover.
 //!
-//! Files with errors are refused as `forms prove` refuses them; the verdicts on statements rest on the checker alone. Of
-//! what kernels claim of themselves certificates do not speak: the prover decides it again, and it is said that it did.
+//! Files with errors are refused as by `forms prove`. The verdicts on statements rest on the
+//! checker alone. Certificates do not cover the claims of kernels: the prover decides these again,
+//! and the output says so.
 
 use super::prove::write_fault_lines;
 use super::refuse;
@@ -16,10 +17,11 @@ use forms_check::{Checked, Claim, Outcome};
 use std::io::{self, Write};
 use std::time::Instant;
 
-/// Where a reason begins.
+/// Indent of a reason.
 const INDENT: usize = 6;
 
-/// Checks every entry of a certificate and prints what it shows, and whether that is as the file states.
+/// Checks every entry of a certificate, and prints the result of each and whether it agrees with
+/// the file.
 pub(crate) fn check(file: &str, allow_uncovered: bool, output: &mut dyn Write) -> io::Result<Status> {
     let start = Instant::now();
     let mut sources: Vec<(String, String)> = Vec::new();
@@ -58,7 +60,7 @@ pub(crate) fn check(file: &str, allow_uncovered: bool, output: &mut dyn Write) -
     Ok(if is_as_stated { Status::AsStated } else { Status::NotAsStated })
 }
 
-/// What an accepted entry shows, and whether the file says so.
+/// Describes the result of an accepted entry, and whether it agrees with the file.
 fn shown(one: &Checked) -> String {
     let verdict = match one.shown {
         Some(Claim::Prove) => "proved",

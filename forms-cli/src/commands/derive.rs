@@ -1,4 +1,4 @@
-//! `forms derive`: the steps that decide one statement, in a form a reader can check.
+//! `forms derive`: the steps that decide one statement, in a form that a reader can check.
 
 use crate::arguments::Notation;
 use crate::commands::refuse;
@@ -9,7 +9,7 @@ use forms::core::derivation::{Derivation, derive as derivation_of};
 use forms_book::{escaped, steps};
 use std::io::{self, Write};
 
-/// Prints the derivation of the statement of that name.
+/// Prints the derivation of the statement with this name.
 pub(crate) fn derive(
     file: &str,
     name: &str,
@@ -41,7 +41,7 @@ pub(crate) fn derive(
     Ok(if derivation.ok { Status::AsStated } else { Status::NotAsStated })
 }
 
-/// A page that a browser shows by itself: steps as a list, formulas as MathML.
+/// Returns a self-contained page for a browser: steps as a list, formulas as MathML.
 fn page(derivation: &Derivation) -> Result<String, String> {
     let name = escaped(&derivation.name);
     let mut page = format!(
@@ -54,7 +54,7 @@ fn page(derivation: &Derivation) -> Result<String, String> {
     Ok(page)
 }
 
-/// Readable in light and dark; a formula wider than the page is scrolled by itself.
+/// Style sheet: readable in light and dark mode; a formula wider than the page scrolls separately.
 const STYLE: &str = "\
 :root { color-scheme: light dark; }
 body { font: 1.05rem/1.5 system-ui, sans-serif; max-width: 52rem; margin: 2rem auto; padding: 0 1rem; }

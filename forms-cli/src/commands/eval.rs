@@ -1,4 +1,4 @@
-//! `forms eval`: rows of CSV in, the same rows with a kernel's values out.
+//! `forms eval`: evaluates a kernel on rows of CSV and appends its values to them.
 
 use crate::arguments::Tier;
 use crate::commands::exact::Exact;
@@ -14,16 +14,16 @@ use std::cell::Cell;
 use std::io::{self, Write};
 use std::rc::Rc;
 
-/// The longest row, in bytes; what is read ahead comes on top.
+/// Limit of the length of a row in bytes, not counting read-ahead.
 const LONGEST_ROW: usize = 1 << 20;
 
-/// The rows that are still checked after the reader of the output has gone away.
+/// Number of rows that are still checked after the reader of the output has gone away.
 const MOST_UNREAD_ROWS: u64 = 1 << 20;
 
-/// What may stand behind `--precision`.
+/// Values of `--precision`.
 const PRECISIONS: [&str; 4] = ["f32", "f64", "dd", "exact"];
 
-/// The file name that rows from standard input are reported under.
+/// File name used in messages about rows from standard input.
 const INPUT: &str = "<stdin>";
 
 /// Evaluates a kernel on the rows of an input.
@@ -69,37 +69,37 @@ pub(crate) fn eval(
     }
 }
 
-/// A kernel in one arithmetic: how its numbers are read, computed and written.
+/// Kernel in one arithmetic: parsing, evaluation and formatting of its numbers.
 pub(super) trait Evaluation {
-    /// A number of that arithmetic.
+    /// Number type of the arithmetic.
     type Number;
-    /// The kernel's name.
+    /// Returns the kernel's name.
     fn name(&self) -> &str;
-    /// The names of its arguments.
+    /// Returns the names of its arguments.
     fn arguments(&self) -> &[String];
-    /// How many values it has.
+    /// Returns the number of its values.
     fn outputs(&self) -> usize;
-    /// The number that a text stands for.
+    /// Parses a number.
     fn read(&self, text: &str) -> Result<Self::Number, Unread>;
-    /// The kernel's values.
+    /// Computes the kernel's values.
     fn values(&self, arguments: &[Self::Number]) -> Vec<Computed>;
-    /// An argument as it is written.
+    /// Formats an argument.
     fn written(&self, argument: &Self::Number) -> String;
 }
 
-/// One value of a kernel.
+/// Value of a kernel.
 pub(super) struct Computed {
-    /// As it is written.
+    /// Formatted value.
     pub(super) text: String,
-    /// Whether the kernel promises digits that no precision that is tried gives.
+    /// Whether none of the available precisions reached the promised digits.
     pub(super) is_undecided: bool,
 }
 
-/// Why a text is no argument.
+/// Reason why a text is not an argument.
 pub(super) enum Unread {
-    /// It is no number.
+    /// The text is not a number.
     NoNumber,
-    /// It is beyond the largest of these numbers.
+    /// The number exceeds the largest one of this type.
     TooLarge(&'static str),
 }
 
@@ -117,16 +117,16 @@ impl Unread {
     }
 }
 
-/// The rows whose values no precision was enough for.
+/// Rows with values for which no precision was sufficient.
 #[derive(Default)]
 struct Undecided {
     rows: u64,
-    /// The line of the first.
+    /// Line of the first such row.
     first: u64,
 }
 
 impl Undecided {
-    /// The texts of a row's values.
+    /// Records undecided values and returns the texts of a row's values.
     fn note(&mut self, values: Vec<Computed>, line: u64) -> Vec<String> {
         if values.iter().any(|value| value.is_undecided) {
             self.rows += 1;
@@ -135,7 +135,7 @@ impl Undecided {
         values.into_iter().map(|value| value.text).collect()
     }
 
-    /// Says what the table cannot say: why there is no number.
+    /// Reports why values are missing in the table.
     fn report(&self, kernel: &str) {
         if self.rows > 0 {
             let rows =
@@ -149,10 +149,10 @@ impl Undecided {
     }
 }
 
-/// An input that fails in a row without end.
+/// Input that fails on a row longer than the limit.
 struct Bounded<R> {
     input: R,
-    /// The bytes that were read since the row began.
+    /// Number of bytes read since the start of the row.
     read: Rc<Cell<usize>>,
 }
 
@@ -161,7 +161,7 @@ impl<R: io::Read> Bounded<R> {
         Bounded { input, read: Rc::default() }
     }
 
-    /// Counts the bytes of a row; set to zero, a new one begins.
+    /// Returns the byte counter of the row; the caller resets it at each new row.
     fn counter(&self) -> Rc<Cell<usize>> {
         Rc::clone(&self.read)
     }
@@ -181,7 +181,8 @@ impl<R: io::Read> io::Read for Bounded<R> {
     }
 }
 
-/// Reads rows and writes them with their values; a kernel without arguments has one row, and needs no input for it.
+/// Reads rows and writes them with their values. A kernel without arguments has one row, which
+/// needs no input.
 fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
     if kernel.arguments().is_empty() {
         let mut writer = csv::Writer::from_writer(output);
@@ -195,7 +196,7 @@ fn table(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write)
     rows(kernel, input, output)
 }
 
-/// Reads rows and writes them with their values until one of them is malformed.
+/// Reads rows and writes them with their values, up to the first malformed row.
 fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) -> io::Result<Status> {
     let rows = Bounded::new(input);
     let begin_row = rows.counter();
@@ -248,7 +249,7 @@ fn unreadable(error: &csv::Error) -> String {
     }
 }
 
-/// The column of each argument of the kernel.
+/// Returns the column of each argument of the kernel.
 fn columns(kernel: &impl Evaluation, header: &csv::StringRecord) -> Result<Vec<usize>, String> {
     let wanted = || kernel.arguments().join(", ");
     let header: Vec<&str> = header.iter().map(|name| name.trim_start_matches('\u{feff}')).collect();
@@ -271,7 +272,7 @@ fn columns(kernel: &impl Evaluation, header: &csv::StringRecord) -> Result<Vec<u
     kernel.arguments().iter().map(column).collect()
 }
 
-/// The kernel's arguments from one row.
+/// Parses the kernel's arguments from one row.
 fn arguments<K: Evaluation>(
     kernel: &K,
     columns: &[usize],
@@ -290,7 +291,8 @@ fn arguments<K: Evaluation>(
         .collect()
 }
 
-/// The arguments, then the kernel's name, or `NAME_0`, `NAME_1`, … if it has several values.
+/// Returns the column names: the arguments, then the kernel's name, or `NAME_0`, `NAME_1`, … if it
+/// has several values.
 fn header(kernel: &impl Evaluation) -> Vec<String> {
     let mut names = kernel.arguments().to_vec();
     match kernel.outputs() {

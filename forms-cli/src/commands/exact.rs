@@ -1,4 +1,4 @@
-//! The values of a kernel to fifty digits, at exact arguments.
+//! Values of a kernel to fifty digits, at exact arguments.
 
 use super::eval::{Computed, Evaluation, Unread};
 use crate::decimal;
@@ -7,10 +7,10 @@ use forms::core::accuracy::{Format, Rounded, Truth, Value};
 use forms::core::expression::{Rational, Symbol};
 use forms::core::theory::Kernel;
 
-/// Significant digits that are written.
+/// Number of significant digits in the output.
 const DIGITS: u32 = 50;
 
-/// A kernel's formula, evaluated without rounding and rounded once at the end.
+/// Kernel whose formula is evaluated without rounding and rounded once at the end.
 pub(super) struct Exact<'a> {
     kernel: &'a Kernel,
     truth: Truth<'a>,
@@ -64,7 +64,8 @@ impl Evaluation for Exact<'_> {
     }
 }
 
-/// The digits; `NaN` outside the domain; `undecided` where no precision that was tried made the digits certain.
+/// Formats a value: its digits; `NaN` outside the domain; `undecided` if no available precision
+/// made the digits certain.
 fn text(value: Value) -> String {
     match value {
         Value::Known(Rounded::Digits(digits)) => digits,

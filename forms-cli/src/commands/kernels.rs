@@ -1,4 +1,4 @@
-//! `forms kernels`: what the library computes, with arguments, units and formulas.
+//! `forms kernels`: lists the kernels of the library with arguments, units and formulas.
 
 use crate::kernel::library;
 use crate::layout::wrap;
@@ -10,9 +10,9 @@ use forms::core::notation::{simplify_expression, text};
 use forms::core::theory::{Kernel, KernelUnits, Value};
 use std::io::{self, Write};
 
-/// Where descriptions begin.
+/// Indent of descriptions.
 const INDENT: usize = 4;
-/// Longer formulas are left to `forms show`.
+/// Longest formula in the list; for longer ones the list refers to `forms show`.
 const LONGEST_FORMULA: usize = 160;
 
 /// Prints the library's kernels.
@@ -62,7 +62,8 @@ fn describe(
     writeln!(output)
 }
 
-/// The arguments and the results with their units: `of r2 [m**2], cos_theta [1], in sr/m**2`.
+/// Formats the arguments and the results with their units: `of r2 [m**2], cos_theta [1], in
+/// sr/m**2`.
 fn signature(file: &TheoryFile, kernel: &Kernel) -> String {
     let KernelUnits { arguments: units, outputs } = &kernel.units;
     let argument = |(place, &symbol): (usize, &Symbol)| {

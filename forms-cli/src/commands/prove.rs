@@ -1,4 +1,4 @@
-//! `forms prove`: every statement of every file, and what its kernels claim of themselves, decided.
+//! `forms prove`: decides every statement of every file, and the claims of its kernels.
 
 use crate::certificate::Certificate;
 use crate::decisions::{DecidedFault, DecidedFile, for_each_file};
@@ -15,7 +15,7 @@ use forms::core::syntax::ast::Claim;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-/// Decides the statements of files and prints what was found.
+/// Decides the statements of files and prints the verdicts.
 pub(crate) fn prove(
     files: &[String],
     json: bool,
@@ -52,10 +52,10 @@ pub(super) struct Totals {
     refuted: usize,
     unknown: usize,
     not_as_stated: usize,
-    /// Claims of kernels that are false, and those that are undecided.
+    /// Numbers of false and of undecided claims of kernels.
     false_claims: usize,
     open_claims: usize,
-    /// Files with errors, of which nothing was decided.
+    /// Number of files with errors; their statements are not decided.
     unread: usize,
     time: Duration,
 }
@@ -80,7 +80,7 @@ impl Totals {
         self.time += decided.time;
     }
 
-    /// `3 statements: 2 proved, 1 refuted; 1 claim of a kernel: 1 refuted`
+    /// Formats the totals: `3 statements: 2 proved, 1 refuted; 1 claim of a kernel refuted`.
     pub(super) fn sentence(&self) -> String {
         let kinds = [(self.proved, "proved"), (self.refuted, "refuted"), (self.unknown, "unknown")];
         let kinds: Vec<String> =
@@ -166,7 +166,7 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// A claim of a kernel that is not shown, like a statement that is not as stated.
+    /// Reports a claim of a kernel that was not proved, like a statement that is not as stated.
     fn fault(&mut self, file: &str, decided: &DecidedFault) -> io::Result<()> {
         self.totals.count_fault(decided);
         if self.json {
@@ -207,7 +207,7 @@ impl Report<'_> {
     }
 }
 
-/// A claim that is not shown, in one line, and why it is not.
+/// Writes a claim that was not proved in one line, and the reason below it.
 pub(super) fn write_fault_lines(
     output: &mut dyn Write,
     decided: &DecidedFault,
@@ -220,7 +220,7 @@ pub(super) fn write_fault_lines(
     Ok(())
 }
 
-/// Mark, kernel and claim, verdict and time in one line.
+/// Formats mark, kernel and claim, verdict and time in one line.
 fn fault_line(decided: &DecidedFault, palette: Palette) -> String {
     let DecidedFault { fault, time } = decided;
     let words = match fault.verdict {
@@ -250,7 +250,8 @@ fn write_fault(output: &mut dyn Write, file: &str, decided: &DecidedFault) -> io
     write_record(output, &record)
 }
 
-/// A statement that speaks of no point is an error, which is written in its place.
+/// Writes the record of a statement. A vacuous statement is an error; the error record is written
+/// in its place.
 fn write_statement(output: &mut dyn Write, file: &str, decided: &Decided) -> io::Result<()> {
     let Decided { statement, verdict, time } = decided;
     let (conditions, witness): (&[String], _) = match verdict {

@@ -1,4 +1,5 @@
-//! `forms man` and `forms completions`: what a system is told of the program, made from its command line.
+//! `forms man` and `forms completions`: manual pages and shell completions, generated from the
+//! command line.
 
 use crate::arguments::Arguments;
 use crate::commands::refuse;
@@ -32,7 +33,7 @@ fn print(command: Command, mut output: &mut dyn Write) -> io::Result<Status> {
     Ok(Status::AsStated)
 }
 
-/// Prints the completions of a shell.
+/// Prints the completion script of a shell.
 pub(crate) fn completions(shell: Shell, mut output: &mut dyn Write) -> io::Result<Status> {
     generate(shell, &mut Arguments::command(), "forms", &mut output);
     Ok(Status::AsStated)

@@ -1,4 +1,5 @@
-//! The values of a kernel in one of the precisions it is generated in, or in as much as its promise of accuracy takes.
+//! Values of a kernel in one of its generated precisions, or in the precision that its promised
+//! accuracy requires.
 
 use super::eval::{Computed, Evaluation, Unread};
 use crate::decimal;
@@ -7,16 +8,18 @@ use forms::core::kernel::{Constant, Program};
 use forms::math::{DoubleDouble, Real, Tier};
 use num_rational::BigRational;
 
-/// Significant digits of a double-double: more than its 106 bits, so that digits tell any two of them apart.
+/// Number of significant digits of a double-double: more than its 106 bits, so that the digits
+/// distinguish any two of them.
 const DOUBLE_DOUBLE_DIGITS: u32 = 36;
 
-/// A number that rows are read, computed and written in.
+/// Number type in which rows are read, computed and written.
 pub(super) trait Number: Real {
-    /// What a person calls these numbers.
+    /// Name of the type in messages.
     const NAME: &'static str;
-    /// The nearest to what a text stands for.
+    /// Parses a text and rounds its value to the nearest number of this type.
     fn read(text: &str) -> Option<Self>;
-    /// Enough significant digits to tell any two numbers apart, at least seventeen.
+    /// Formats the number with enough significant digits to distinguish any two numbers, at least
+    /// seventeen.
     fn digits(self) -> String;
 }
 
@@ -53,7 +56,7 @@ impl Number for DoubleDouble {
 
     fn read(text: &str) -> Option<Self> {
         let nearest = decimal::nearest(text)?;
-        // beyond the powers of ten that are kept exact there is nothing but zero and infinity
+        // Beyond the exact powers of ten only zero and infinity remain.
         let Some(exact) = decimal::exact(text) else { return Some(Self::from_f64(nearest)) };
         let words = Constant::rational(exact).words(2);
         Some(Self::constant(&words))
@@ -71,17 +74,19 @@ impl Number for DoubleDouble {
     }
 }
 
-/// How outputs are computed from arguments, each with whether no precision was enough for it.
+/// Function from arguments to outputs; each output has a flag that is set if no precision was
+/// sufficient.
 type Compute<'a, T> = Box<dyn Fn(&[T]) -> Vec<(T, bool)> + 'a>;
 
-/// A program with its numbers read and written in one precision, and computed in that or in more.
+/// Program whose numbers are read and written in one precision, and computed in this precision or a
+/// higher one.
 pub(super) struct Rounded<'a, T> {
     program: &'a Program,
     compute: Compute<'a, T>,
 }
 
 impl<'a, T: Number + 'a> Rounded<'a, T> {
-    /// Computed in that precision.
+    /// Creates a program that computes in this precision.
     pub(super) fn new(program: &'a Program) -> Self {
         let interpreter = program.interpreter();
         let compute = move |arguments: &[T]| {
@@ -92,7 +97,7 @@ impl<'a, T: Number + 'a> Rounded<'a, T> {
 }
 
 impl<'a> Rounded<'a, f64> {
-    /// With values as near to the exact ones as a kernel promises, in units of 2⁻⁵³.
+    /// Creates a program whose values have the promised error bound, in units of 2⁻⁵³.
     pub(super) fn within(program: &'a Program, within: f64) -> Self {
         let compute = move |arguments: &[f64]| decided(program.interpret_with_tier(arguments, within));
         Rounded { program, compute: Box::new(compute) }
@@ -100,7 +105,7 @@ impl<'a> Rounded<'a, f64> {
 }
 
 impl<'a> Rounded<'a, DoubleDouble> {
-    /// With values of 29 digits at least.
+    /// Creates a program whose values have at least 29 digits.
     pub(super) fn to_29_digits(program: &'a Program) -> Self {
         Rounded {
             program,
@@ -109,7 +114,7 @@ impl<'a> Rounded<'a, DoubleDouble> {
     }
 }
 
-/// Outputs with whether no precision was enough.
+/// Returns the outputs, each with a flag that is set if no precision was sufficient.
 fn decided<T>(outputs: Vec<(T, Tier)>) -> Vec<(T, bool)> {
     outputs.into_iter().map(|(value, tier)| (value, tier == Tier::Undecided)).collect()
 }

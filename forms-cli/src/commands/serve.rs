@@ -1,4 +1,5 @@
-//! `forms serve`: a page on this machine, for which other processes of this program work.
+//! `forms serve`: a local web page, whose requests are answered by worker processes of this
+//! program.
 
 use crate::commands::refuse;
 use crate::status::Status;
@@ -10,7 +11,7 @@ use std::net::IpAddr;
 use std::path::Path;
 use std::time::Duration;
 
-/// The memory of one working process. Its stack takes [`crate::STACK_BYTES`] of that.
+/// Memory limit of one worker process, including its stack of [`crate::STACK_BYTES`].
 const MEBIBYTES: u64 = 2048;
 
 /// Serves the page until the user stops it.
@@ -28,7 +29,8 @@ pub(crate) fn serve(
         }
         Some(Err(message)) => return Ok(refuse(&format!("{message}\n --> {}", file.unwrap_or_default()))),
     };
-    // a second more than on the clock: the clock ends what computes, this what nobody waits for any more
+    // The limit of processor time exceeds the time limit on the clock by at least a second: the
+    // clock ends computing processes, this limit ends processes for which no client waits any more.
     let seconds = time_limit.as_secs().saturating_add(2).to_string();
     let worker = Worker {
         program: std::env::current_exe()?,

@@ -1,4 +1,4 @@
-//! `forms show`: one named object, simplified, in the notation asked for.
+//! `forms show`: prints one named object, simplified, in the requested notation.
 
 use crate::arguments::Notation;
 use crate::commands::refuse;
@@ -9,7 +9,7 @@ use forms::core::notation::{latex_of_named, text_of_named};
 use forms_book::display;
 use std::io::{self, Write};
 
-/// Prints the object of that name.
+/// Prints the object with this name.
 pub(crate) fn show(file: &str, name: &str, notation: Notation, output: &mut dyn Write) -> io::Result<Status> {
     let mut files = match files(file) {
         Ok(files) => files,

@@ -1,4 +1,5 @@
-//! `forms simulate`: a scene's plan is printed, then what its receivers get, with errors; files hold the same and maps.
+//! `forms simulate`: prints the plan of a scene, then the answers of its receivers with errors;
+//! files contain the answers and the maps.
 //!
 //! ```text
 //! scene ─▶ plan ──▶ table or JSON
@@ -36,50 +37,50 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What is asked for.
+/// Request of the command line.
 pub(crate) struct Request<'a> {
-    /// The file of the scene.
+    /// File of the scene.
     pub(crate) scene: &'a str,
-    /// Where files are written, if anywhere; of a share its file.
+    /// Output folder, if any; the output file of a share.
     pub(crate) out: Option<&'a str>,
-    /// The file that the work goes on from, if any, and how often that is written.
+    /// Checkpoint file from which the work resumes, if any, and the interval between writes.
     pub(crate) checkpoint: Option<&'a str>,
     pub(crate) every: Duration,
-    /// The share of the work that is done, if not all of it.
+    /// Share of the work to compute, if not all of it.
     pub(crate) share: Option<Share>,
-    /// The samples of each number, if that is not left to the tolerance.
+    /// Number of samples of each number; `None` leaves it to the tolerance.
     pub(crate) budget: Option<Budget>,
-    /// The vector instructions, if they were chosen.
+    /// Chosen vector instructions, if any.
     pub(crate) instructions: Option<Instructions>,
-    /// The time of which exposures are added, if any are.
+    /// Exposure time, if exposures are requested.
     pub(crate) exposure: Option<Exposure>,
-    /// What replaces the settings of the scene.
+    /// Values that override the settings of the scene.
     pub(crate) overrides: Overrides,
-    /// How many threads compute.
+    /// Number of threads.
     pub(crate) threads: ThreadArguments,
-    /// One JSON object a line.
+    /// Whether to print one JSON object per line.
     pub(crate) json: bool,
 }
 
-/// What is shown of it, and where.
+/// Options of the output of a simulation.
 struct Asked<'a> {
     scene: &'a Scene,
     folder: Option<PathBuf>,
     json: bool,
-    /// Whether the work goes on until the tolerance is met, and not for a number of samples.
+    /// Whether the work continues until the tolerance is met, instead of for a number of samples.
     is_to_tolerance: bool,
-    /// Whether light is followed along paths.
+    /// Whether the scene is solved by path tracing.
     is_by_paths: bool,
 }
 
-/// A scene that was read, and what is simulated of it.
+/// Scene with its sources and its plan.
 struct Planned {
     scene: Scene,
     sources: Sources,
     plan: Plan,
 }
 
-/// Simulates a scene and shows what was found.
+/// Simulates a scene and prints the results.
 pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
     let prepared =
         request.instructions.map_or(Ok(()), instructions::choose).and_then(|()| request.threads.make());
@@ -118,7 +119,7 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
 }
 
-/// Does the work.
+/// Runs the simulation.
 fn found(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Simulation, String> {
     let Planned { scene, plan, .. } = planned;
     let share = request.share.unwrap_or(Share::WHOLE);
@@ -146,7 +147,7 @@ fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
     Ok(Planned { scene, sources, plan })
 }
 
-/// What the work writes to, goes on from, and is watched by.
+/// Resources of a run: output folder, checkpoint and part, initial state, and progress.
 struct Ready {
     folder: Option<PathBuf>,
     kept: Kept,
@@ -155,7 +156,7 @@ struct Ready {
     progress: Progress,
 }
 
-/// Whether the work can be done as asked, which is found out before it begins.
+/// Checks, before the work begins, that it can be done as requested, and prepares its resources.
 fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
     let is_by_paths = is_by_paths(&planned.scene, &planned.plan);
@@ -185,7 +186,8 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
 }
 
-/// What work that has no samples and is one piece makes of a request.
+/// Checks a request for a scene that is solved as a whole: it has no samples and cannot be divided
+/// into shares.
 fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
     let why = "this scene is solved as a whole, without paths";
     if request.budget.is_some() {
@@ -200,7 +202,7 @@ fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
     Ok(())
 }
 
-/// What to add to a scene that has no receiver.
+/// Returns the message for a scene without a receiver, with an example of one.
 fn nothing_asked(file: &str) -> String {
     let add = if file.to_lowercase().ends_with(".xml") {
         "add a sensor, for example\n  <shape type=\"rectangle\"><sensor type=\"irradiancemeter\">\
@@ -213,7 +215,7 @@ fn nothing_asked(file: &str) -> String {
     format!("{file}: the scene has no receiver, so there is nothing to simulate: {add}")
 }
 
-/// Says what became of a share.
+/// Reports the result of a share.
 fn shared(
     request: &Request<'_>,
     part: &Part,
@@ -261,7 +263,7 @@ fn shared(
     Ok(Status::AsStated)
 }
 
-/// A share that is done, as an object.
+/// JSON record of a completed share.
 #[derive(serde::Serialize)]
 struct SharedRecord<'a> {
     share: String,
@@ -270,7 +272,7 @@ struct SharedRecord<'a> {
     of: usize,
 }
 
-/// Writes the files first: whoever reads the output may go away.
+/// Writes the files, then prints the answers: the reader of the output can go away.
 fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
     let Asked { scene, folder, json, is_to_tolerance, is_by_paths } = asked;
     let (written, refused) =

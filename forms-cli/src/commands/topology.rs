@@ -1,4 +1,5 @@
-//! `forms show --topology`: whether a closed form has a potential, and the cycle that shows if not.
+//! `forms show --topology`: whether a closed form has a potential, or a cycle that shows that it
+//! has none.
 
 use crate::commands::refuse;
 use crate::kernel::files;
@@ -8,7 +9,7 @@ use forms::core::theory::Named;
 use forms::core::topology::topology as report_of;
 use std::io::{self, Write};
 
-/// Prints what is known of the potentials of the form of that name.
+/// Prints the known facts about the potentials of the form with this name.
 pub(crate) fn topology(file: &str, name: &str, output: &mut dyn Write) -> io::Result<Status> {
     let files = match files(file) {
         Ok(files) => files,

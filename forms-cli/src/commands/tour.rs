@@ -1,4 +1,4 @@
-//! `forms` without a command: what the program can do, done before the reader's eyes.
+//! `forms` without a command: a demonstration of the program.
 
 mod cornell_box;
 mod generated;
@@ -31,7 +31,7 @@ pub(crate) fn tour(output: &mut dyn Write) -> io::Result<Status> {
     Ok(status)
 }
 
-/// A heading with its number.
+/// Prints a heading with its number.
 fn heading(number: u32, text: &str, palette: Palette, output: &mut dyn Write) -> io::Result<()> {
     writeln!(output, "{}\n", palette.heading(&format!("{number}  {text}")))
 }

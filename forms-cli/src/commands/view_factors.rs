@@ -37,7 +37,7 @@ pub(crate) fn view_factors(
     Ok(Status::AsStated)
 }
 
-/// View factors with the areas that surfaces send from, in m².
+/// View factors with the emitting areas of the surfaces, in m².
 struct Matrix {
     factors: ViewFactors,
     areas: Vec<f64>,
@@ -50,7 +50,7 @@ impl Matrix {
         Self { factors, areas }
     }
 
-    /// One line for each surface: its factors to all, their sum, and its area.
+    /// Writes one line for each surface: its factors to all surfaces, their sum, and its area.
     fn write_csv(&self, output: &mut dyn Write) -> io::Result<()> {
         let Self { factors, areas } = self;
         let mut writer = csv::Writer::from_writer(output);
@@ -65,7 +65,7 @@ impl Matrix {
         writer.flush()
     }
 
-    /// One object a line for each pair of surfaces.
+    /// Writes one object per line for each pair of surfaces.
     fn write_lines(&self, output: &mut dyn Write) -> io::Result<()> {
         let Self { factors, areas } = self;
         for ((from, row), &area) in factors.names.iter().zip(&factors.rows).zip(areas) {
@@ -78,13 +78,13 @@ impl Matrix {
     }
 }
 
-/// A view factor as an object.
+/// JSON record of a view factor.
 #[derive(serde::Serialize)]
 struct Record<'a> {
     from: &'a str,
     to: &'a str,
     value: f64,
     error: f64,
-    /// The area that `from` sends from.
+    /// Emitting area of `from`.
     area: f64,
 }

@@ -1,13 +1,14 @@
-//! The work behind the page of `serve`: one request from standard input becomes an answer of JSON lines.
+//! Worker of the page of `serve`: one request from standard input becomes an answer of JSON lines.
 //!
 //! ```text
-//! request ─ bounds ─ task ─┬─ check  ─▶ diagnostics, statements, kernels, then a verdict at a time
+//! request ─ bounds ─ task ─┬─ check  ─▶ diagnostics, statements, kernels, then the verdicts one by one
 //!                          ├─ derive ─▶ steps
 //!                          ├─ emit   ─▶ code
 //!                          └─ plot   ─▶ drawing
 //! ```
-//! Each line is an object whose lists go behind those of the lines before it. What is written by the time the process is
-//! stopped is part of the answer, so a line is written as soon as it is known.
+//! Each line is an object; its lists are appended to those of the lines before it. If the process
+//! is stopped, the lines written so far are part of the answer, so each line is written as soon as
+//! it is known.
 
 mod bounds;
 mod check;
@@ -23,10 +24,10 @@ use record::Place;
 use serde::de::DeserializeOwned;
 use std::io::{self, Read, Write};
 
-/// A longer request is not read; the page's server lets none through.
+/// Limit of the length of a request in bytes; the server of the page rejects longer ones.
 const LONGEST_REQUEST: u64 = 4 << 20;
 
-/// Does one task within these bounds: seconds of processor time and mebibytes of memory.
+/// Runs one task within these limits: seconds of processor time and mebibytes of memory.
 pub(crate) fn work(
     task: Task,
     (seconds, mebibytes): (u64, u64),
@@ -43,7 +44,7 @@ pub(crate) fn work(
     }
 }
 
-/// Reads a request as what the task expects.
+/// Parses a request in the format of the task, and runs the task.
 fn with<R: DeserializeOwned>(
     request: &[u8],
     output: &mut dyn Write,
@@ -58,19 +59,19 @@ fn with<R: DeserializeOwned>(
     Ok(Status::AsStated)
 }
 
-/// Why a request is not answered.
+/// Reason why a request is not answered.
 #[derive(serde::Serialize)]
 struct Refusal {
     refusal: String,
 }
 
-/// Errors of the text that a request brings.
+/// Errors of the text in a request.
 #[derive(serde::Serialize)]
 struct Diagnostics {
     diagnostics: Vec<Told>,
 }
 
-/// One error, with its place.
+/// Error with its place.
 #[derive(serde::Serialize)]
 struct Told {
     #[serde(flatten)]

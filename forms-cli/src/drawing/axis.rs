@@ -1,14 +1,14 @@
-//! A logarithmic axis: values become places on the paper.
+//! A logarithmic axis, which maps values to positions on the paper.
 
-/// Digits as exponents.
+/// Superscript digits for exponents.
 const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
 
-/// Powers of ten along a length of paper.
+/// Logarithmic axis along a length of paper.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Axis {
-    /// The decimal logarithms of the values at both ends.
+    /// Decimal logarithms of the values at both ends.
     pub(crate) powers: [f64; 2],
-    /// The places of both ends.
+    /// Positions of both ends.
     pub(crate) paper: [f64; 2],
 }
 
@@ -18,8 +18,8 @@ impl Axis {
         self.paper[0] + part * (self.paper[1] - self.paper[0])
     }
 
-    /// Round values with their places, this far apart or farther: 1, 2 and 5 of each decade, or a number at the beginning
-    /// of each, or of every second one, and so on.
+    /// Returns round values with their positions, at least this distance apart: 1, 2 and 5 of each
+    /// decade, or only the first value of each decade, or of every second one, and so on.
     pub(crate) fn ticks(&self, apart: f64) -> Vec<(f64, String)> {
         let decade = ((self.paper[1] - self.paper[0]) / (self.powers[1] - self.powers[0])).abs();
         let is_wide = decade * 2_f64.log10() >= apart;
@@ -34,7 +34,7 @@ impl Axis {
     }
 }
 
-/// step · 10^power as it stands at an axis; long numbers as powers of ten.
+/// Formats step · 10^power for an axis; long numbers are written as powers of ten.
 fn tick(step: f64, power: i32) -> String {
     match power {
         -3..=3 => ((step * 10f64.powi(power + 3)).round() / 1e3).to_string(),

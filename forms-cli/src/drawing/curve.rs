@@ -1,14 +1,14 @@
-//! A curve: the values of a function of one argument, with gaps where it has none.
+//! A curve: the values of a function of one argument, with gaps where it is undefined.
 
 use super::heat_map::Range;
 use super::{Anchor, Drawing, GRID, INK, QUIET, Style, round_values};
 
 const SIZE: [f64; 2] = [560.0, 430.0];
-/// The frame: left, top, right and bottom.
+/// Frame: left, top, right and bottom.
 const FRAME: [f64; 4] = [72.0, 48.0, 540.0, 372.0];
 const COLOUR: &str = "#22618f";
 
-/// The curve through these values at equal steps of the argument, as an SVG file.
+/// Draws the curve through these values, at equal steps of the argument, as an SVG file.
 pub(crate) fn curve(title: &str, note: &str, across: &Range, values: &[f64]) -> String {
     let [left, top, right, bottom] = FRAME;
     let mut drawing = Drawing::new();
@@ -23,7 +23,7 @@ pub(crate) fn curve(title: &str, note: &str, across: &Range, values: &[f64]) -> 
     let finite = || values.iter().copied().filter(|value| value.is_finite());
     let least = finite().reduce(f64::min).unwrap_or(0.0);
     let greatest = finite().reduce(f64::max).unwrap_or(0.0);
-    // a constant lies in the middle
+    // A constant is drawn in the middle.
     let margin = if greatest > least { (greatest - least) * 0.04 } else { least.abs().max(1.0) / 2.0 };
     let [low, high] =
         [least - margin, greatest + margin].map(|end| end.clamp(-f64::MAX / 4.0, f64::MAX / 4.0));

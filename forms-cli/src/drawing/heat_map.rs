@@ -4,28 +4,28 @@ use super::{Anchor, Drawing, INK, QUIET, Style, round_values};
 use forms_radiometry::output::viridis;
 
 const SIZE: [f64; 2] = [560.0, 430.0];
-/// The frame of the map: left, top, right and bottom.
+/// Frame of the map: left, top, right and bottom.
 const FRAME: [f64; 4] = [66.0, 48.0, 446.0, 372.0];
-/// The legend: left and right, as high as the frame.
+/// Left and right of the legend, which is as high as the frame.
 const LEGEND: [f64; 2] = [466.0, 484.0];
-/// Colours that are told apart.
+/// Number of colour steps.
 const LEVELS: usize = 96;
-/// Beyond this ratio, positive values are shown by their logarithms.
+/// Ratio of positive values above which the scale is logarithmic.
 const LINEAR_RATIO: f64 = 1e3;
-/// The pattern of cells without a value.
+/// Name of the pattern for cells without a value.
 const UNDEFINED: &str = "undefined";
 
-/// How values become shares of the scale.
+/// Mapping of values to fractions of the colour scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
-    /// The least and the greatest finite value.
+    /// Least and greatest finite value.
     pub(crate) ends: [f64; 2],
-    /// Whether equal ratios look equal, rather than equal differences.
+    /// Whether equal ratios appear equal, instead of equal differences.
     pub(crate) is_logarithmic: bool,
 }
 
 impl Scale {
-    /// The scale of these values; none if none of them is finite.
+    /// Returns the scale for these values, or `None` if no value is finite.
     pub(crate) fn of(values: &[f64]) -> Option<Self> {
         let finite = || values.iter().copied().filter(|value| value.is_finite());
         let least = finite().reduce(f64::min)?;
@@ -34,7 +34,8 @@ impl Scale {
         Some(Scale { ends: [least, greatest], is_logarithmic })
     }
 
-    /// From 0 at the least value to 1 at the greatest; infinite values are at the ends.
+    /// Returns the fraction of a value, from 0 at the least to 1 at the greatest value; infinite
+    /// values are at the ends.
     fn share(self, value: f64) -> f64 {
         let [least, greatest] = self.ends;
         let [least, greatest, value] = if self.is_logarithmic {
@@ -46,7 +47,7 @@ impl Scale {
         if width <= 0.0 { 0.5 } else { ((value / 2.0 - least / 2.0) / width).clamp(0.0, 1.0) }
     }
 
-    /// Values at the legend, with their texts.
+    /// Returns the values of the legend, with their texts.
     fn ticks(self) -> Vec<(f64, String)> {
         let [least, greatest] = self.ends;
         if !self.is_logarithmic {
@@ -58,27 +59,27 @@ impl Scale {
     }
 }
 
-/// An argument along an axis.
+/// Argument along an axis, with its range.
 pub(crate) struct Range<'a> {
     pub(crate) name: &'a str,
     pub(crate) from: f64,
     pub(crate) to: f64,
 }
 
-/// The values of a function of two arguments in the middles of the cells of a grid.
+/// Heat map of a function of two arguments, with its values at the centres of the cells of a grid.
 pub(crate) struct HeatMap<'a> {
     pub(crate) title: &'a str,
-    /// What is said below the title.
+    /// Text below the title.
     pub(crate) note: &'a str,
     pub(crate) across: Range<'a>,
     pub(crate) up: Range<'a>,
-    /// Row by row from the lower end.
+    /// Values, row by row from the lower end.
     pub(crate) values: &'a [f64],
     pub(crate) columns: usize,
 }
 
 impl HeatMap<'_> {
-    /// The map as an SVG file. Cells without a value are hatched.
+    /// Returns the map as an SVG file. Cells without a value are hatched.
     pub(crate) fn svg(&self) -> String {
         let mut drawing = Drawing::new();
         let [left, top, right, bottom] = FRAME;
@@ -99,7 +100,8 @@ impl HeatMap<'_> {
         drawing.finish(SIZE[0], SIZE[1], self.title)
     }
 
-    /// Neighbours of one colour in a row are one box, and all boxes of one colour one path.
+    /// Draws the cells. Neighbours of one colour in a row form one box, and all boxes of one colour
+    /// form one path.
     fn cells(&self, drawing: &mut Drawing, scale: Scale) {
         let rows = self.values.len() / self.columns;
         let mut levels: Vec<Vec<[usize; 3]>> = vec![Vec::new(); LEVELS + 1];
@@ -166,7 +168,7 @@ fn legend(drawing: &mut Drawing, scale: Scale) {
     }
 }
 
-/// The colour of a level as SVG has it.
+/// Returns the colour of a level in the notation of SVG.
 fn colour(level: usize) -> String {
     let [red, green, blue] = viridis(level as f64 / LEVELS as f64);
     format!("#{red:02x}{green:02x}{blue:02x}")

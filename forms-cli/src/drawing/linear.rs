@@ -1,6 +1,7 @@
 //! A linear axis: round values along a range.
 
-/// Round values from one number to another, about so many: multiples of 1, 2 or 5 times a power of ten, with their texts.
+/// Returns approximately `about` round values in a range, with their texts: multiples of 1, 2 or 5
+/// times a power of ten.
 pub(crate) fn round_values(from: f64, to: f64, about: usize) -> Vec<(f64, String)> {
     let wanted = (to - from) / about.max(1) as f64;
     if !wanted.is_finite() || wanted <= 0.0 {
@@ -10,7 +11,7 @@ pub(crate) fn round_values(from: f64, to: f64, about: usize) -> Vec<(f64, String
     let unit = 10f64.powf(power);
     let step = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * unit).into_iter().find(|step| *step >= wanted);
     let step = step.unwrap_or(10.0 * unit);
-    // beyond the precision of numbers there are no multiples to tell apart
+    // Beyond the precision of the numbers, multiples cannot be distinguished.
     if (from.abs().max(to.abs()) / step) > 1e12 {
         return Vec::new();
     }
@@ -20,7 +21,7 @@ pub(crate) fn round_values(from: f64, to: f64, about: usize) -> Vec<(f64, String
     multiples.map(|value| (value, short(value, step))).collect()
 }
 
-/// A value to the digits that a step has; large and small ones with a power of ten.
+/// Formats a value with the digits of a step; large and small values with a power of ten.
 fn short(value: f64, step: f64) -> String {
     let size = value.abs().max(step);
     if !(1e-4..1e6).contains(&size) {

@@ -1,9 +1,9 @@
-//! Damage: a text loses, doubles and exchanges pieces, gets pieces from elsewhere, brackets that do not close, numbers at
-//! the edge of every type, and bytes that are no text.
+//! Damage: pieces of a text are removed, duplicated and exchanged, or replaced by foreign pieces,
+//! unclosed brackets, numbers at the limits of every type, and bytes that are not text.
 
 use super::Random;
 
-/// What is put in.
+/// Pieces that are inserted.
 const PIECES: [&str; 40] = [
     "(",
     ")",
@@ -47,7 +47,7 @@ const PIECES: [&str; 40] = [
     "_",
 ];
 
-/// Words and the characters between them.
+/// Splits a text into words and the characters between them.
 fn pieces(text: &str) -> Vec<&str> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_' || c == '.';
     let mut pieces = Vec::new();
@@ -64,7 +64,7 @@ fn pieces(text: &str) -> Vec<&str> {
     pieces
 }
 
-/// The text with up to four wounds.
+/// Returns the text with one to four damaged places, sometimes also with a random byte.
 pub(super) fn damaged(text: &str, random: &mut Random) -> Vec<u8> {
     let mut all = pieces(text);
     let own = all.clone();

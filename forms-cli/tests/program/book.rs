@@ -1,4 +1,4 @@
-//! The book, the manual and the completions as the program writes them.
+//! Output of the book, the manual and the completions.
 
 use crate::process::{Folder, forms, forms_on};
 

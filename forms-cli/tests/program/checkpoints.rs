@@ -1,13 +1,14 @@
-//! `forms simulate --checkpoint`: work that was killed goes on to the bits of work that was not, and a file of other work is refused.
+//! `forms simulate --checkpoint`: killed work resumes to the same bits as uninterrupted work, and a
+//! checkpoint of other work is rejected.
 
 use crate::hall::{FILES, LAMP, hall};
 use crate::process::{Folder, forms, forms_with_threads, killed};
 use std::time::{Duration, Instant};
 
-/// How often the work is killed; FORMS_KILLS says otherwise.
+/// Number of kills; FORMS_KILLS overrides it.
 const KILLS: u64 = 4;
 
-/// Numbers from 0 to 1 that look random, and are not the same in the next run.
+/// Returns a random number from 0 to 1 that differs between runs.
 fn random(number: u64) -> f64 {
     use std::hash::{BuildHasher, RandomState};
     RandomState::new().hash_one(number) as f64 / u64::MAX as f64
@@ -15,7 +16,7 @@ fn random(number: u64) -> f64 {
 
 #[test]
 fn work_that_was_killed_at_any_moment_goes_on_to_the_same_bits() {
-    // a second of work, as the program was compiled
+    // This tolerance takes about a second of work in this build.
     let tolerance = if cfg!(debug_assertions) { 0.02 } else { 0.003 };
     let folder = Folder::with(&[("hall.toml", &hall(tolerance))]);
     let begin = Instant::now();
@@ -27,7 +28,8 @@ fn work_that_was_killed_at_any_moment_goes_on_to_the_same_bits() {
     for kill in 0..kills {
         let _ = std::fs::remove_file(folder.path("state"));
         let call = ["simulate", "hall.toml", "--checkpoint", "state", "--every", "0.01", "--out", "resumed"];
-        // twice, so that it is killed on its second way too; both on their own number of threads
+        // The second kill happens after the work has resumed; each run has its own number of
+        // threads.
         for threads in ["1", "2"] {
             let wait: Duration = time.mul_f64(random(kill) * 0.7);
             interrupted += usize::from(killed(&folder, &call, threads, wait));

@@ -1,9 +1,9 @@
-//! Lights that emit nothing change no answer: every number is finite, and so is its error.
+//! Lights that emit nothing change no answer: every number and its error are finite.
 
 use crate::process::{Folder, forms};
 use serde_json::Value;
 
-/// Lights without extent, in one band or two, of which a band or all emit nothing.
+/// Lights without extent in one or two bands, with no emission in one band or in all.
 const LIGHTS: &[&str] = &[
     "kind = \"point\"\nposition = [0, 0, 1]\nintensity = 0",
     "kind = \"distant\"\ndirection = [0, 0, -1]\nirradiance = 0",
@@ -11,7 +11,7 @@ const LIGHTS: &[&str] = &[
     "kind = \"distant\"\ndirection = [0, 0, -1]\nirradiance = [0, 1]",
 ];
 
-/// What sends the scene through one solver or another.
+/// Materials and media that select different solvers.
 const SURROUNDINGS: &[(&str, &str)] = &[
     ("kind = \"diffuse\"\nreflectance = 0.5", ""),
     ("kind = \"mirror\"\nreflectance = 0.5", ""),

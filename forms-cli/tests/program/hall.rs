@@ -1,11 +1,11 @@
-//! A scene with a mirror, whose light is followed along paths: a number, a map and an image.
+//! A scene with a mirror, which requires path tracing: a number, a map and an image.
 
-/// The scene, as exact as is asked for.
+/// Returns the scene with this tolerance.
 pub(crate) fn hall(tolerance: f64) -> String {
     format!("{HALL}[solve]\ntolerance = {tolerance:?}\n")
 }
 
-/// What of `--out` tells every bit of the answers.
+/// Files of `--out` that contain every bit of the answers.
 pub(crate) const FILES: [&str; 3] = ["results.csv", "map.exr", "eye.exr"];
 
 pub(crate) const HALL: &str = r#"
@@ -50,7 +50,7 @@ fov = 60
 resolution = [4, 3]
 "#;
 
-/// A scene that is solved as a whole.
+/// Scene that is solved as a whole, without paths.
 pub(crate) const LAMP: &str = r#"
 [[material]]
 name = "black"

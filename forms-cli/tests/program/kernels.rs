@@ -1,4 +1,5 @@
-//! Kernels on the command line: evaluated, emitted, measured, listed; and the view factors of a scene.
+//! Kernels on the command line: evaluated, emitted, measured, listed; and the view factors of a
+//! scene.
 
 use super::THEORY;
 use super::process::{self, Folder, forms, forms_on};
@@ -115,7 +116,7 @@ fn rows_are_evaluated_in_every_precision() {
     assert_eq!(value("f64"), "1.0000000000000001e-1,3.3333333333333333e-2");
     let twice = value("dd");
     let (argument, quotient) = twice.split_once(',').expect("two columns");
-    // the double-double nearest to 0.1 is below it, by a unit of the 33rd digit
+    // The double-double nearest to 0.1 is below it, by a unit of the 33rd digit.
     assert!(
         argument.starts_with("9.9999999999999999999999999999999") && argument.ends_with("e-2"),
         "{twice}"
@@ -263,7 +264,7 @@ fn view_factors_of_a_scene_are_a_matrix_with_sums_and_areas_or_lines_with_errors
 
 #[test]
 fn a_row_of_view_factors_above_one_is_an_error_that_names_what_it_sums_up() {
-    // the lamp has each of its faces twice
+    // The lamp contains each of its faces twice.
     let scene = "unit = \"cm\"\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
 [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
 [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\nmesh = \"lamp.obj\"\n";
@@ -309,7 +310,7 @@ fn a_sheet_says_what_every_variant_loses_and_what_no_argument_exceeds() {
     assert_eq!(root["variants"].as_array().map(Vec::len), Some(9));
     for variant in root["variants"].as_array().into_iter().flatten().filter(|v| v["variant"] == "f64") {
         for regime in variant["regimes"].as_array().into_iter().flatten() {
-            // an ulp is one or two units of 2**-53
+            // An ulp is one or two units of 2**-53.
             assert!(regime["ulps"]["maximum"].as_f64().is_some_and(|ulps| ulps <= units), "{variant}");
         }
     }

@@ -1,4 +1,5 @@
-//! The program, run as its users run it: exit statuses, both kinds of output, and what it says of mistakes.
+//! End-to-end tests of the program: exit statuses, both kinds of output, and messages about
+//! mistakes.
 
 mod book;
 mod checkpoints;
@@ -56,7 +57,7 @@ fn a_false_claim_of_a_kernel_is_listed_like_a_statement() {
     let folder = Folder::with(&[("kernels.forms", kernels)]);
     let run = forms(&folder, &["prove", "kernels.forms"]);
     assert_eq!(run.status, 1, "{}", run.errors);
-    // a message is broken where the terminal's line ends
+    // Messages are wrapped at the width of the terminal.
     let output = run.output.split_whitespace().collect::<Vec<_>>().join(" ");
     for part in [
         "✓ right",
@@ -119,7 +120,7 @@ fn json_has_one_object_a_line_with_these_keys_in_this_order() {
     assert_eq!(lines, again.output.lines().map(without_micros).collect::<Vec<_>>());
 }
 
-/// A line up to the time, which is the one thing that changes.
+/// Returns a line up to the time, the only part that changes.
 fn without_micros(line: &str) -> String {
     serde_json::from_str::<serde_json::Value>(line).expect("every line is an object");
     match line.split_once("\"micros\":") {
@@ -244,7 +245,8 @@ fn a_derivation_is_printed_in_every_notation_and_its_status_tells_the_verdict() 
     assert!(missing.errors.contains("it has square, shifted"), "{}", missing.errors);
 }
 
-/// Twenty statements, more than one task holds, among them false ones and one of no point.
+/// Returns twenty statements, more than one task holds, some of them false equations, and a vacuous
+/// one.
 fn many_statements() -> String {
     let statements = (1..=20).map(|k| match k % 3 {
         0 => format!("refute s{k}: (x + y)**{k} == x**{k} + y**{k};"),

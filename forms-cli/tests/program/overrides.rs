@@ -1,21 +1,21 @@
-//! Options that replace what a scene says of its solution: they give what a scene with their values gives, in all commands that read one,
-//! and mistakes in them are named.
+//! Options that override the solver settings of a scene: they give the same results as a scene with
+//! their values, in all commands that read a scene, and mistakes in them are reported.
 
 use crate::hall::{HALL, LAMP, hall};
 use crate::process::{Folder, Run, forms};
 
-/// The standard output of a run in JSON, without the times.
+/// Returns the standard output of a run in JSON, without the times.
 fn untimed(run: &Run) -> Vec<String> {
     let untimed = |line: &str| line.split(",\"seconds\"").next().unwrap_or(line).to_owned();
     run.output.lines().map(untimed).collect()
 }
 
-/// What is printed of the answers of a scene, without the reasons of the plan.
+/// Returns the printed answers of a scene, without the reasons of the plan.
 fn answers(run: &Run) -> Vec<String> {
     untimed(run).into_iter().filter(|line| line.contains("\"receiver\"")).collect()
 }
 
-/// A room in TOML, and a cube in which an irradiance meter stands in the format of Mitsuba.
+/// A room in TOML, and a scene with an irradiance meter in the format of Mitsuba.
 const WHITE: &str = "[[material]]\nname = \"white\"\nkind = \"diffuse\"\nreflectance = 0.5\n\
     [[surface]]\nname = \"floor\"\nmaterial = \"white\"\npolygon = [[0,0,0], [2,0,0], [2,1,0], [0,1,0]]\n\
     [[surface]]\nname = \"lamp\"\nmaterial = \"white\"\nradiance = 3\n\
@@ -112,7 +112,7 @@ fn wrong_values_are_named_with_what_to_write() {
         assert_eq!((run.status, run.output.as_str()), (2, ""), "{options:?}");
         assert!(run.errors.contains(message), "{options:?}: {}", run.errors);
     }
-    // what only the plan knows is told where it was said
+    // An error that only the plan detects is reported at the place of the option.
     let run = forms(&folder, &["simulate", "hall.toml", "--effects", "mirror=on,occlusion=off"]);
     assert_eq!((run.status, run.output.as_str()), (2, ""));
     assert!(

@@ -1,4 +1,4 @@
-//! Running the program in a folder of its own.
+//! Runs the program in a folder of its own.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::PathBuf;
@@ -6,11 +6,11 @@ use std::process::{Child, Command, Output, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// A folder that lasts as long as its test.
+/// Folder that is removed after its test.
 pub(crate) struct Folder(PathBuf);
 
 impl Folder {
-    /// A folder with these files.
+    /// Creates a folder with these files.
     pub(crate) fn with(files: &[(&str, &str)]) -> Self {
         static NUMBER: AtomicUsize = AtomicUsize::new(0);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -40,7 +40,7 @@ impl Drop for Folder {
     }
 }
 
-/// How a run ended and what it printed.
+/// Exit status and printed texts of a run.
 pub(crate) struct Run {
     pub(crate) status: i32,
     pub(crate) output: String,
@@ -56,13 +56,13 @@ pub(crate) fn forms(folder: &Folder, arguments: &[&str]) -> Run {
 pub(crate) fn forms_on(folder: &Folder, arguments: &[&str], input: &str) -> Run {
     let mut child = started(folder, arguments);
     let mut pipe = child.stdin.take().expect("a pipe");
-    // A program that refuses its arguments does not wait for its input.
+    // A program that rejects its arguments does not wait for its input.
     let _ = pipe.write_all(input.as_bytes());
     drop(pipe);
     run(child.wait_with_output().expect("the program ends"))
 }
 
-/// Runs the program on so many threads.
+/// Runs the program with this number of threads.
 pub(crate) fn forms_with_threads(folder: &Folder, arguments: &[&str], threads: &str) -> Run {
     let mut command = command(folder, arguments);
     run(command.env("RAYON_NUM_THREADS", threads).output().expect("the program ends"))
@@ -73,7 +73,7 @@ fn run(ended: Output) -> Run {
     Run { status: ended.status.code().unwrap_or(-1), output: text(ended.stdout), errors: text(ended.stderr) }
 }
 
-/// Reads the first line of the output, closes it, and returns what is said on standard error.
+/// Reads the first line of the output, closes it, and returns the text of standard error.
 pub(crate) fn first_line_only(folder: &Folder, arguments: &[&str]) -> String {
     let mut child = started(folder, arguments);
     let mut line = String::new();
@@ -84,7 +84,7 @@ pub(crate) fn first_line_only(folder: &Folder, arguments: &[&str]) -> String {
     errors
 }
 
-/// Runs the program, and presses Ctrl-C once when it has written a line with this part.
+/// Runs the program, and sends Ctrl-C once after it has written a line with this part.
 #[cfg(unix)]
 pub(crate) fn interrupted(folder: &Folder, arguments: &[&str], part: &str) -> Run {
     let mut child = started(folder, arguments);
@@ -100,7 +100,8 @@ pub(crate) fn interrupted(folder: &Folder, arguments: &[&str], part: &str) -> Ru
     ended
 }
 
-/// Runs the program on so many threads and kills it after a time; whether it was still at work.
+/// Runs the program with this number of threads and kills it after a time; returns whether it was
+/// still working.
 pub(crate) fn killed(folder: &Folder, arguments: &[&str], threads: &str, wait: Duration) -> bool {
     let mut command = command(folder, arguments);
     command.env("RAYON_NUM_THREADS", threads).stdout(Stdio::null()).stderr(Stdio::null());

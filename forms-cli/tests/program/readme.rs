@@ -1,18 +1,18 @@
-//! What the README prints is what the program prints.
+//! The program prints the outputs that the README quotes.
 //!
 //! ```text
 //! README.md ─ fenced blocks ─┬─ forms, after "Save this as `NAME`"   files of a folder
 //!                            ├─ text, from `$ forms …`              run there, and compared
 //!                            └─ text, in the section on the first command   the tour, compared
 //! ```
-//! A line `…` stands for any number of lines. Times are not compared.
+//! A line `…` matches any number of lines. Times are not compared.
 
 use crate::process::{Folder, forms};
 use forms_book::{Page, agrees};
 
 const README: &str = include_str!("../../../README.md");
 
-/// A fenced block, its kind, and the text between it and the one before.
+/// Fenced block, its kind, and the text between it and the previous block.
 struct Block {
     before: String,
     kind: String,
@@ -29,7 +29,7 @@ fn blocks() -> Vec<Block> {
     Page::new("README.md", README).blocks().into_iter().map(with_text_before).collect()
 }
 
-/// Compares a quotation with what is printed.
+/// Compares a quotation with the printed text.
 fn compared(quoted: &str, printed: &str) -> Result<(), String> {
     if agrees(quoted, printed) { Ok(()) } else { Err(format!("quoted:\n{quoted}\nprinted:")) }
 }

@@ -1,5 +1,5 @@
-//! Nothing that is typed ends the program, and nothing that ends early passes for success: closed pipes, endless inputs,
-//! devices and pipes in the place of files, full disks, two runs with one checkpoint.
+//! No input crashes the program, and a run that ends early does not report success: closed pipes,
+//! endless inputs, devices and pipes instead of files, full disks, two runs with one checkpoint.
 
 use crate::hall;
 use crate::process::{Folder, command, forms};
@@ -8,7 +8,7 @@ use std::process::Stdio;
 
 const FALSE: &str = "chart L(x); prove wrong: x == x + 1; prove right: x == x;";
 
-/// The exit status of a call of which nobody reads what it writes.
+/// Returns the exit status of a call whose output is not read.
 fn status_unread(folder: &Folder, arguments: &[&str]) -> Option<i32> {
     let mut process = command(folder, arguments)
         .stdin(Stdio::null())
@@ -143,7 +143,7 @@ fn two_runs_with_one_checkpoint_know_of_each_other() {
     let run = forms(&folder, &arguments);
     assert_eq!(run.status, 2, "{}", run.errors);
     assert!(run.errors.contains("the checkpoint `state` is in use by another run"), "{}", run.errors);
-    // a run that was killed leaves the file and no lock
+    // A killed run leaves the lock file, but holds no lock.
     drop(lock);
     let run = forms(&folder, &arguments);
     assert_eq!(run.status, 0, "{}", run.errors);

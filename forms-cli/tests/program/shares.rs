@@ -1,9 +1,10 @@
-//! `forms simulate --shard` and `forms merge`: shares come to what one run gives, and what does not go together is named.
+//! `forms simulate --shard` and `forms merge`: shares combine to the results of a single run, and
+//! parts that do not belong together are reported.
 
 use crate::hall::{FILES, LAMP, hall};
 use crate::process::{Folder, forms, forms_with_threads};
 
-/// The files that a run without shares writes, and those of its shares.
+/// Asserts that the merged shares give the same files as a run without shares.
 fn assert_shares_are_the_whole(folder: &Folder, count: usize, threads: [&str; 2], options: &[&str]) {
     let simulate = |rest: &[&str], threads: &str| {
         let run = forms_with_threads(folder, &[&["simulate", "hall.toml"], options, rest].concat(), threads);
@@ -34,7 +35,7 @@ fn shares_come_to_the_bits_of_one_run_however_many_there_are() {
     assert_shares_are_the_whole(&folder, 2, ["1", "2"], &["--exposure", "2.5", "--isa", "baseline"]);
 }
 
-/// The standard output of a run in JSON, without the times.
+/// Returns the standard output of a run in JSON, without the times.
 fn untimed(output: &str) -> Vec<String> {
     output.lines().map(|line| line.split(",\"seconds\"").next().unwrap_or(line).to_owned()).collect()
 }

@@ -1,11 +1,11 @@
-//! `forms simulate`: what it prints, what it writes, and what it says when it cannot.
+//! `forms simulate`: its output, its files, and its error messages.
 
 use crate::process::{Folder, forms, interrupted};
 use serde_json::Value;
 use std::collections::HashMap;
 use std::io::Cursor;
 
-/// A lamp over a floor, with some receivers.
+/// Returns a scene with a lamp over a floor and some receivers.
 fn room(rest: &str) -> String {
     format!(
         "name = \"Room\"\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n\
@@ -20,7 +20,7 @@ const POINT: &str =
 const MAP: &str =
     "[[receiver]]\nname = \"floor: map\"\nkind = \"surface\"\nsurface = \"floor\"\ngrid = [6, 3]\n";
 
-/// The keys of a line of JSON, in their order, and the object.
+/// Returns the keys of a line of JSON in their order, and the object.
 fn object(line: &str) -> (Vec<String>, Value) {
     let value: Value = serde_json::from_str(line).expect("an object");
     let keys = value.as_object().expect("an object").keys();
@@ -131,13 +131,13 @@ fn the_parts_of_the_largest_error_are_told_where_there_are_several() {
     assert!(parts.contains("% quadrature") && parts.contains("% rounding"), "{parts}");
     let percents =
         parts.split(", ").map(|part| part.split('%').next().unwrap().parse::<f64>().expect("a number"));
-    // each is rounded
+    // Each percentage is rounded.
     assert!((percents.sum::<f64>() - 100.0).abs() <= 2.0, "{parts}");
-    // of a closed form there is nothing but rounding
+    // The error of a closed form consists of rounding only.
     assert!(!output("black.toml").contains("that error is"));
 }
 
-/// The channels of an EXR file and its width and height.
+/// Returns the channels of an EXR file and its width and height.
 fn channels(folder: &Folder, name: &str) -> (HashMap<String, Vec<f32>>, (usize, usize)) {
     let image = exr::prelude::read_first_flat_layer_from_file(folder.path(name)).expect("OpenEXR");
     let list = image.layer_data.channel_data.list.into_iter();

@@ -1,4 +1,5 @@
-//! What is answered: errors at their places, verdicts with what they rest on, steps, sources and plots.
+//! Answers of the server: errors at their places, verdicts with their grounds, steps, source code
+//! and plots.
 
 use crate::server::Server;
 use serde_json::{Value, json};
@@ -103,7 +104,7 @@ fn a_plot_shows_where_a_kernel_is_not_defined() {
     let drawing = &plot(request.clone())["drawing"];
     let svg = drawing["svg"].as_str().expect("a drawing");
     assert!(svg.starts_with("<svg") && svg.contains("not defined"), "{svg}");
-    // half of the square lies above the diagonal
+    // The kernel is undefined on one side of the diagonal, half of the square.
     let (undefined, values) = (drawing["undefined"].as_u64(), drawing["values"].as_u64());
     let share = undefined.expect("a count") as f64 / values.expect("a count") as f64;
     assert!((share - 0.5).abs() < 0.02, "{share}");

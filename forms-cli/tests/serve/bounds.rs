@@ -1,4 +1,4 @@
-//! What is bounded and refused: time, size, other sites, and everything outside the page.
+//! Limits and refusals: time, size, other sites, and everything outside the page.
 
 use crate::server::{Server, command};
 use serde_json::json;
@@ -8,7 +8,8 @@ use std::time::Duration;
 
 const SIMPLE: &str = "prove two: 1 + 1 == 2;";
 
-/// Statements that take hours together: sums of roots, whose powers are multiplied out in each of them.
+/// Returns statements that take hours together: sums of roots, whose powers are multiplied out in
+/// each statement.
 fn endless() -> String {
     let names = ["a", "b", "c", "d", "e", "f"];
     let roots: Vec<String> = names.iter().map(|name| format!("sqrt({name})")).collect();
@@ -26,7 +27,7 @@ fn an_endless_computation_is_stopped_and_others_are_answered_meanwhile() {
     let server = Server::start(&["--time-limit", "8"]);
     std::thread::scope(|scope| {
         let endless = scope.spawn(|| server.check(&format!("{SIMPLE}\n{}", endless())));
-        // by then its process has begun
+        // Its process has started by then.
         std::thread::sleep(Duration::from_millis(500));
         let answer = server.check(SIMPLE);
         assert_eq!(answer["verdicts"][0]["verdict"], "proved", "{answer}");
@@ -59,7 +60,7 @@ fn many_clients_at_once_are_all_answered_or_told_to_come_again() {
 fn a_queue_that_is_full_answers_503_and_has_room_again_when_its_clients_have_gone() {
     let server = Server::start(&["--time-limit", "60"]);
     let request = server.request("/api/check", "", &json!({ "text": endless() }).to_string());
-    // clients that do not wait for their answers, more than there is room for
+    // More clients than the queue holds, which do not wait for their answers.
     let mut clients: Vec<TcpStream> = (0..70)
         .map(|_| {
             let mut stream = TcpStream::connect(server.address).expect("a connection");
@@ -73,7 +74,7 @@ fn a_queue_that_is_full_answers_503_and_has_room_again_when_its_clients_have_gon
     let refused =
         String::from_utf8_lossy(&answer[..answered.expect("a client that is told at once")]).into_owned();
     assert!(refused.starts_with("HTTP/1.1 503") && refused.contains("try again"), "{refused}");
-    // their work is given up, long before its time is over
+    // Their work is cancelled long before the time limit.
     drop(clients);
     let answers = (0..200).map(|_| {
         std::thread::sleep(Duration::from_millis(50));
@@ -121,7 +122,7 @@ fn a_text_that_is_nested_without_end_is_an_error_like_any_other() {
     assert_eq!(server.check(SIMPLE)["verdicts"][0]["ok"], true);
 }
 
-/// A working process with these bounds, that waits for its request.
+/// Starts a worker process with these limits that waits for its request.
 #[cfg(target_os = "linux")]
 fn worker(seconds: &str, mebibytes: &str) -> std::process::Child {
     std::process::Command::new(env!("CARGO_BIN_EXE_forms"))
@@ -173,7 +174,7 @@ fn other_hosts_and_other_sites_are_refused() {
     assert_eq!(post("Origin: null\r\n"), 403);
     assert_eq!(post(&format!("Origin: http://127.0.0.1:{}\r\n", port.wrapping_add(1))), 403);
     assert_eq!(post(&format!("Origin: http://127.0.0.1:{port}\r\n")), 200);
-    // what other sites may send without asking is not JSON
+    // Requests that other sites can send without permission are not JSON.
     let request = server.request("/api/check", "", &body).replace("application/json", "text/plain");
     assert_eq!(server.send(&request).status, 415);
 }
@@ -219,7 +220,8 @@ fn connections_that_say_nothing_keep_nobody_waiting() {
         (0..300).map(|_| TcpStream::connect(server.address).expect("a connection")).collect();
     let answer = server.check(SIMPLE);
     assert_eq!(answer["verdicts"][0]["verdict"], "proved", "{answer}");
-    // it did not wait for their time to be over: the youngest of them are still there
+    // The server did not wait for the silent connections to time out: the youngest of these
+    // connections still exist.
     let mut youngest = silent.last().expect("a connection");
     youngest.set_nonblocking(true).expect("a setting");
     let read = youngest.read(&mut [0; 64]);

@@ -1,4 +1,4 @@
-//! Chromium without a window, driven through the DevTools protocol.
+//! Headless Chromium, driven through the DevTools protocol.
 
 use serde_json::{Value, json};
 use std::net::TcpStream;
@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 use tungstenite::{Message, WebSocket, client};
 
-/// The time that the browser may take to do anything.
+/// Time limit of any action of the browser.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
@@ -24,19 +24,19 @@ const FLAGS: [&str; 9] = [
     "--remote-debugging-port=0",
 ];
 
-/// A browser with one page.
+/// Browser with one page.
 pub(crate) struct Browser {
     child: Child,
     profile: PathBuf,
     socket: WebSocket<TcpStream>,
     session: Option<String>,
     calls: u64,
-    /// What the console was told as an error.
+    /// Errors reported on the console.
     pub(crate) errors: Vec<String>,
 }
 
 impl Browser {
-    /// A browser, if there is one on this machine.
+    /// Starts a browser, if one is installed.
     pub(crate) fn start() -> Option<Self> {
         static NUMBER: AtomicUsize = AtomicUsize::new(0);
         let number = NUMBER.fetch_add(1, Ordering::Relaxed);
@@ -61,7 +61,7 @@ impl Browser {
         Some(browser)
     }
 
-    /// Calls a method of the protocol; what goes wrong in the page meanwhile is noted.
+    /// Calls a method of the protocol; errors of the page in the meantime are recorded.
     pub(crate) fn call(&mut self, method: &str, parameters: Value) -> Value {
         self.calls += 1;
         let mut call = json!({ "id": self.calls, "method": method, "params": parameters });
@@ -96,7 +96,7 @@ impl Browser {
         self.call("Page.navigate", json!({ "url": address }));
     }
 
-    /// The size of the window, and whether it is dark.
+    /// Sets the size of the window and its colour scheme.
     pub(crate) fn look(&mut self, [width, height]: [u32; 2], scheme: &str) {
         let is_phone = width < 600;
         self.call(
@@ -107,7 +107,7 @@ impl Browser {
         self.call("Emulation.setEmulatedMedia", json!({ "features": features }));
     }
 
-    /// The value of an expression of JavaScript, or of what it promises.
+    /// Evaluates an expression of JavaScript; a promise is awaited.
     pub(crate) fn value(&mut self, expression: &str) -> Value {
         let parameters = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
         let result = self.call("Runtime.evaluate", parameters);
@@ -127,7 +127,7 @@ impl Browser {
         }
     }
 
-    /// Types a text in the place of what the element holds.
+    /// Replaces the content of an element by typing a text.
     pub(crate) fn write(&mut self, selector: &str, text: &str) {
         self.value(&format!(
             "(() => {{ const area = document.querySelector('{selector}'); area.focus(); area.select(); }})()"
@@ -135,7 +135,7 @@ impl Browser {
         self.call("Input.insertText", json!({ "text": text }));
     }
 
-    /// Clicks the middle of an element, as a mouse does.
+    /// Clicks the middle of an element with the mouse.
     pub(crate) fn click(&mut self, selector: &str) {
         let place = self.value(&format!(
             "(() => {{ const element = document.querySelector('{selector}'); element.scrollIntoView({{ block: 'center' }}); \
@@ -148,14 +148,14 @@ impl Browser {
         }
     }
 
-    /// The whole page as a PNG file in base64.
+    /// Returns a screenshot of the whole page as a PNG file in base64.
     pub(crate) fn picture(&mut self) -> String {
         let picture = self.call("Page.captureScreenshot", json!({ "captureBeyondViewport": true }));
         picture["data"].as_str().expect("a picture").to_owned()
     }
 }
 
-/// A connection to the browser, which writes its address into its folder when it listens.
+/// Connects to the browser, which writes its address to its profile folder when it listens.
 fn connected(profile: &std::path::Path) -> WebSocket<TcpStream> {
     let start = Instant::now();
     loop {

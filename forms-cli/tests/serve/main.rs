@@ -1,4 +1,4 @@
-//! The page of `forms serve`, as clients of all kinds meet it.
+//! The page of `forms serve`, tested with clients of all kinds.
 
 mod answers;
 mod bounds;

@@ -1,4 +1,4 @@
-//! The page in a browser, used as a person uses it.
+//! The page in a browser, used as by a person.
 
 use crate::browser::Browser;
 use crate::server::Server;
@@ -7,7 +7,7 @@ use serde_json::json;
 const FALSE: &str = "chart Plane(x, y);\nprove binomial: (x + y)**2 == x**2 + y**2;\n\
     pub kernel hill(x, y) = exp(-x**2 - y**2);\n";
 
-/// A browser at the page, or a word on why there is none.
+/// Opens the page in a browser, or reports why there is no browser.
 fn opened(server: &Server) -> Option<Browser> {
     let Some(mut browser) = Browser::start() else {
         forms_testing::skipped("serve::page", "Chromium", "the page is not used in a browser");
@@ -90,7 +90,8 @@ fn a_link_holds_the_text_and_the_marks_stand_under_the_letters() {
     browser.open(address.as_str().expect("an address"));
     browser.wait_for("document.querySelector('.verdict.bad .witness')");
     assert_eq!(browser.value("document.querySelector('#text').value"), FALSE);
-    // the area and the layer below it have one size, so every letter lies over its colour
+    // The text area and the layer below it have the same size, so that every letter lies over its
+    // colour.
     let sizes = browser.value(
         "['#text', '#layer'].map((part) => document.querySelector(part)).flatMap((part) => [part.scrollWidth, part.clientHeight])",
     );
@@ -108,7 +109,7 @@ fn every_page_fits_a_phone_and_says_nothing_on_the_console() {
         {
             browser.look(size, scheme);
             browser.open(&format!("http://{}{path}", server.address));
-            // on the page with the editor, the sources come last
+            // On the page with the editor, the source code is loaded last.
             let is_ready = "document.readyState === 'complete' && \
                             (!document.querySelector('#layer') || document.querySelector('.source pre'))";
             browser.wait_for(is_ready);
@@ -123,7 +124,7 @@ fn every_page_fits_a_phone_and_says_nothing_on_the_console() {
     assert!(browser.errors.is_empty(), "{:?}", browser.errors);
 }
 
-/// Leaves a picture of the page in the folder of `FORMS_PICTURES`, for those who want to look at it.
+/// Saves a picture of the page in the folder `FORMS_PICTURES`, for visual inspection.
 fn keep(browser: &mut Browser, name: &str) {
     if let Ok(folder) = std::env::var("FORMS_PICTURES") {
         let picture = data_encoding::BASE64.decode(browser.picture().as_bytes()).expect("base64");

@@ -1,4 +1,4 @@
-//! The program serving its page, and a client that says exactly what a test wants to say.
+//! The server under test, and a client that sends exactly the bytes of a test.
 
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -6,16 +6,16 @@ use std::net::{SocketAddr, TcpStream};
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
-/// The time that any reply may take.
+/// Time limit of any reply.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// `forms serve` at a free port, as long as its test lasts.
+/// `forms serve` on a free port, for the duration of its test.
 pub(crate) struct Server {
     child: Child,
     pub(crate) address: SocketAddr,
 }
 
-/// What came back.
+/// Reply of the server.
 pub(crate) struct Reply {
     pub(crate) status: u16,
     pub(crate) head: String,
@@ -28,7 +28,7 @@ impl Reply {
     }
 }
 
-/// The program with these arguments behind `serve`.
+/// Returns the command `forms serve` with these arguments.
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_forms"));
     command.arg("serve").args(arguments).stdin(Stdio::null());
@@ -55,19 +55,19 @@ impl Server {
         self.send(&format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n"))
     }
 
-    /// A request to the workers.
+    /// Sends a request to the workers.
     pub(crate) fn post(&self, path: &str, request: &Value) -> Reply {
         self.send(&self.request(path, "", &request.to_string()))
     }
 
-    /// What the workers find of a text.
+    /// Returns the workers' answer for a text.
     pub(crate) fn check(&self, text: &str) -> Value {
         let reply = self.post("/api/check", &serde_json::json!({ "text": text }));
         assert_eq!(reply.status, 200, "{}", reply.body);
         reply.json()
     }
 
-    /// A request as it is sent, with more lines in its head.
+    /// Returns the text of a request, with additional header lines.
     pub(crate) fn request(&self, path: &str, head: &str, body: &str) -> String {
         let (host, length) = (self.address, body.len());
         format!(
@@ -76,11 +76,11 @@ impl Server {
         )
     }
 
-    /// Sends these characters and reads until the server has said all.
+    /// Sends this text and reads until the server has replied completely.
     pub(crate) fn send(&self, request: &str) -> Reply {
         let mut stream = TcpStream::connect(self.address).expect("a connection");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time");
-        // a server that refuses a request does not read all of it
+        // A server that rejects a request does not read all of it.
         let _ = stream.write_all(request.as_bytes());
         let mut bytes = Vec::new();
         let ended = stream.read_to_end(&mut bytes);

@@ -1,26 +1,30 @@
-//! A block of rows: the loop that is vectorised, and what stands around it.
+//! A block of rows: the vectorised loop, and the code around it.
 
 use super::method::{Element, Method};
 
-/// The most rows that are computed at once: so many that what it costs to begin is little beside them.
+/// Largest number of rows that are computed at once: the cost of starting a block is negligible
+/// compared with theirs.
 pub(super) const BLOCK: usize = 256;
 
-/// The rows of a block are a multiple of this: some vectors of the widest kind, so that the loop over them has no remainder.
+/// Divisor of the number of rows of a block: several vectors of the widest kind, so that the loop
+/// has no remainder.
 pub(super) const STEP: usize = 32;
 
-/// The arguments of a block: columns with at least its rows.
+/// Arguments of a block: columns with at least its rows.
 pub(super) type Arguments<'a, E, const A: usize> = [&'a [E]; A];
 
-/// The values of a block.
+/// Values of a block.
 pub(super) type Values<E, const O: usize> = [[E; BLOCK]; O];
 
-/// What computes so many rows of a block, and says whether lanes may have given up in it.
+/// Function that computes a number of rows of a block, and returns whether lanes can have given up
+/// in it.
 pub(super) type Kernel<M, E, const A: usize, const O: usize> =
     unsafe fn(M, &Arguments<'_, E, A>, usize, &mut Values<E, O>) -> bool;
 
-/// Has the function that this is inlined into align its frame to the widest vector. The compiler does so for a local that asks for
-/// it, and not for vectors that registers have no room for: those would be loaded and stored across two lines of the cache,
-/// depending on where the stack happens to begin. Without functions a formula needs few registers.
+/// Makes the function into which this is inlined align its frame to the widest vector. The compiler
+/// does so for a local variable that requires it, but not for spilled vectors: those would be
+/// loaded and stored across two cache lines, depending on the start of the stack. Formulas without
+/// functions need few registers.
 #[inline(always)]
 fn align_frame() {
     #[repr(align(64))]
@@ -30,7 +34,8 @@ fn align_frame() {
     std::hint::black_box(&mut Vector { _byte: 0 });
 }
 
-/// The method in every row. The values are one parameter, so that the compiler knows that they are not also arguments.
+/// Applies the method to every row. The values are a single parameter, so that the compiler knows
+/// that they do not alias the arguments.
 #[inline(always)]
 pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: usize, const O: usize>(
     method: M,
@@ -41,7 +46,7 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
     if M::MAY_GIVE_UP {
         align_frame();
     }
-    // What the compiler has to know for a loop without a remainder and without checks.
+    // Facts that the compiler needs for a loop without a remainder and without bounds checks.
     let rows = rows.min(BLOCK) / STEP * STEP;
     let mut columns = *columns;
     for column in &mut columns {
@@ -59,14 +64,14 @@ pub(super) fn rows_of<M: Method<E, A, O>, E: Element, const FMA: bool, const A: 
     M::MAY_GIVE_UP && values.iter().any(|values| has_nan(&values[..rows]))
 }
 
-/// Whether one of the values is NaN. A loop of its own: within the loop over the rows it would hold on to what the next
-/// rows can begin without.
+/// Whether one of the values is NaN. This is a separate loop: inside the loop over the rows it
+/// would delay the start of the next rows.
 #[inline(always)]
 fn has_nan<E: Element>(values: &[E]) -> bool {
     values.iter().fold(E::Bits::default(), |found, value| found | value.nan_bits()) != E::Bits::default()
 }
 
-/// The values of a block, with those that lanes give up on.
+/// Computes the values of a block, including those on which lanes give up.
 #[inline(always)]
 pub(super) fn compute<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     method: M,
@@ -75,13 +80,14 @@ pub(super) fn compute<M: Method<E, A, O>, E: Element, const A: usize, const O: u
     rows: usize,
     values: &mut Values<E, O>,
 ) {
-    // SAFETY: `Instructions` chose the kernel, and is made only of what the processor has.
+    // SAFETY: `Instructions` chose the kernel, and contains only instructions that the processor
+    // supports.
     if unsafe { kernel(method, columns, rows, values) } {
         again(method, columns, rows, values);
     }
 }
 
-/// Rows with a NaN, in one number.
+/// Recomputes rows with a NaN as single numbers.
 #[cold]
 #[inline(never)]
 fn again<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
@@ -100,7 +106,7 @@ fn again<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     }
 }
 
-/// Makes the fewest rows of a block begin with these, filled up with the last.
+/// Fills a block of the smallest size with these rows and copies of the last one.
 pub(super) fn fill<'b, E: Element>(block: &'b mut [E; STEP], rows: &[E]) -> &'b [E] {
     let (first, rest) = block.split_at_mut(rows.len());
     first.copy_from_slice(rows);
@@ -108,7 +114,8 @@ pub(super) fn fill<'b, E: Element>(block: &'b mut [E; STEP], rows: &[E]) -> &'b 
     block
 }
 
-/// The block from there on of the only output, so that it needs no copy; none where there are more.
+/// Returns the block of the only output from this row on, so that no copy is needed; `None` if
+/// there are several outputs.
 #[inline(always)]
 pub(super) fn in_place<'a, E, const O: usize>(
     outputs: &'a mut [&mut [E]; O],

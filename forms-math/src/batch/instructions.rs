@@ -1,36 +1,37 @@
-//! Which vector instructions a batch runs in: all that is unsafe about batches.
+//! Choice of the vector instructions of batches, with the functions that are compiled for them and
+//! are unsafe to call elsewhere.
 
 use super::block::{Arguments, Kernel, Values, rows_of};
 use super::method::{Element, Method};
 use std::sync::OnceLock;
 
-/// What was chosen for this program.
+/// Instructions chosen for this program.
 static CHOSEN: OnceLock<Instructions> = OnceLock::new();
 
-/// Vector instructions that this processor has.
+/// Vector instructions supported by this processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Instructions(Set);
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Set {
-    /// What every processor of the architecture has: SSE2, or NEON with fused multiply-add.
+    /// Instructions of every processor of the architecture: SSE2, or NEON with fused multiply-add.
     Baseline,
-    /// Vectors of 256 bits and fused multiply-add.
+    /// 256-bit vectors and fused multiply-add.
     #[cfg(target_arch = "x86_64")]
     Avx2,
-    /// Vectors of 512 bits.
+    /// 512-bit vectors.
     #[cfg(target_arch = "x86_64")]
     Avx512,
 }
 
 impl Instructions {
-    /// What was [chosen](Self::choose), or else what is fastest.
+    /// Returns the [chosen](Self::choose) instructions, or else the fastest ones.
     pub fn best() -> Self {
         CHOSEN.get().copied().unwrap_or_else(Self::fastest)
     }
 
-    /// Makes these the best for the rest of the program, so that its batches have the same bits on all processors that have them;
-    /// whether nothing else was chosen before.
+    /// Selects these instructions for the rest of the program, so that its batches have the same
+    /// bits on all processors that support them; returns whether no others were chosen before.
     pub fn choose(self) -> bool {
         *CHOSEN.get_or_init(|| self) == self
     }
@@ -48,7 +49,7 @@ impl Instructions {
         Self(Set::Baseline)
     }
 
-    /// All that there are, the slowest first.
+    /// Returns all available instructions, the slowest first.
     pub fn available() -> Vec<Self> {
         #[cfg(target_arch = "x86_64")]
         let sets = [Set::Baseline, Set::Avx2, Set::Avx512];
@@ -57,7 +58,7 @@ impl Instructions {
         sets.into_iter().filter(|set| set.is_available()).map(Self).collect()
     }
 
-    /// Their name.
+    /// Returns the name.
     pub fn name(self) -> &'static str {
         match self.0 {
             Set::Baseline if cfg!(target_arch = "aarch64") => "NEON",
@@ -69,7 +70,7 @@ impl Instructions {
         }
     }
 
-    /// The loop over a block, compiled for these instructions.
+    /// Returns the loop over a block, compiled for these instructions.
     pub(super) fn kernel<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
         self,
     ) -> Kernel<M, E, A, O> {
@@ -106,7 +107,8 @@ fn baseline<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
     rows: usize,
     values: &mut Values<E, O>,
 ) -> bool {
-    // NEON has fused multiply-add; elsewhere it may be missing, and would be a call.
+    // NEON has fused multiply-add; on other processors it can be missing, and would be a function
+    // call.
     #[cfg(target_arch = "aarch64")]
     return rows_of::<M, E, true, A, O>(method, columns, rows, values);
     #[cfg(not(target_arch = "aarch64"))]

@@ -1,24 +1,24 @@
-//! Columns of a batch have one length.
+//! Check that all columns of a batch have the same length.
 
 use std::fmt;
 
-/// A column of a batch, by its position.
+/// Column of a batch, by its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
-    /// Of the arguments, from 0.
+    /// Column of the arguments, from 0.
     Argument(usize),
-    /// Of the outputs, from 0.
+    /// Column of the outputs, from 0.
     Output(usize),
 }
 
-/// A column whose length is not that of the first.
+/// Error: the length of a column differs from the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// Which column.
+    /// The column.
     pub column: Column,
-    /// The length of the first column.
+    /// Length of the first column.
     pub expected: usize,
-    /// The length of this one.
+    /// Length of this column.
     pub found: usize,
 }
 
@@ -35,12 +35,12 @@ impl fmt::Display for LengthMismatch {
 
 impl std::error::Error for LengthMismatch {}
 
-/// The length of the first column.
+/// Returns the length of the first column.
 pub(super) fn of<E>(columns: &[&[E]], outputs: &[&mut [E]]) -> usize {
     columns.first().map(|column| column.len()).or(outputs.first().map(|output| output.len())).unwrap_or(0)
 }
 
-/// The length of all columns.
+/// Returns the common length of all columns.
 pub(super) fn common<E>(columns: &[&[E]], outputs: &[&mut [E]]) -> Result<usize, LengthMismatch> {
     let expected = of(columns, outputs);
     let arguments =

@@ -1,4 +1,4 @@
-//! How the rows of a batch are computed: in lanes, and again in one number where lanes give NaN.
+//! Evaluation of the rows of a batch: in lanes, and again as single numbers where lanes give NaN.
 
 use super::block::BLOCK;
 use crate::lane::Bounded;
@@ -6,52 +6,52 @@ use crate::{Formula, Lane32, Lane64, Real, escalate};
 use std::marker::PhantomData;
 use std::ops::BitOr;
 
-/// A number of a column.
+/// Number of a column.
 pub(super) trait Element: Copy + Default + Send + Sync + 'static {
-    /// A block of zeros.
+    /// Block of zeros.
     const ZEROS: &'static [Self; BLOCK];
-    /// A whole number as wide as this, so that as many go into a vector.
+    /// Unsigned integer of the same width, so that a vector holds the same number of them.
     type Bits: Copy + Default + Eq + BitOr<Output = Self::Bits>;
     /// Whether this is NaN.
     fn is_nan(self) -> bool;
-    /// All bits where this is NaN, none elsewhere.
+    /// Returns all bits set if this is NaN, else zero.
     fn nan_bits(self) -> Self::Bits;
 }
 
-/// The rows of a batch.
+/// Method that evaluates the rows of a batch.
 pub(super) trait Method<E, const A: usize, const O: usize>: Copy + Send + Sync {
-    /// Whether a NaN of lanes may be a number by the method in one number.
+    /// Whether a NaN in lanes can be a number when computed as a single number.
     const MAY_GIVE_UP: bool;
-    /// A row in lanes.
+    /// Evaluates a row in lanes.
     fn in_lanes<const FMA: bool>(self, arguments: [E; A]) -> [E; O];
-    /// A row in one number.
+    /// Evaluates a row as single numbers.
     fn in_one_number(self, arguments: [E; A]) -> [E; O];
 }
 
-/// A formula as it is.
+/// Formula without error bounds.
 pub(super) struct Plain<F>(PhantomData<fn() -> F>);
 
-/// A formula within so many units of 2⁻⁵³ of the exact value, relative to it.
+/// Formula within a relative error of this number of units of 2⁻⁵³.
 pub(super) struct Within<F> {
     units: f64,
     formula: PhantomData<fn() -> F>,
 }
 
 impl<F> Plain<F> {
-    /// The method.
+    /// Creates the method.
     pub(super) fn new() -> Self {
         Self(PhantomData)
     }
 }
 
 impl<F> Within<F> {
-    /// The method, with the units.
+    /// Creates the method with these units.
     pub(super) fn new(units: f64) -> Self {
         Self { units, formula: PhantomData }
     }
 }
 
-// Not derived: a derived copy asks for a copy of the formula.
+// Not derived: a derived implementation would require the formula to be copyable.
 impl<F> Clone for Plain<F> {
     #[inline(always)]
     fn clone(&self) -> Self {

@@ -1,10 +1,10 @@
-//! Batches on all processors: the rows in shares of some blocks each.
+//! Batches on all processors: the rows are divided into shares of several blocks.
 
 use super::block::BLOCK;
 use super::method::Element;
 use rayon::prelude::*;
 
-/// The rows of a share: enough that handing it over costs little beside it.
+/// Number of rows of a share: large enough that the cost of distributing it is negligible.
 const SHARE: usize = 16 * BLOCK;
 
 /// Runs `batch` over shares of the rows.

@@ -4,12 +4,13 @@ use super::{LengthMismatch, batch, batch_within};
 use crate::Formula;
 use ndarray::{ArrayView2, ArrayViewMut2};
 
-/// [`batch`] over rows: row i of `arguments` holds the arguments, row i of `outputs` takes the values.
+/// Computes [`batch`] over rows: row i of `arguments` holds the arguments, and row i of `outputs`
+/// receives the values.
 ///
-/// Columns that lie together in memory (Fortran order) are taken as they are, others are copied.
+/// Columns that are contiguous in memory (Fortran order) are used directly, others are copied.
 ///
 /// # Errors
-/// Where the matrices have not the formula's number of columns, or not the same number of rows.
+/// If the numbers of columns do not match the formula, or the numbers of rows differ.
 pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: ArrayView2<'_, f64>,
     outputs: ArrayViewMut2<'_, f64>,
@@ -17,10 +18,10 @@ pub fn batch_rows<F: Formula<A, O>, const A: usize, const O: usize>(
     over_columns(arguments, outputs, batch::<F, A, O>)
 }
 
-/// [`batch_within`] over rows, as [`batch_rows`] has them.
+/// Computes [`batch_within`] over rows, like [`batch_rows`].
 ///
 /// # Errors
-/// Where the matrices have not the formula's number of columns, or not the same number of rows.
+/// If the numbers of columns do not match the formula, or the numbers of rows differ.
 pub fn batch_rows_within<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: ArrayView2<'_, f64>,
     outputs: ArrayViewMut2<'_, f64>,
@@ -29,7 +30,7 @@ pub fn batch_rows_within<F: Formula<A, O>, const A: usize, const O: usize>(
     over_columns(arguments, outputs, |columns, outputs| batch_within::<F, A, O>(columns, outputs, within))
 }
 
-/// A batch of the columns of matrices.
+/// Evaluates a batch on the columns of matrices.
 fn over_columns<const A: usize, const O: usize>(
     arguments: ArrayView2<'_, f64>,
     mut outputs: ArrayViewMut2<'_, f64>,
@@ -49,7 +50,7 @@ fn over_columns<const A: usize, const O: usize>(
     Ok(())
 }
 
-/// A column as it lies in memory, or its copy.
+/// Returns a column as a slice, or a copy of it.
 fn column(column: ndarray::ArrayView1<'_, f64>) -> std::borrow::Cow<'_, [f64]> {
     match column.to_slice() {
         Some(slice) => slice.into(),
@@ -57,14 +58,14 @@ fn column(column: ndarray::ArrayView1<'_, f64>) -> std::borrow::Cow<'_, [f64]> {
     }
 }
 
-/// Matrices that do not belong to a formula.
+/// Error: matrices that do not match a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RowsMismatch {
-    /// The columns of the arguments and of the outputs.
+    /// The numbers of columns of the arguments and of the outputs do not match.
     Columns {
-        /// The formula's numbers of them.
+        /// Numbers of columns of the formula.
         expected: [usize; 2],
-        /// Those of the matrices.
+        /// Numbers of columns of the matrices.
         found: [usize; 2],
     },
     /// The numbers of rows differ.

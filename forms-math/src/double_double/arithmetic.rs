@@ -10,7 +10,7 @@ use super::ends::is_near_an_end;
 use crate::error_free::{fast_two_sum, two_product, two_sum};
 
 impl DoubleDouble {
-    /// high + low where |high| ≥ |low|.
+    /// Returns high + low, if |high| ≥ |low|.
     #[inline(always)]
     pub(super) const fn ordered(high: f64, low: f64) -> Self {
         let (high, low) = fast_two_sum(high, low);
@@ -22,7 +22,7 @@ impl DoubleDouble {
         Self { high, low: 0.0 }
     }
 
-    /// Within 3 units.
+    /// Adds two numbers, within 3 units.
     #[inline(always)]
     pub(super) const fn plus(self, other: Self) -> Self {
         let (sum, rest) = two_sum(self.high, other.high);
@@ -34,7 +34,7 @@ impl DoubleDouble {
         Self::ordered(partial.high, low_rest + partial.low)
     }
 
-    /// Within 3 units.
+    /// Adds an `f64`, within 3 units.
     #[inline(always)]
     pub(super) const fn plus_f64(self, other: f64) -> Self {
         let (sum, rest) = two_sum(self.high, other);
@@ -44,7 +44,7 @@ impl DoubleDouble {
         Self::ordered(sum, rest + self.low)
     }
 
-    /// Within 7 units.
+    /// Multiplies, within 7 units.
     #[inline(always)]
     pub(super) const fn times(self, other: Self) -> Self {
         let (product, rest) = two_product(self.high, other.high);
@@ -54,7 +54,7 @@ impl DoubleDouble {
         Self::ordered(product, rest + (self.high * other.low + self.low * other.high))
     }
 
-    /// Within 4 units.
+    /// Multiplies by an `f64`, within 4 units.
     #[inline(always)]
     pub(super) const fn times_f64(self, other: f64) -> Self {
         let (product, rest) = two_product(self.high, other);
@@ -64,7 +64,7 @@ impl DoubleDouble {
         Self::ordered(product, rest + self.low * other)
     }
 
-    /// Within 15 units.
+    /// Divides, within 15 units.
     #[inline(always)]
     pub(super) const fn over(self, other: Self) -> Self {
         let quotient = self.high / other.high;
@@ -76,7 +76,7 @@ impl DoubleDouble {
         Self::ordered(quotient, left / other.high)
     }
 
-    /// Within 4 units.
+    /// Computes the square root, within 4 units.
     #[inline(always)]
     pub(super) fn square_root(self) -> Self {
         if is_near_an_end(self.high) {
@@ -87,13 +87,13 @@ impl DoubleDouble {
         Self::ordered(root, ((self.high - square) - rest + self.low) / (2.0 * root))
     }
 
-    /// Exact.
+    /// Negates exactly.
     #[inline(always)]
     pub(super) const fn negated(self) -> Self {
         Self { high: -self.high, low: -self.low }
     }
 
-    /// Times a power of two: exact where nothing under- or overflows.
+    /// Multiplies by a power of two, exactly if nothing underflows or overflows.
     #[inline(always)]
     pub(super) const fn by_power_of_two(self, power: f64) -> Self {
         let high = self.high * power;

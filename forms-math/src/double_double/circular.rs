@@ -5,7 +5,7 @@ use super::exponential::reciprocal_factorial;
 use crate::error_free::{two_product, two_sum};
 use crate::{Real, Wide};
 
-/// π/2 to 318 bits, each word the nearest `f64` of what those before it leave.
+/// π/2 to 318 bits; each word is the `f64` nearest to the remainder after the words before it.
 const QUARTER_TURN: [f64; 6] = [
     std::f64::consts::FRAC_PI_2,
     6.123_233_995_736_766e-17,
@@ -15,11 +15,13 @@ const QUARTER_TURN: [f64; 6] = [
     8.724_931_080_676_243e-84,
 ];
 
-/// Beyond this an argument is reduced in as many digits of π as it takes.
+/// Largest argument that is reduced by these words; larger ones are reduced with the number of
+/// digits of π that they need.
 const LARGEST_BY_WORDS: f64 = 1_048_576.0;
 
 impl DoubleDouble {
-    /// (q mod 4, x − q π/2) with q an integer, the rest at most a little over π/4 and within 4 units of itself.
+    /// Returns (q mod 4, x − q π/2) with an integer q. The remainder is at most slightly larger
+    /// than π/4 and has a relative error within 4 units.
     pub(super) fn to_quadrant(self) -> (u8, Self) {
         if self.high.abs() <= std::f64::consts::FRAC_PI_4 {
             return (0, self);
@@ -42,7 +44,7 @@ impl DoubleDouble {
         (count.rem_euclid(4.0) as u8, distilled(terms))
     }
 
-    /// (sin r, cos r) of |r| ≤ 0.8 by Taylor's series, each within 16 units.
+    /// Computes (sin r, cos r) for |r| ≤ 0.8 by Taylor's series, each within 16 units.
     fn sine_and_cosine_of_rest(self) -> (Self, Self) {
         let square = self.times(self);
         let sine = series(square, 1);
@@ -54,7 +56,7 @@ impl DoubleDouble {
         (sine, cosine)
     }
 
-    /// (sin x, cos x), each within 24 units.
+    /// Computes (sin x, cos x), each within 24 units.
     pub(super) fn sine_cosine(self) -> (Self, Self) {
         let (quadrant, rest) = self.to_quadrant();
         if rest.high == 0.0 && quadrant == 0 {
@@ -70,8 +72,8 @@ impl DoubleDouble {
     }
 }
 
-/// The coefficients ∓1/3!, ±1/5!, … of the sine (`odd` = 1) or ±1/4!, ∓1/6!, … of the cosine (0) as a polynomial in r²;
-/// the terms below 2⁻⁵³ of the value in `f64`.
+/// Evaluates the coefficients ∓1/3!, ±1/5!, … of the sine (`odd` = 1) or ±1/4!, ∓1/6!, … of the
+/// cosine (0) as a polynomial in r². Terms below 2⁻⁵³ of the value are computed in `f64`.
 fn series(square: DoubleDouble, odd: usize) -> DoubleDouble {
     let first = 4 - odd;
     let sign = |index: usize| if (index + odd).is_multiple_of(2) { 1.0 } else { -1.0 };
@@ -86,9 +88,10 @@ fn series(square: DoubleDouble, odd: usize) -> DoubleDouble {
     sum
 }
 
-/// The sum of terms by three error-free passes: as accurate as if added in four times the precision.
+/// Adds terms by three error-free passes, with the accuracy of four times the precision.
 ///
-/// Source: T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26 (2005).
+/// Source: T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput. 26
+/// (2005).
 fn distilled(mut terms: [f64; 14]) -> DoubleDouble {
     for _ in 0..3 {
         for index in 1..terms.len() {

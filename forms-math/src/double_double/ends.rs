@@ -1,21 +1,22 @@
-//! Products, quotients and roots near the ends of the range of exponents, where the words of a product would under- or
-//! overflow: computed at about one and brought back by a power of two.
+//! Products, quotients and roots near the ends of the range of exponents, where the words of a
+//! product would underflow or overflow: they are computed with factors of about one and scaled back
+//! by a power of two.
 
 use super::DoubleDouble;
 use crate::Real;
 
 /// 2⁻⁹⁰⁰: above it no word of an exact product of two `f64`s underflows.
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
-/// 2⁹⁹⁰: below it nothing overflows on the way to such a product.
+/// 2⁹⁹⁰: below it no intermediate result of such a product overflows.
 const MOST: f64 = f64::from_bits((1023 + 990) << 52);
 
-/// True of zero, infinities and NaN as well.
+/// Whether a value is near an end of the range; also true for zero, infinities and NaN.
 #[inline(always)]
 pub(super) const fn is_near_an_end(value: f64) -> bool {
     !(value.abs() >= LEAST && value.abs() <= MOST)
 }
 
-/// 2ᵉ where that is a normal number.
+/// Returns 2ᵉ, if it is a normal number.
 const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
@@ -25,7 +26,7 @@ const fn is_ordinary(value: f64) -> bool {
 }
 
 impl DoubleDouble {
-    /// m and e with m 2ᵉ the number and 1 ≤ |m| < 2, of a number that is finite and not zero.
+    /// Returns m and e such that the number is m 2ᵉ with 1 ≤ |m| < 2, for a finite non-zero number.
     pub(super) const fn mantissa_and_exponent(self) -> (Self, i64) {
         let biased = ((self.high.to_bits() >> 52) & 0x7ff) as i64;
         if biased == 0 {
@@ -35,7 +36,7 @@ impl DoubleDouble {
         (self.times_two_to(1023 - biased), biased - 1023)
     }
 
-    /// Times 2ᵉ, |e| ≤ 3000: exact where neither word leaves the normal numbers.
+    /// Multiplies by 2ᵉ, |e| ≤ 3000; exact if both words stay normal.
     pub(super) const fn times_two_to(self, exponent: i64) -> Self {
         let third = exponent / 3;
         self.by_power_of_two(power_of_two(third))
@@ -71,8 +72,8 @@ impl DoubleDouble {
         mantissa.times_two_to(odd).square_root().times_two_to((exponent - odd) / 2)
     }
 
-    /// a b − c d with all factors at about one; nothing where a factor is zero or no number, or where one product does not
-    /// change the other.
+    /// Computes a b − c d with all factors scaled to about one; `None` if a factor is zero or not
+    /// finite, or if one product is negligible compared with the other.
     #[cold]
     pub(super) fn difference_near_an_end([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Option<Self> {
         if ![a, b, c, d].iter().all(|factor| is_ordinary(factor.high)) {

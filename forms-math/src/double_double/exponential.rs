@@ -14,20 +14,21 @@ const RECIPROCAL_FACTORIALS: [DoubleDouble; 30] = {
     values
 };
 
-/// 2⁻¹⁶⁰: below this e^x − 1 is x to the last bit.
+/// 2⁻¹⁶⁰: below this, e^x − 1 equals x to the last bit.
 const SMALL: f64 = f64::from_bits((1023 - 160) << 52);
 
-/// 1/n!
+/// Returns 1/n!.
 pub(super) const fn reciprocal_factorial(n: usize) -> DoubleDouble {
     RECIPROCAL_FACTORIALS[n]
 }
 
 impl DoubleDouble {
-    /// (k, eˣ 2⁻ᵏ − 1) with k = round(x/ln 2), for |x| < 1100.
+    /// Returns (k, eˣ 2⁻ᵏ − 1) with k = round(x/ln 2), for |x| < 1100.
     ///
-    /// x = k ln 2 + 16 s, and e^s − 1 by Taylor's series; e^(2s) − 1 = p (2 + p) with p = e^s − 1, four times.
+    /// x = k ln 2 + 16 s, with Taylor's series for e^s − 1; then four times e^(2s) − 1 = p (2 + p)
+    /// with p = e^s − 1.
     fn reduced_exponential(self) -> (f64, Self) {
-        // ln 2 in words of 40 bits, so that their products with k are exact, and the rest.
+        // ln 2 as words of 40 bits, whose products with k are exact, and a remainder.
         const WORDS: [f64; 3] =
             [0.693_147_180_559_208_2, 7.371_002_565_161_996e-13, 5.802_988_983_595_690_5e-25];
         let count = (self.high / std::f64::consts::LN_2).round();
@@ -48,7 +49,7 @@ impl DoubleDouble {
         (count, value)
     }
 
-    /// eˣ, within 32 units.
+    /// Computes eˣ, within 32 units.
     pub(super) fn exponential(self) -> Self {
         if self.high.is_nan() || self.high > 710.0 {
             return Self { high: self.high.exp(), low: 0.0 };
@@ -61,7 +62,7 @@ impl DoubleDouble {
         value.by_exponent(count as i64)
     }
 
-    /// eˣ − 1, within 32 units.
+    /// Computes eˣ − 1, within 32 units.
     pub(super) fn exponential_minus_one(self) -> Self {
         if self.high == 0.0 || self.high.is_nan() || self.high > 710.0 {
             return Self { high: self.high.exp_m1(), low: 0.0 };
@@ -83,7 +84,7 @@ impl DoubleDouble {
         value.by_power_of_two(power).plus(Self::new(power, -1.0))
     }
 
-    /// Times 2ᵉ.
+    /// Multiplies by 2ᵉ.
     pub(super) fn by_exponent(self, exponent: i64) -> Self {
         let high = scaled(self.high, exponent);
         if high.is_finite() {

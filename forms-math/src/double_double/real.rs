@@ -16,7 +16,8 @@ impl Real for DoubleDouble {
     fn to_f64(self) -> f64 {
         self.high
     }
-    /// By exact products of the words: within 8 units of the larger of the value and 2⁻¹⁰⁰ times the products.
+    /// Uses exact products of the words: the error is within 8 units of the larger of the value and
+    /// 2⁻¹⁰⁰ times the products.
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         let partial = |a: Self, b: Self| {
             let (product, rest) = two_product(a.high, b.high);
@@ -90,7 +91,7 @@ impl Scalar for DoubleDouble {
 }
 
 impl std::fmt::Display for DoubleDouble {
-    /// 36 digits.
+    /// Writes 36 digits.
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         // 2176 bits hold every sum of two f64.
         let sum = Wide::<34>::from_f64(self.high) + Wide::<34>::from_f64(self.low);

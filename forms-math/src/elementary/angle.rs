@@ -3,8 +3,9 @@
 use super::odd_series;
 use crate::scalar::Scalar;
 
-/// The angle of the point (x, y) in (−π, π]: with a that of `f64`, and the point turned back by it,
-/// a + arctan((y cos a − x sin a)/(x cos a + y sin a)).
+/// Computes the angle of the point (x, y) in (−π, π] as
+/// a + arctan((y cos a − x sin a)/(x cos a + y sin a)): a is the angle computed in `f64`, by which
+/// the point is rotated back.
 pub(crate) fn angle<T: Scalar>(y: T, x: T) -> T {
     let zero = T::from_f64(0.0);
     if y == zero {
@@ -24,22 +25,22 @@ pub(crate) fn angle<T: Scalar>(y: T, x: T) -> T {
     start + odd_series((y * cosine - x * sine) / (x * cosine + y * sine), -1.0)
 }
 
-/// arctan x = the angle of (1, x)
+/// Computes arctan x, the angle of (1, x).
 pub(crate) fn arc_tangent<T: Scalar>(x: T) -> T {
     angle(x, T::from_f64(1.0))
 }
 
-/// arcsin x = the angle of (√(1 − x²), x)
+/// Computes arcsin x, the angle of (√(1 − x²), x).
 pub(crate) fn arc_sine<T: Scalar>(x: T) -> T {
     angle(x, other_leg(x))
 }
 
-/// arccos x = the angle of (x, √(1 − x²))
+/// Computes arccos x, the angle of (x, √(1 − x²)).
 pub(crate) fn arc_cosine<T: Scalar>(x: T) -> T {
     angle(other_leg(x), x)
 }
 
-/// √((1 − x)(1 + x)), NaN beyond 1
+/// Computes √((1 − x)(1 + x)); NaN for |x| > 1.
 fn other_leg<T: Scalar>(x: T) -> T {
     let one = T::from_f64(1.0);
     ((one - x) * (one + x)).sqrt()

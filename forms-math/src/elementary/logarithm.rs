@@ -1,9 +1,9 @@
-//! Logarithms, accurate relative to themselves also near 1.
+//! Logarithms with small relative errors, also near 1.
 
 use super::odd_series;
 use crate::scalar::Scalar;
 
-/// ln x = e ln 2 + ln(1 + (m − 1)) of x = m 2ᵉ, √½ ≤ m < √2
+/// Computes ln x = e ln 2 + ln(1 + (m − 1)) for x = m 2ᵉ with √½ ≤ m < √2.
 pub(crate) fn logarithm<T: Scalar>(x: T) -> T {
     let zero = T::from_f64(0.0);
     if x == zero {
@@ -30,8 +30,8 @@ pub(crate) fn logarithm_of_one_plus<T: Scalar>(x: T) -> T {
     if x.to_f64().abs() <= 0.4 { near_one(x) } else { logarithm(T::from_f64(1.0) + x) }
 }
 
-/// ln(1 + x) of |x| ≤ ½: with a that of `f64`, a + ln(1 + d), d = (x − m)/(1 + m), m = e^a − 1,
-/// and ln(1 + d) = 2 artanh(d/(2 + d)).
+/// Computes ln(1 + x) for |x| ≤ ½ as a + ln(1 + d): a is the value in `f64`,
+/// d = (x − m)/(1 + m), m = e^a − 1, and ln(1 + d) = 2 artanh(d/(2 + d)).
 fn near_one<T: Scalar>(x: T) -> T {
     let start = T::from_f64(x.to_f64().ln_1p());
     let reached = start.exp_m1();

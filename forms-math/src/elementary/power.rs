@@ -1,11 +1,11 @@
-//! x^(n/d): the root by Newton's iteration from the one of `f64`, the power by squaring.
+//! x^(n/d): the root by Newton's iteration, starting from `f64`, and the power by squaring.
 
 use crate::scalar::Scalar;
 
-/// Beyond this the power goes by way of the logarithm.
+/// Largest exponent for powers by squaring; larger ones use the logarithm.
 pub(crate) const LARGEST_BY_SQUARING: u64 = 64;
 
-/// x^(n/d); of x < 0 only where d = ±1
+/// Computes x^(n/d); for x < 0 only if d = ±1.
 pub(crate) fn rational_power<T: Scalar>(x: T, numerator: i64, denominator: i64) -> T {
     let (zero, one) = (T::from_f64(0.0), T::from_f64(1.0));
     if denominator < 0 {
@@ -31,8 +31,8 @@ pub(crate) fn rational_power<T: Scalar>(x: T, numerator: i64, denominator: i64) 
     }
 }
 
-/// From r with e = (x − rᵈ)/x, so x^(1/d) = r (1 − e)^(−1/d), to r (1 + e/d + (d + 1)/(2d²) e²), of thrice as many
-/// digits.
+/// Refines a root r: with e = (x − rᵈ)/x,
+/// x^(1/d) = r (1 − e)^(−1/d) ≈ r (1 + e/d + (d + 1)/(2d²) e²), which triples the number of digits.
 fn root<T: Scalar>(x: T, degree: i64) -> T {
     match degree {
         1 => return x,

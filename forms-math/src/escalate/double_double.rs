@@ -1,13 +1,14 @@
-//! Double-double results whose digits are bounded: where the bound is not good enough, or numbers leave the range of
-//! exponents in which double-double holds its digits, the formula is computed in more words and rounded to two.
+//! Double-double results with bounded digits: if the bound is insufficient, or numbers leave the
+//! range of exponents in which double-double keeps its digits, the formula is computed with more
+//! words and rounded to two.
 
 use super::rounding::ToTwoWords;
 use super::{Computation, Of, Slot, Tier, from_two_words};
 use crate::{DoubleDouble, Formula};
 
-/// The outputs within 2⁻⁹⁸ of their exact values, relative to them, as far as the exponents of `f64` go: from 2⁻⁹⁰⁰ to the
-/// overflow; below, the second word has fewer bits. NaN where a formula is not defined, and where no precision bounds the
-/// error well enough.
+/// Computes the outputs within a relative error of 2⁻⁹⁸, as far as the exponents of `f64` permit:
+/// from 2⁻⁹⁰⁰ to overflow; below 2⁻⁹⁰⁰ the second word has fewer bits. The result is NaN where a
+/// formula is undefined, and where no precision bounds the error sufficiently.
 ///
 /// ```
 /// use forms_math::{DoubleDouble, Formula, Real, escalate_double_double};
@@ -28,7 +29,8 @@ pub fn escalate_double_double<F: Formula<A, O>, const A: usize, const O: usize>(
     std::array::from_fn(|output| values[output].0)
 }
 
-/// [`escalate_double_double`] of a computation with so many outputs, with the precision that each was taken from.
+/// Computes [`escalate_double_double`] for a computation with this number of outputs, and returns
+/// the precision of each output.
 pub fn escalate_double_double_computation(
     computation: &impl Computation,
     arguments: &[DoubleDouble],

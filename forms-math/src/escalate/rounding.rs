@@ -1,39 +1,41 @@
-//! When a value with a bound of its error is known well enough, and the number it is rounded to.
+//! Criteria for the sufficient accuracy of a value with an error bound, and the rounding of such
+//! values.
 
 use crate::guarded::{Bound, Guardable, Guarded};
 use crate::{DoubleDouble, Real};
 
-/// What is known of a result.
+/// State of knowledge of a result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Outcome<N> {
-    /// It is this.
+    /// The result is this number.
     Known(N),
-    /// More precision may tell.
+    /// More precision can decide.
     Open,
     /// No number of the type is near enough to the exact value.
     Never,
 }
 
-/// The numbers that results are rounded to, and how near they have to be.
+/// Number type to which results are rounded, with the required accuracy.
 pub(super) trait Rounding: Copy {
-    /// Their type.
+    /// Number type.
     type Number: Copy;
-    /// The number of what is defined nowhere or not known.
+    /// Value for undefined or unknown results.
     const NAN: Self::Number;
-    /// The result of a value; so much of a unit more is allowed.
+    /// Rounds a value; an additional error of `slack` units is allowed.
     fn round<T: Guardable>(self, value: Guarded<T>, slack: f64) -> Outcome<Self::Number>;
 }
 
-/// What the last precision may take beyond what is allowed, in units: on the boundary of two roundings none tells.
+/// Additional error allowed for the last precision, in units: on the boundary of two roundings no
+/// precision decides.
 pub(super) const LEAST_SLACK: f64 = 1.0 / (1_u64 << 28) as f64;
 
-/// A binary format: relative to a normal number half an ulp is at most 2^−`precision`.
+/// Binary format: half an ulp is at most 2^−`precision` of a normal number.
 struct Format {
     precision: i64,
-    /// The least normal number, and the largest.
+    /// Least normal number, and largest number.
     normal: f64,
     largest: f64,
-    /// Half the least number above zero is 2^this.
+    /// Exponent of two of half the least positive number.
     half_of_least: i64,
 }
 
@@ -43,8 +45,8 @@ const DOUBLE: Format =
     Format { precision: 53, normal: f64::MIN_POSITIVE, largest: f64::MAX, half_of_least: -1075 };
 
 impl Format {
-    /// Whether `nearest` is within so many units of the exact value, relative to it where it is a normal number, and else
-    /// half an ulp away.
+    /// Whether `nearest` is within this number of units of the exact value, relative to it, or
+    /// within half an ulp if it is not a normal number.
     fn accepts<T: Guardable>(
         &self,
         value: Guarded<T>,
@@ -58,7 +60,7 @@ impl Format {
         let least = number.size_down().minus_down(error);
         let unit = |units: f64| T::Bound::of(units).shifted(-self.precision);
         if !nearest.is_finite() {
-            // beyond the largest number, by more than a number that is nearly so may be
+            // The value is certainly beyond the largest number, and its error is tiny.
             let known = least >= T::Bound::of(self.largest) && error <= unit(LEAST_SLACK).times_down(least);
             return if known { Outcome::Known(nearest) } else { Outcome::Open };
         }
@@ -66,7 +68,7 @@ impl Format {
         let beyond = rounding.plus(error);
         let distance = left.size().plus(beyond);
         if nearest.abs() < self.normal {
-            // scaled up, since the bounds of `f64` do not reach so far
+            // Scaled up, since the bounds of `f64` do not reach that far down.
             let scale = -self.half_of_least / 2;
             let half = T::Bound::of(1.0 + slack).shifted(self.half_of_least + scale);
             return if distance.shifted(scale) <= half { Outcome::Known(nearest) } else { Outcome::Open };
@@ -79,7 +81,7 @@ impl Format {
     }
 }
 
-/// `f64`, within so many units of 2⁻⁵³.
+/// Rounding to `f64`, within this number of units of 2⁻⁵³.
 #[derive(Clone, Copy)]
 pub(super) struct ToDouble {
     pub(super) units: f64,
@@ -96,7 +98,7 @@ impl Rounding for ToDouble {
     }
 }
 
-/// `f32`, within so many units of 2⁻²⁴.
+/// Rounding to `f32`, within this number of units of 2⁻²⁴.
 #[derive(Clone, Copy)]
 pub(super) struct ToSingle {
     pub(super) units: f64,
@@ -118,14 +120,14 @@ impl Rounding for ToSingle {
     }
 }
 
-/// Two words, within 2⁻⁹⁸ down to 2⁻⁹⁰⁰ and the least number above zero below.
+/// Rounding to two words: within 2⁻⁹⁸ down to 2⁻⁹⁰⁰, and within the least positive number below.
 #[derive(Clone, Copy)]
 pub(super) struct ToTwoWords;
 
 impl ToTwoWords {
-    /// A result is within 2^(this) of its exact value, relative to it: 29 decimal digits.
+    /// Exponent of two of the relative error bound: 29 decimal digits.
     const PLACES: i64 = -98;
-    /// 2⁻⁹⁰⁰: below, the second word runs out of exponents.
+    /// 2⁻⁹⁰⁰: below this, the exponents are insufficient for the second word.
     const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
 }
 
@@ -153,7 +155,7 @@ impl Rounding for ToTwoWords {
     }
 }
 
-/// The nearest `f64` and the nearest of what that leaves.
+/// Returns the nearest `f64` and the `f64` nearest to the remainder.
 fn in_two_words<T: Guardable>(value: T) -> DoubleDouble {
     let high = value.to_f64();
     if !high.is_finite() {

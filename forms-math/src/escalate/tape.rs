@@ -1,17 +1,17 @@
-//! A formula written down as it runs, so that one text of it runs in every precision.
+//! Recording of a formula as it runs, so that one compiled version of it runs in every precision.
 //!
 //! ```text
 //! formula ─ Recorded ─▶ steps ─▶ values of one kind of number, of another, …
 //! ```
-//! Both branches of a choice are steps, as [`Real`] says, and an integrand is the steps behind its integral. A kernel is
-//! thus compiled once for all precisions beyond double-double.
+//! Both branches of a choice are steps, as [`Real`] states, and an integrand consists of the steps
+//! after its integral. Thus a kernel is compiled once for all precisions beyond double-double.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Number, Real};
 
-/// A value of a formula, named by the place of its step.
+/// Value of a formula, identified by the index of its step.
 #[derive(Clone, Copy)]
 pub(crate) struct Recorded(u32);
 
@@ -31,18 +31,19 @@ enum Step {
     Power(u32, i64, i64),
     DifferenceOfProducts([u32; 4]),
     Choice(Choice, [u32; 4]),
-    /// Of the steps behind it up to `end`, the first the variable, one gives the integrand's value.
+    /// Integral: the steps after it up to `end` are its integrand. The first step is the variable,
+    /// and one step gives the value.
     Integral {
         from: u32,
         to: u32,
         end: u32,
         value: u32,
     },
-    /// What is integrated over.
+    /// Variable of integration.
     Variable,
 }
 
-/// The functions of one number, by their methods.
+/// Functions of one number, with their methods.
 macro_rules! functions {
     ($($variant:ident $method:ident)*) => {
         #[derive(Clone, Copy, Debug)]
@@ -137,7 +138,7 @@ impl Real for Recorded {
     fn from_f64(value: f64) -> Self {
         push(Step::Double(value))
     }
-    /// Not known before the steps are run.
+    /// Returns NaN: the value is not known before the steps are run.
     fn to_f64(self) -> f64 {
         f64::NAN
     }
@@ -172,7 +173,7 @@ impl Real for Recorded {
     }
 }
 
-/// A formula as steps.
+/// Formula as a list of steps.
 #[derive(Debug)]
 pub(super) struct Tape {
     steps: Vec<Step>,
@@ -180,7 +181,7 @@ pub(super) struct Tape {
 }
 
 impl Tape {
-    /// The steps of a formula of so many arguments.
+    /// Records the steps of a formula with this number of arguments.
     pub(super) fn of(arguments: usize, formula: impl FnOnce(&[Recorded]) -> Vec<Recorded>) -> Self {
         let others = STEPS.take();
         let arguments: Vec<Recorded> = (0..arguments).map(|place| push(Step::Argument(place))).collect();
@@ -188,19 +189,19 @@ impl Tape {
         Self { outputs, steps: STEPS.replace(others) }
     }
 
-    /// Whether it has an integral, whose rule is only as good as its estimate.
+    /// Whether the tape has an integral, whose error is only estimated.
     pub(super) fn has_integral(&self) -> bool {
         self.steps.iter().any(|step| matches!(step, Step::Integral { .. }))
     }
 
-    /// The outputs at these arguments.
+    /// Computes the outputs at these arguments.
     pub(super) fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
         let mut values = Vec::with_capacity(self.steps.len());
         self.run(arguments, &mut values, self.steps.len());
         self.outputs.iter().map(|&output| values[output as usize]).collect()
     }
 
-    /// Adds the values of the steps from the first that has none up to `end`.
+    /// Appends the values of the steps from the first one without a value up to `end`.
     fn run<T: Real>(&self, arguments: &[T], values: &mut Vec<T>, end: usize) {
         while values.len() < end {
             let place = values.len();
@@ -254,7 +255,7 @@ impl Tape {
                     Choice::Equal => T::if_equal(left, right, then, otherwise),
                 }
             }
-            // an integral is computed by `run`, which gives its variable a value too
+            // `run` computes an integral and also assigns the value of its variable.
             Step::Integral { .. } | Step::Variable => T::nan(),
         }
     }

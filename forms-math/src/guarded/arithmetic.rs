@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use super::{Bound, Guardable, Guarded};
 
 impl<T: Guardable> Guarded<T> {
-    /// The result with its error; undefined where an operand is.
+    /// Returns the result with its error; undefined if an operand is undefined.
     #[inline]
     pub(super) fn of_operands(operands: &[Self], value: T, error: T::Bound) -> Self {
         if value.size().is_finite() {
@@ -23,13 +23,13 @@ impl<T: Guardable> Guarded<T> {
         }
     }
 
-    /// What the errors of two factors make of their product: |a| β + |b| α + α β.
+    /// Returns the error of a product caused by the errors of its factors: |a| β + |b| α + α β.
     #[inline]
     pub(super) fn error_of_product(self, other: Self) -> T::Bound {
         T::Bound::of_product(self.value.size(), self.error, other.value.size(), other.error)
     }
 
-    /// √: |δ|/(√x + √(x + δ)) ≤ α/(√x + √(x − α))
+    /// Computes the square root; the propagated error is |δ|/(√x + √(x + δ)) ≤ α/(√x + √(x − α)).
     pub(super) fn root(self) -> Self {
         if let Some(beyond) = self.is_beyond() {
             return beyond.root();
@@ -53,7 +53,7 @@ impl<T: Guardable> Guarded<T> {
     }
 }
 
-/// 1/(1 + √(1 − α/x)) rounded up: ½ + α/2x is above it for α ≤ x.
+/// Returns an upper bound of 1/(1 + √(1 − α/x)): ½ + α/2x exceeds it for α ≤ x.
 fn root_factor<T: Guardable>(argument: Guarded<T>, least: T::Bound) -> T::Bound {
     T::Bound::of(0.5).plus(argument.error.over(least).shifted(-1))
 }
@@ -100,7 +100,7 @@ impl<T: Guardable> Mul for Guarded<T> {
 
 impl<T: Guardable> Div for Guarded<T> {
     type Output = Self;
-    /// (α + |a/b| β)/(|b| − β)
+    /// Propagated error: (α + |a/b| β)/(|b| − β).
     #[inline]
     fn div(self, other: Self) -> Self {
         if self.is_beyond().is_some() || other.is_beyond().is_some() {

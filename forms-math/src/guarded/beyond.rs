@@ -1,15 +1,17 @@
-//! Numbers beyond the exponents of words: of one sign and at least 2^e in size, with nothing known above.
+//! Numbers beyond the exponents of words: their sign and a lower bound 2^e of their magnitude are
+//! known, but no upper bound.
 //!
-//! They come from e^x with x beyond 2⁵⁰, from infinite arguments, and from what is computed of these. A value that does not
-//! depend on how large they are is known all the same: 1/(e^x − 1), tanh x, a choice. They are infinite values with an
-//! error of zero; `f64` and double-double have none, since wider numbers follow.
+//! They result from e^x with x beyond 2⁵⁰, from infinite arguments, and from operations on such
+//! numbers. A value that does not depend on their magnitude is still known: 1/(e^x − 1), tanh x, a
+//! choice. They are infinite values with an error of zero. `f64` and double-double have no such
+//! values, since wider numbers follow.
 
 use super::{Bound, Guardable, Guarded};
 
-/// e^x is beyond 2^(2⁵⁰) from x = 2⁵⁰ on.
+/// Threshold of x: e^x is beyond 2^(2⁵⁰) from x = 2⁵⁰ on.
 const OF_EXPONENTIAL: i64 = 1 << 50;
 
-/// A number of this sign, at least 2^`exponent` in size.
+/// Number of this sign with a magnitude of at least 2^`exponent`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beyond {
     negative: bool,
@@ -18,7 +20,7 @@ pub(super) struct Beyond {
 
 impl Beyond {
     fn guarded<T: Guardable>(self) -> Guarded<T> {
-        // larger exponents say less than they could, and never overflow
+        // A clamped exponent is a weaker bound, and never overflows.
         let exponent = self.exponent.clamp(-(1 << 60), 1 << 60);
         Guarded { value: T::beyond(self.negative, exponent), error: T::Bound::ZERO }
     }
@@ -28,20 +30,20 @@ impl Beyond {
     }
 }
 
-/// 2^exponent is above a size.
+/// Returns an exponent with 2^exponent above a magnitude.
 fn exponent_above<B: Bound>(size: B) -> i64 {
     size.exponent().unwrap_or(i64::MIN / 4)
 }
 
 impl<T: Guardable> Guarded<T> {
-    /// What is known of a number beyond the range.
+    /// Returns the sign and the lower bound of a number beyond the range.
     #[inline(always)]
     pub(super) fn is_beyond(self) -> Option<Beyond> {
         let (negative, exponent) = self.value.is_beyond()?;
         self.error.is_zero().then_some(Beyond { negative, exponent })
     }
 
-    /// 0 ± a size
+    /// Returns 0 with this error.
     fn about_zero(error: T::Bound) -> Self {
         Self { value: T::from_f64(0.0), error }
     }
@@ -50,7 +52,7 @@ impl<T: Guardable> Guarded<T> {
         Self::undecided(T::nan())
     }
 
-    /// Something of this value that is at most 2^(−2⁴⁹) off.
+    /// Returns a value with an additional error of 2^(−2⁴⁹).
     fn nearly(value: Self) -> Self {
         let error = value.error.plus(T::Bound::of(1.0).shifted(-(1 << 49)));
         Self { error, ..value }
@@ -60,7 +62,7 @@ impl<T: Guardable> Guarded<T> {
         self.value < T::from_f64(0.0)
     }
 
-    /// a + b, of which one is beyond.
+    /// Computes a + b, where at least one number is beyond the range.
     pub(super) fn sum_beyond(a: Self, b: Self) -> Self {
         let (large, other) = match (a.is_beyond(), b.is_beyond()) {
             (Some(a), Some(b)) if a.negative == b.negative => {
@@ -80,7 +82,7 @@ impl<T: Guardable> Guarded<T> {
         Self::unknown()
     }
 
-    /// a b, of which one is beyond.
+    /// Computes a b, where at least one number is beyond the range.
     pub(super) fn product_beyond(a: Self, b: Self) -> Self {
         let (large, other) = match (a.is_beyond(), b.is_beyond()) {
             (Some(a), Some(b)) => {
@@ -105,7 +107,7 @@ impl<T: Guardable> Guarded<T> {
         }
     }
 
-    /// a/b, of which one is beyond.
+    /// Computes a/b, where at least one number is beyond the range.
     pub(super) fn quotient_beyond(a: Self, b: Self) -> Self {
         if a.is_undefined() || b.is_undefined() {
             return Self::undefined();
@@ -125,7 +127,7 @@ impl<T: Guardable> Guarded<T> {
 }
 
 impl Beyond {
-    /// e^x, and e^x − 1 with another limit.
+    /// Computes e^x, or e^x − 1 with another limit.
     pub(super) fn exponential<T: Guardable>(self, limit: f64) -> Guarded<T> {
         if self.exponent < 50 {
             return Guarded::unknown();
@@ -136,7 +138,7 @@ impl Beyond {
         self.with_exponent(OF_EXPONENTIAL - 1).guarded()
     }
 
-    /// ln x and ln(1 + x): at least 2^e ln 2 > 2^(e' − 1) with e of e' bits.
+    /// Computes ln x or ln(1 + x): at least e ln 2 > 2^(b − 2), where e has b bits.
     pub(super) fn logarithm<T: Guardable>(self) -> Guarded<T> {
         if self.exponent < 4 {
             return Guarded::unknown();
@@ -177,19 +179,19 @@ impl Beyond {
         }
     }
 
-    /// sin x and cos x
+    /// Computes sin x or cos x.
     pub(super) fn oscillation<T: Guardable>(self) -> Guarded<T> {
         Guarded::about_zero(T::Bound::of(1.0))
     }
 
-    /// arctan x: 1/|x| and less from the quarter turn.
+    /// Computes arctan x, which is within 1/|x| of ±π/2.
     pub(super) fn arc_tangent<T: Guardable>(self) -> Guarded<T> {
         let quarter = T::pi().scaled(-1);
         let error = quarter.rounding(1.0).plus(T::Bound::of(1.0).shifted(-self.exponent));
         Guarded { value: if self.negative { -quarter } else { quarter }, error }
     }
 
-    /// sinh x and cosh x, of this sign.
+    /// Computes sinh x or cosh x, with this sign.
     pub(super) fn hyperbolic<T: Guardable>(self, negative: bool) -> Guarded<T> {
         if self.exponent < 50 {
             return Guarded::unknown();
@@ -197,7 +199,7 @@ impl Beyond {
         Beyond { negative, exponent: OF_EXPONENTIAL - 2 }.guarded()
     }
 
-    /// tanh x and erf x
+    /// Computes tanh x or erf x.
     pub(super) fn step<T: Guardable>(self) -> Guarded<T> {
         if self.exponent < 50 {
             return Guarded::unknown();
@@ -213,12 +215,12 @@ impl Beyond {
         if self.negative { Guarded::undefined() } else { Guarded::nearly(Guarded::from_limit(0.0)) }
     }
 
-    /// Whether it is below zero.
+    /// Whether the number is negative.
     pub(super) fn is_negative(self) -> bool {
         self.negative
     }
 
-    /// What is defined in |x| ≤ 1 alone.
+    /// Returns the value of a function that is defined only for |x| ≤ 1.
     pub(super) fn outside_of_one<T: Guardable>(self) -> Guarded<T> {
         if self.exponent > 0 { Guarded::undefined() } else { Guarded::unknown() }
     }
@@ -229,7 +231,9 @@ impl<T: Guardable> Guarded<T> {
         Self::exact(T::from_f64(value))
     }
 
-    /// The angle of (x, y), of which one is beyond: the other over its size away from an axis.
+    /// Computes the angle of (x, y), where at least one is beyond the range: its distance from an
+    /// axis is at most the coordinate within the range divided by the magnitude of the one beyond
+    /// it.
     pub(super) fn angle_beyond(y: Self, x: Self) -> Self {
         let size = |side: Self| side.value.size().plus(side.error);
         match (y.is_beyond(), x.is_beyond()) {
@@ -255,7 +259,7 @@ impl<T: Guardable> Guarded<T> {
         }
     }
 
-    /// Whether e^x is beyond the range of words, by the sign of x.
+    /// Returns the sign of x if e^x is beyond the range of words.
     pub(super) fn exponential_beyond(self) -> Option<Beyond> {
         if let Some(beyond) = self.is_beyond() {
             return Some(beyond);

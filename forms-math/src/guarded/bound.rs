@@ -1,31 +1,33 @@
-//! Bounds of sizes: non-negative numbers that every operation rounds to the safe side.
+//! Bounds of magnitudes: non-negative numbers, for which every operation rounds to the safe side.
 
-/// A bound of a size: `plus`, `times`, `over` round up; what ends in `down` rounds down, for what a size is at least.
+/// Bound of a magnitude: `plus`, `times`, `over` round up; operations whose names end in `down`
+/// round down, for lower bounds.
 pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
-    /// Nothing.
+    /// Zero.
     const ZERO: Self;
-    /// No bound.
+    /// Infinity: no bound.
     const INFINITE: Self;
-    /// This non-negative number.
+    /// Converts a non-negative number.
     fn of(value: f64) -> Self;
-    /// The sum.
+    /// Returns the sum.
     fn plus(self, other: Self) -> Self;
-    /// The product; without a bound where a factor is.
+    /// Returns the product; infinite if a factor is infinite.
     fn times(self, other: Self) -> Self;
-    /// The quotient by what the divisor is at least; without a bound where that is nothing.
+    /// Returns the quotient by a lower bound of the divisor; infinite if that bound is zero.
     fn over(self, least: Self) -> Self;
-    /// e of a finite size other than zero with 2^(e − 1) ≤ size < 2^e.
+    /// Returns e with 2^(e − 1) ≤ size < 2^e, for a finite non-zero magnitude.
     fn exponent(self) -> Option<i64>;
     /// self · 2^exponent
     fn shifted(self, exponent: i64) -> Self;
-    /// What is at least left of at least `self` less at most `other`.
+    /// Returns a lower bound of a difference: `self` is a lower bound and `other` an upper bound.
     fn minus_down(self, other: Self) -> Self;
-    /// The product of two sizes that are at least so much.
+    /// Returns a lower bound of the product of two lower bounds.
     fn times_down(self, other: Self) -> Self;
-    /// The root of a size that is at least so much.
+    /// Returns a lower bound of the root of a lower bound.
     fn root_down(self) -> Self;
 
-    /// size · other_error + (other_size + other_error) · error: what the errors of two factors make of their product.
+    /// Returns size · other_error + (other_size + other_error) · error: the error of a product
+    /// caused by the errors of its factors.
     fn of_product(size: Self, error: Self, other_size: Self, other_error: Self) -> Self {
         if error.is_zero() && other_error.is_zero() {
             return Self::ZERO;
@@ -33,25 +35,25 @@ pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
         size.times(other_error).plus(other_size.plus(other_error).times(error))
     }
 
-    /// True of nothing.
+    /// Whether this is zero.
     fn is_zero(self) -> bool {
         self == Self::ZERO
     }
-    /// True of a bound.
+    /// Whether this is a finite bound.
     fn is_finite(self) -> bool {
         self < Self::INFINITE
     }
-    /// The smaller.
+    /// Returns the smaller bound.
     fn least(self, other: Self) -> Self {
         if other < self { other } else { self }
     }
-    /// The larger.
+    /// Returns the larger bound.
     fn most(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
 }
 
-/// 1 + 2⁻⁵¹: the product with it is above a number that was rounded to nearest.
+/// 1 + 2⁻⁵¹: multiplying by it raises a number that was rounded to nearest above its exact value.
 const RAISE: f64 = 1.0 + 2.0 * f64::EPSILON;
 /// 2⁻¹⁰⁰⁰
 const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
@@ -87,7 +89,8 @@ impl Bound for f64 {
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
-        // A subnormal sum is exact, and another that is rounded down is raised by more than that.
+        // A subnormal sum is exact; any other sum that is rounded down is raised by more than its
+        // rounding error.
         (self + other) * RAISE
     }
     #[inline(always)]
@@ -139,7 +142,7 @@ impl Bound for f64 {
     }
 }
 
-/// A bound of any size: m · 2^exponent with ½ ≤ m < 1, or m = 0 or infinite with an exponent of 0.
+/// Bound of any size: m · 2^exponent with ½ ≤ m < 1, or m = 0 or infinite with an exponent of 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Magnitude {
     mantissa: f64,
@@ -147,7 +150,8 @@ pub struct Magnitude {
 }
 
 impl Magnitude {
-    /// `mantissa`, positive, in the middle of the range of `f64` or infinite, times 2^`exponent`.
+    /// Creates `mantissa` · 2^`exponent`; `mantissa` is positive and in the middle of the range of
+    /// `f64`, or infinite.
     #[inline]
     pub(super) fn new(mantissa: f64, exponent: i64) -> Self {
         if mantissa == 0.0 || mantissa == f64::INFINITY {
@@ -157,12 +161,12 @@ impl Magnitude {
         Self { mantissa, exponent: exponent.saturating_add(more) }
     }
 
-    /// (m, exponent)
+    /// Returns (m, exponent).
     pub fn parts(self) -> (f64, i64) {
         (self.mantissa, self.exponent)
     }
 
-    /// (larger, smaller with the exponent of the larger)
+    /// Returns (larger, smaller scaled to the exponent of the larger).
     fn aligned(self, other: Self) -> (Self, f64) {
         let (large, small) = if self < other { (other, self) } else { (self, other) };
         let shift = small.exponent.saturating_sub(large.exponent).max(-200);

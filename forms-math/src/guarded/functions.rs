@@ -1,18 +1,18 @@
-//! Elementary functions: their rounding, and what the error ε of an argument makes of them.
+//! Elementary functions: their rounding errors, and the propagation of the error ε of an argument.
 //!
-//! Every bound holds for all δ with |δ| ≤ ε and is stated above the line that computes it, by an addition theorem where
-//! there is one and else by the largest derivative between x − ε and x + ε.
+//! Every bound holds for all δ with |δ| ≤ ε and is stated above the line that computes it: by an
+//! addition theorem if there is one, else by the largest derivative between x − ε and x + ε.
 
 use super::{Bound, Guardable, Guarded};
 use crate::elementary::LARGEST_BY_SQUARING;
 
 impl<T: Guardable> Guarded<T> {
-    /// f(x), within `units`, with what `propagated` makes of the error of the argument.
+    /// Returns f(x) with a rounding error of `units` and the `propagated` error of the argument.
     pub(super) fn function(self, value: T, units: f64, propagated: impl FnOnce() -> T::Bound) -> Self {
         self.function_rounded(value, Self::rounding_of(self, value, units), propagated)
     }
 
-    /// The same where the rounding is known.
+    /// Returns f(x) with a known rounding error and the propagated error of the argument.
     pub(super) fn function_rounded(
         self,
         value: T,
@@ -29,7 +29,8 @@ impl<T: Guardable> Guarded<T> {
         Self { value, error }
     }
 
-    /// A function that vanishes at 0 or 1 has no rounding error there; anywhere else a zero has underflowed.
+    /// Returns the rounding error. A function that vanishes at 0 or 1 has none there; any other
+    /// zero has underflowed.
     fn rounding_of(self, value: T, units: f64) -> T::Bound {
         let zero = T::from_f64(0.0);
         let vanishes = self.value == zero || self.value == T::from_f64(1.0);
@@ -40,13 +41,14 @@ impl<T: Guardable> Guarded<T> {
         }
     }
 
-    /// Undefined where the argument is surely so far outside of the domain, and without a bound where it may be.
+    /// Returns an undefined result if the argument is certainly this far outside the domain, else a
+    /// result without a bound.
     pub(super) fn outside(self, by: T) -> Self {
         let sure = !by.is_nan() && by.size_down() > self.error;
         if sure { Self::undefined() } else { Self::undecided(T::nan()) }
     }
 
-    /// |x| is at least this much.
+    /// Returns a lower bound of |x|.
     pub(super) fn least_size(self) -> T::Bound {
         self.value.size_down().minus_down(self.error)
     }
@@ -67,7 +69,7 @@ impl<T: Guardable> Guarded<T> {
         self.function_rounded(value, rounding, || value.size().plus(rounding).times(self.growth()))
     }
 
-    /// The same difference, with e^x ≤ |e^x − 1| + 1.
+    /// Uses the same difference, with e^x ≤ |e^x − 1| + 1.
     pub(super) fn exponential_minus_one(self) -> Self {
         if let Some(beyond) = self.exponential_beyond() {
             return beyond.exponential(-1.0);
@@ -93,7 +95,7 @@ impl<T: Guardable> Guarded<T> {
         self.function(value, T::UNITS.elementary, || self.error.over(self.least_size()))
     }
 
-    /// The same with 1 + x.
+    /// Uses the same bound, with 1 + x.
     pub(super) fn logarithm_of_one_plus(self) -> Self {
         if let Some(beyond) = self.is_beyond() {
             return beyond.logarithm();
@@ -158,7 +160,7 @@ impl<T: Guardable> Guarded<T> {
         self.function(value, T::UNITS.elementary, || self.error_of_arc())
     }
 
-    /// The arc sine.
+    /// Computes the arc sine.
     pub(super) fn arc_sine(self) -> Self {
         if let Some(beyond) = self.is_beyond() {
             return beyond.outside_of_one();
@@ -166,7 +168,7 @@ impl<T: Guardable> Guarded<T> {
         self.arc(self.value.asin())
     }
 
-    /// The arc cosine.
+    /// Computes the arc cosine.
     pub(super) fn arc_cosine(self) -> Self {
         if let Some(beyond) = self.is_beyond() {
             return beyond.outside_of_one();
@@ -186,14 +188,16 @@ impl<T: Guardable> Guarded<T> {
         })
     }
 
-    /// With |y|, |x| ≤ p m, q m and max(|x|, |y|) ≥ m > 0, the angle between (x, y) and (x + ξ, y + η) has the tangent
-    /// |x η − y ξ|/(x² + y² + x ξ + y η) ≤ (q η + p ξ)/(m − ξ − η), where the sign of y is certain left of the origin.
+    /// Bounds the angle between (x, y) and (x + ξ, y + η). With |y|, |x| ≤ p m, q m and
+    /// max(|x|, |y|) ≥ m > 0, its tangent is
+    /// |x η − y ξ|/(x² + y² + x ξ + y η) ≤ (q η + p ξ)/(m − ξ − η),
+    /// if the sign of y is certain to the left of the origin.
     pub(super) fn angle(self, x: Self) -> Self {
         if self.is_beyond().is_some() || x.is_beyond().is_some() {
             return Self::angle_beyond(self, x);
         }
         let (y, zero) = (self, T::from_f64(0.0));
-        // Zero has no sign here, whatever the type makes of one.
+        // Zeros are unsigned here, independent of the type.
         let unsigned = |value: T| if value == zero { zero } else { value };
         let value = unsigned(y.value).atan2(unsigned(x.value));
         if y.is_undefined() || x.is_undefined() {
@@ -231,7 +235,7 @@ impl<T: Guardable> Guarded<T> {
         })
     }
 
-    /// The same, with sinh(|x| + ε) ≤ cosh x (1 + 2ε).
+    /// Uses the same bound, with sinh(|x| + ε) ≤ cosh x (1 + 2ε).
     pub(super) fn hyperbolic_cosine(self) -> Self {
         if let Some(beyond) = self.exponential_beyond() {
             return beyond.hyperbolic(false);
@@ -289,13 +293,13 @@ impl<T: Guardable> Guarded<T> {
             return T::UNITS.power;
         }
         let exponent = (numerator as f64 / denominator as f64).abs();
-        // |ln x| ≤ ln 2 (|e| + 1) of x = m 2ᵉ
+        // |ln x| ≤ ln 2 (|e| + 1) for x = m 2ᵉ
         let logarithm = self.value.exponent().map_or(0.0, |exponent| exponent.unsigned_abs() as f64 + 1.0);
         T::UNITS.power_by_logarithm * (1.0 + exponent * logarithm)
     }
 }
 
-/// The rounding of a function that is never zero: a zero has underflowed.
+/// Returns the rounding error of a function that is never zero: a zero has underflowed.
 pub(super) fn rounding_above_zero<T: Guardable>(value: T, units: f64) -> T::Bound {
     if value == T::from_f64(0.0) { T::underflow(units) } else { value.rounding(units) }
 }

@@ -1,4 +1,5 @@
-//! What each type of number says of its own rounding: the one place where bounds of a type's functions stand.
+//! Rounding errors of each number type: the only module that states error bounds of a type's
+//! functions.
 
 use super::Guarded;
 use super::bound::{Bound, Magnitude};
@@ -6,7 +7,7 @@ use crate::error_free::{difference_in_words, has_exact_rest, two_product, two_su
 use crate::scalar::Scalar;
 use crate::{DoubleDouble, Number, Real, Wide};
 
-/// Bounds of relative errors of functions, in units of 2^−[`Scalar::PRECISION`].
+/// Relative error bounds of functions, in units of 2^−[`Scalar::PRECISION`].
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
     /// eˣ, ln, sin, cos, tan and their inverses, eˣ − 1, ln(1 + x)
@@ -15,7 +16,7 @@ pub struct Units {
     pub(super) hyperbolic: f64,
     /// x^(n/d) with |n|, d ≤ 64
     pub(super) power: f64,
-    /// x^(n/d) beyond: so often 1 + |n/d ln x|
+    /// x^(n/d) for larger exponents, times 1 + |n/d ln x|
     pub(super) power_by_logarithm: f64,
     /// erf, Li₂, Cl₂
     pub(super) special: f64,
@@ -23,59 +24,60 @@ pub struct Units {
     pub(super) exponential_integral: f64,
     /// A constant given by its words
     pub(super) constant: f64,
-    /// A node's or weight's in a quadrature
+    /// A node or weight of a quadrature
     pub(super) node: f64,
-    /// So often the logarithm of a node or weight to the base 2, in addition
+    /// Additional error of a node or weight, times its logarithm to the base 2
     pub(super) node_by_logarithm: f64,
 }
 
-/// A number that can be guarded.
+/// Number type with error bounds.
 pub trait Guardable: Scalar {
-    /// The bounds of its errors.
+    /// Type of the error bounds.
     type Bound: Bound;
-    /// What is stated of its functions.
+    /// Error bounds of its functions.
     const UNITS: Units;
-    /// Whether the type has numbers beyond its exponents of which the sign and a least size are known.
+    /// Whether the type has numbers beyond its exponents with a known sign and a lower bound.
     const HAS_BEYOND: bool = false;
-    /// A number of this sign that is at least 2^`exponent` in size.
+    /// Returns a number of this sign with a magnitude of at least 2^`exponent`.
     fn beyond(_negative: bool, _exponent: i64) -> Self {
         Self::nan()
     }
-    /// (whether it is negative, e) of such a number.
+    /// Returns (whether it is negative, e) for such a number.
     #[inline(always)]
     fn is_beyond(self) -> Option<(bool, i64)> {
         None
     }
-    /// |x| ≤
+    /// Returns an upper bound of |x|.
     fn size(self) -> Self::Bound;
-    /// |x| ≥
+    /// Returns a lower bound of |x|.
     fn size_down(self) -> Self::Bound;
-    /// A number of a formula and a bound of its error.
+    /// Returns a number of a formula and its error bound.
     fn enclosed(number: Number<'_>) -> (Self, Self::Bound);
-    /// A bound of the error of a value within so many units of it; none where the value is out of the range in which
-    /// that is stated.
+    /// Returns the error bound of a value that is accurate to this number of units; infinite if the
+    /// value is outside the range of validity.
     fn rounding(self, units: f64) -> Self::Bound;
-    /// A bound of the error of a value that is not zero and came out as zero.
+    /// Returns the error bound of a non-zero value that was computed as zero.
     fn underflow(units: f64) -> Self::Bound;
-    /// The sum and a bound of its rounding error.
+    /// Returns the sum and a bound of its rounding error.
     fn sum(self, other: Self) -> (Self, Self::Bound);
-    /// The product and a bound of its rounding error.
+    /// Returns the product and a bound of its rounding error.
     fn product(self, other: Self) -> (Self, Self::Bound);
-    /// The quotient and a bound of its rounding error.
+    /// Returns the quotient and a bound of its rounding error.
     fn quotient(self, other: Self) -> (Self, Self::Bound);
-    /// The square root of a number that is not negative and a bound of its rounding error.
+    /// Returns the square root of a non-negative number and a bound of its rounding error.
     fn root(self) -> (Self, Self::Bound);
-    /// a b − c d and a bound of its rounding error.
+    /// Returns a b − c d and a bound of its rounding error.
     fn products_difference(a: Self, b: Self, c: Self, d: Self) -> (Self, Self::Bound);
 }
 
 /// 2⁻¹⁰⁷⁴
 const SMALLEST: f64 = f64::from_bits(1);
-/// 2⁻¹⁰²¹: what rounds here rounds relative to its size.
+/// 2⁻¹⁰²¹: from here on, rounding errors are relative.
 const NORMAL: f64 = 2.0 * f64::MIN_POSITIVE;
 
-/// The functions of the standard library are within one ulp, those of sinh, cosh, tanh within two, as the C library
-/// states them; an ulp is up to two units. Those of this crate are measured against `Wide` in its tests.
+/// Error bounds of `f64`. The functions of the standard library are within one ulp, and sinh, cosh,
+/// tanh within two, as stated by the C library; an ulp is up to two units. The functions of this
+/// crate are measured against `Wide` in its tests.
 impl Guardable for f64 {
     type Bound = f64;
     const UNITS: Units = Units {
@@ -103,7 +105,7 @@ impl Guardable for f64 {
         let relative = self.abs() * (units * (f64::EPSILON / 2.0 * (1.0 + 4.0 * f64::EPSILON)));
         if self.abs() < NORMAL { relative + units * SMALLEST } else { relative }
     }
-    /// What the second word leaves is below half an ulp of it.
+    /// The remainder after the second word is below half an ulp of that word.
     fn enclosed(number: Number<'_>) -> (Self, f64) {
         let [value, rest] = *number.words();
         (
@@ -161,7 +163,7 @@ impl Guardable for f64 {
         if has_exact_rest(a * b, a, b) && has_exact_rest(c * d, c, d) {
             let [value, rest, least] = difference_in_words(a, b, c, d);
             let (value, left) = two_sum(value, rest + least);
-            // The last sums of the rests were rounded by at most an ulp of each.
+            // The last sums of the rests were rounded, with errors of at most an ulp of each.
             let inner = (rest.abs() + least.abs()) * (4.0 * f64::EPSILON);
             return (value, left.abs().plus(inner));
         }
@@ -170,7 +172,7 @@ impl Guardable for f64 {
     }
 }
 
-/// The bounds of double-double hold from 2⁻⁹⁰⁰ to 2⁹⁰⁰.
+/// Whether the error bounds of double-double hold: from 2⁻⁹⁰⁰ to 2⁹⁰⁰.
 #[inline(always)]
 fn in_range(value: f64) -> bool {
     const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
@@ -179,7 +181,7 @@ fn in_range(value: f64) -> bool {
 }
 
 impl DoubleDouble {
-    /// An error of `units` of the result of numbers in range.
+    /// Returns the result with an error of `units`, if all numbers are in range.
     #[inline(always)]
     fn of_numbers(self, units: f64, numbers: &[Self]) -> (Self, f64) {
         let known =
@@ -192,8 +194,9 @@ impl DoubleDouble {
     }
 }
 
-/// The bounds of the sum, product, quotient and root stand at the operations, those of the functions are measured
-/// against `Wide` in the tests and stated with a margin of four and more.
+/// Error bounds of double-double. The bounds of the sum, product, quotient and root are stated at
+/// the operations; the bounds of the functions are measured against `Wide` in the tests and stated
+/// with a margin of at least a factor of four.
 impl Guardable for DoubleDouble {
     type Bound = f64;
     const UNITS: Units = Units {
@@ -217,7 +220,7 @@ impl Guardable for DoubleDouble {
         self.high().abs() * (1.0 - f64::EPSILON)
     }
     fn rounding(self, units: f64) -> f64 {
-        // 2⁻¹⁰⁶ and what rounds up the product of three.
+        // 2⁻¹⁰⁶, times a factor that rounds up the product of three.
         const UNIT: f64 = f64::from_bits((1023 - 106) << 52) * (1.0 + 4.0 * f64::EPSILON);
         if in_range(self.high()) { self.high().abs() * (units * UNIT) } else { f64::INFINITY }
     }
@@ -262,7 +265,8 @@ impl Guardable for DoubleDouble {
     }
 }
 
-/// Sums, products, quotients are rounded to nearest; the functions are within a few ulp and an eighth word of spare bits.
+/// Error bounds of wide numbers. Sums, products and quotients are rounded to nearest; the functions
+/// are within a few ulp, with an eighth of a word of spare bits.
 impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
     type Bound = Magnitude;
     const UNITS: Units = Units {
@@ -303,7 +307,7 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
     fn rounding(self, units: f64) -> Magnitude {
         self.size().times(Magnitude::of(units)).shifted(-i64::from(Self::PRECISION))
     }
-    /// By the quotient and the power of π, each with its error.
+    /// Computes the quotient and the power of π, each with its error.
     fn enclosed(number: Number<'_>) -> (Self, Magnitude) {
         let part = |words: &[u64]| {
             let value = Self::from_words(words);
@@ -320,7 +324,7 @@ impl<const LIMBS: usize> Guardable for Wide<LIMBS> {
         };
         (if number.is_negative() { -value.value } else { value.value }, value.error)
     }
-    /// Where eˣ is out of range it is below 2^(−2⁵⁰).
+    /// If eˣ is out of range, it is below 2^(−2⁵⁰).
     fn underflow(_: f64) -> Magnitude {
         Magnitude::new(0.5, -(1 << 49))
     }
@@ -351,7 +355,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         if exact {
             return (value, Magnitude::ZERO);
         }
-        // Zero that is not exact lies below the range of the exponents.
+        // An inexact zero is below the range of the exponents.
         if value == Self::from_f64(0.0) {
             return (value, <Self as Guardable>::underflow(1.0));
         }

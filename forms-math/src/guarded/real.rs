@@ -1,11 +1,11 @@
-//! A guarded number as a number of a kernel; choices that the errors leave open have the values of both branches.
+//! Guarded numbers as numbers of a kernel; an undecided choice covers the values of both branches.
 
 use super::{Bound, Guardable, Guarded};
 use crate::quadrature::{Kind, double_exponential};
 use crate::{Number, Real};
 
 impl<T: Guardable> Guarded<T> {
-    /// left − right: `None` where the errors leave open whether it is below, at or above zero.
+    /// Returns the order of left and right; `None` if the errors leave it undecided.
     fn order(left: Self, right: Self) -> Option<std::cmp::Ordering> {
         if left.is_exact() && right.is_exact() && left.is_beyond().is_none() && right.is_beyond().is_none() {
             return left.value.partial_cmp(&right.value);
@@ -15,7 +15,7 @@ impl<T: Guardable> Guarded<T> {
             .then(|| distance.value.partial_cmp(&T::from_f64(0.0)))?
     }
 
-    /// Either of two values: one of them, with the distance of the other within the error.
+    /// Returns one of two values; its error includes the distance to the other.
     fn either(first: Self, second: Self) -> Self {
         if first.is_undefined() && second.is_undefined() {
             return Self::undefined();
@@ -42,7 +42,7 @@ impl<T: Guardable> Guarded<T> {
             return Self::undefined();
         }
         if !left.error.is_finite() || !right.error.is_finite() {
-            // It may be undefined.
+            // The result can be undefined.
             return Self::undecided(then.value);
         }
         match Self::order(left, right) {
@@ -52,7 +52,7 @@ impl<T: Guardable> Guarded<T> {
         }
     }
 
-    /// A node or weight of a quadrature, below one.
+    /// Returns a node or weight of a quadrature, below one, with its error.
     fn node(value: T) -> Self {
         let logarithm = value.exponent().map_or(0.0, |exponent| exponent.unsigned_abs() as f64 + 1.0);
         Self { value, error: value.rounding(T::UNITS.node + T::UNITS.node_by_logarithm * logarithm) }
@@ -66,7 +66,7 @@ impl<T: Guardable> Real for Guarded<T> {
         if words.len() == 1 {
             return Self::exact(T::from_f64(first));
         }
-        // What the words leave, and what the type leaves of the words.
+        // Error of the words, and error of the type for these words.
         let beyond = T::Bound::of(last.abs()).shifted(-53);
         Self { value, error: value.rounding(T::UNITS.constant).plus(beyond) }
     }
@@ -177,7 +177,8 @@ impl<T: Guardable> Real for Guarded<T> {
     fn clausen(self) -> Self {
         self.clausen_function()
     }
-    /// The bound is that of the sum of the rule; what the rule leaves of the integral is estimated, not bounded.
+    /// The bound covers the sum of the rule; the error of the rule itself is estimated, not
+    /// bounded.
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
         let kind = Kind { of: Self::node, number: |value: Self| value.value, bits: T::PRECISION };
         let (sum, estimate) = double_exponential(from, to, integrand, &kind);

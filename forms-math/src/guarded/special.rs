@@ -1,4 +1,4 @@
-//! Special functions: their rounding, and what the error ε of an argument makes of them.
+//! Special functions: their rounding errors, and the propagation of the error ε of an argument.
 
 use super::functions::rounding_above_zero;
 use super::{Bound, Guardable, Guarded};
@@ -46,8 +46,8 @@ impl<T: Guardable> Guarded<T> {
         })
     }
 
-    /// Li₂′ = −ln(1 − t)/t grows; up to ½ it is below 1.4, and with w = 1 − x − ε, −ln w ≤ 0.75/√w gives 1.5/√w beyond;
-    /// for t ≤ −1, ln(1 + |t|)/|t| ≤ 1/√|t|.
+    /// Li₂′ = −ln(1 − t)/t increases. Up to ½ it is below 1.4; beyond, with w = 1 − x − ε,
+    /// −ln w ≤ 0.75/√w gives 1.5/√w. For t ≤ −1, ln(1 + |t|)/|t| ≤ 1/√|t|.
     pub(super) fn dilogarithm(self) -> Self {
         if self.is_beyond().is_some() {
             return Self::undecided(T::nan());
@@ -68,7 +68,8 @@ impl<T: Guardable> Guarded<T> {
         })
     }
 
-    /// Cl₂′ = −ln|2 sin(t/2)|, between −ln 2 and 1/√m where |2 sin(t/2)| ≥ m, and that changes by at most ε.
+    /// Cl₂′ = −ln|2 sin(t/2)| lies between −ln 2 and 1/√m if |2 sin(t/2)| ≥ m, and |2 sin(t/2)|
+    /// changes by at most ε.
     pub(super) fn clausen_function(self) -> Self {
         if self.is_beyond().is_some() {
             return Self::undecided(T::nan());

@@ -1,12 +1,15 @@
-//! A lane and a bound of its error, without branches: what a batch with a promise of accuracy runs in.
+//! A lane with an error bound, without branches: the number type of batches with a promised
+//! accuracy.
 //!
-//! A bound is a sum of products of non-negative numbers, each at least what it stands for, raised by more than its own
-//! roundings. Where a rule holds in a range only, there is no bound beyond it, which is ∞ or NaN: the value is then computed
-//! again by [`escalate`](crate::escalate). With α, β the bounds of the arguments' errors:
+//! A bound is a sum of products of non-negative upper bounds, raised by more than its own
+//! roundings. If a rule is valid only in a range, there is no bound beyond it: the bound is ∞ or
+//! NaN, and the value is recomputed by [`escalate`](crate::escalate). With α, β the bounds of the
+//! arguments' errors:
 //!
-//! * sums, products, quotients and roots have their rounding error by the operations of [`pair`](super::pair);
-//! * functions of lanes are within 2 ulp, that is 2^(2−p) relative, as the tests measure;
-//! * what may be lost of a bound to underflow is far below 2^[`Word::SMALL`], which is added.
+//! * sums, products, quotients and roots get their rounding error from the operations of
+//!   [`pair`](super::pair);
+//! * functions of lanes are within 2 ulp, that is 2^(2−p) relative, as measured by the tests;
+//! * losses of a bound to underflow are far below 2^[`Word::SMALL`], which is added.
 
 mod functions;
 mod real;
@@ -15,14 +18,15 @@ use super::pair::{two_product, two_sum};
 use super::word::{Lane64, Word};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number whose exact value is at most `error` away; nothing is known of it where `error` is ∞ or NaN.
+/// Number whose exact value is at most `error` away; nothing is known about it if `error` is ∞ or
+/// NaN.
 #[derive(Clone, Copy)]
 pub(crate) struct Bounded<W> {
     value: W,
     error: W,
 }
 
-/// A little more than 1, and a little less: by as many roundings as a bound may have.
+/// Factors slightly above and slightly below 1, by the maximum number of roundings of a bound.
 #[inline(always)]
 fn above_one<W: Word>() -> W {
     W::literal(1.0) + W::two_to(8 - W::PRECISION)
@@ -33,13 +37,13 @@ fn below_one<W: Word>() -> W {
 }
 
 impl<const FMA: bool> Bounded<Lane64<FMA>> {
-    /// A number without error.
+    /// Creates a number without error.
     #[inline(always)]
     pub(crate) fn lane(value: f64) -> Self {
         Self::exact(Lane64(value))
     }
 
-    /// The value where its error is at most `within` · 2⁻⁵³ of it, otherwise NaN.
+    /// Returns the value if its error is at most `within` · 2⁻⁵³ of it, otherwise NaN.
     #[inline(always)]
     pub(crate) fn value_within(self, within: f64) -> f64 {
         self.within(Lane64(within) * Lane64::two_to(-53)).0
@@ -47,39 +51,40 @@ impl<const FMA: bool> Bounded<Lane64<FMA>> {
 }
 
 impl<W: Word> Bounded<W> {
-    /// A number without error.
+    /// Creates a number without error.
     #[inline(always)]
     fn exact(value: W) -> Self {
         Self { value, error: W::literal(0.0) }
     }
 
-    /// The value where its error is at most so much of it, otherwise NaN.
+    /// Returns the value if its relative error is at most `relative`, otherwise NaN.
     #[inline(always)]
     fn within(self, relative: W) -> W {
         let allowed = relative * below_one() * (self.value.magnitude() - self.error);
         if self.error <= allowed { self.value } else { W::not_a_number() }
     }
 
-    /// Whether this is zero for certain.
+    /// Whether this is certainly zero.
     #[inline(always)]
     fn is_zero(self) -> bool {
         (self.value == W::literal(0.0)) & (self.error == W::literal(0.0))
     }
 
-    /// A value with a bound that was computed in a few roundings.
+    /// Returns a value with a bound, raised by the few roundings of its computation.
     #[inline(always)]
     fn raised(value: W, error: W) -> Self {
         Self { value, error: error * above_one() }
     }
 
-    /// The same, where what the bound is made of may have been lost to underflow; without error where that is certain.
+    /// Returns a value with a raised bound that covers losses to underflow; without error if the
+    /// value is `certain`.
     #[inline(always)]
     fn above_underflow(value: W, error: W, certain: bool) -> Self {
         let bound = Self::raised(value, error + W::two_to(W::SMALL));
         Self { value, error: if certain { W::literal(0.0) } else { bound.error } }
     }
 
-    /// α |b| + |a| β + α β
+    /// Error of a product: α |b| + |a| β + α β.
     #[inline(always)]
     fn error_of_product(self, other: Self) -> W {
         let second = (self.value.magnitude() + self.error) * other.error;
@@ -87,7 +92,8 @@ impl<W: Word> Bounded<W> {
     }
 }
 
-/// What is left of x, less than so much being no certain rest: it may have lost bits to underflow.
+/// Returns the magnitude of the remainder of x; ∞ if x is non-zero and so small that bits may be
+/// lost to underflow.
 #[inline(always)]
 fn rest_of<W: Word>(x: W, rest: W) -> W {
     let small = if x == W::literal(0.0) { W::literal(0.0) } else { W::infinity() };

@@ -7,7 +7,7 @@ use std::hint::select_unpredictable;
 /// log₂ 3
 const LOG2_3: f64 = 1.584_962_500_721_156_2;
 
-/// (k, r) with x = k ln 2 + r and |r| ≤ (ln 2)/2, and r as a pair.
+/// Returns (k, r) with x = k ln 2 + r and |r| ≤ (ln 2)/2, with r as a pair.
 #[inline(always)]
 fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     let multiple = (x * W::of(W::TABLE.log2_e)).shifted().unshifted();
@@ -17,15 +17,15 @@ fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     (multiple, pair(head, (rest - head) - tail))
 }
 
-/// x where it is between the bounds, else the nearer one: beyond them the function has its limit. Both choices are made in
-/// any case, each by an instruction; branches would be merged.
+/// Clamps x to the bounds, beyond which the function has its limit. Both selections are always
+/// computed, each by one instruction; branches would be merged.
 #[inline(always)]
 fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
     let x = select_unpredictable(x < W::literal(low), W::literal(low), x);
     select_unpredictable(x > W::literal(high), W::literal(high), x)
 }
 
-/// The exponents of two whose exponentials are 0 and ∞ for certain, times ln 2.
+/// Returns the arguments at which eˣ is certainly 0 and certainly ∞.
 #[inline(always)]
 fn limits<W: Word>() -> (f64, f64) {
     let largest = f64::from(W::LARGEST_EXPONENT + 1);
@@ -35,22 +35,24 @@ fn limits<W: Word>() -> (f64, f64) {
     )
 }
 
-/// Arguments whose power [`parts`] has as 0, and as ∞ with r < 0.
+/// Returns the arguments at which the power in [`parts`] is 0, and ∞ with r < 0.
 #[inline(always)]
 fn ends<W: Word>() -> (f64, f64) {
     let (least, largest) = (W::LARGEST_EXPONENT + W::PRECISION, W::LARGEST_EXPONENT + 1 - W::PRECISION);
     (-f64::from(least) * std::f64::consts::LN_2, (f64::from(largest) - 0.25) * std::f64::consts::LN_2)
 }
 
-/// y 2^k in two steps, so that k may be out of the range of exponents and the last step alone rounds.
+/// Computes y 2^k in two steps, so that k can be out of the range of exponents and only the last
+/// step rounds.
 #[inline(always)]
 pub(super) fn scaled<W: Word>(y: W, k: W) -> W {
     let half = (k * W::literal(0.5)).shifted().unshifted();
     y * half.power_of_two() * (k - half).power_of_two()
 }
 
-/// (2^k, 1 − eʳ) of x = k ln 2 + r with ¾ ≤ eʳ < 3/2: k = 0 wherever eˣ − 1 is small, which is then no difference. Far below the
-/// logarithm of the least number 2^k is 0; near overflow it is ∞ with r < 0, of which both functions are NaN.
+/// Returns (2^k, 1 − eʳ) for x = k ln 2 + r with ¾ ≤ eʳ < 3/2: k = 0 wherever eˣ − 1 is small, so
+/// that no difference is needed there. Far below the logarithm of the least number, 2^k is 0; near
+/// overflow it is ∞ with r < 0, for which both functions are NaN.
 #[inline(always)]
 fn parts<W: Word>(x: W) -> (W, W) {
     let (low, high) = ends::<W>();
@@ -63,14 +65,14 @@ fn parts<W: Word>(x: W) -> (W, W) {
     (power, (-square).fused((-opposite_r).polynomial(W::TABLE.exp), opposite_r))
 }
 
-/// eˣ = 2^k − 2^k (1 − eʳ). Gives up near overflow.
+/// Computes eˣ = 2^k − 2^k (1 − eʳ). Gives up near overflow.
 #[inline(always)]
 pub(super) fn exp<W: Word>(x: W) -> W {
     let (power, complement) = parts(x);
     (-power).fused(complement, power)
 }
 
-/// eˣ of a pair.
+/// Computes eˣ of a pair.
 #[inline(always)]
 pub(super) fn exp_of_sum<W: Word>(x: Pair<W>) -> W {
     let (low, high) = limits::<W>();
@@ -78,7 +80,7 @@ pub(super) fn exp_of_sum<W: Word>(x: Pair<W>) -> W {
     from_rest(k, two_sum(r.head, r.tail + x.tail))
 }
 
-/// 2^k eʳ
+/// Computes 2^k eʳ.
 #[inline(always)]
 fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     let square = r.head * r.head;
@@ -86,15 +88,16 @@ fn from_rest<W: Word>(k: W, r: Pair<W>) -> W {
     scaled(W::literal(1.0) + sum, k)
 }
 
-/// eˣ − 1 = −2^k (1 − eʳ) − (1 − 2^k): the signs are such that the function of −0 is −0. Gives up near overflow. The steps to
-/// the sum are those of [`exp`], so that where both are asked for they are done once.
+/// Computes eˣ − 1 = −2^k (1 − eʳ) − (1 − 2^k): the signs ensure that −0 gives −0. Gives up near
+/// overflow. The steps before the sum equal those of [`exp`], so that they are shared if both
+/// functions are needed.
 #[inline(always)]
 pub(super) fn exp_m1<W: Word>(x: W) -> W {
     let (power, complement) = parts(x);
     (-power).fused(complement, -(W::literal(1.0) - power))
 }
 
-/// 2^−k, or its limit 0 where it is far below a rounding error of 1.
+/// Computes 2^−k, or its limit 0 if it is far below a rounding error of 1.
 #[inline(always)]
 fn inverse_power<W: Word>(k: W) -> W {
     let bound = W::literal(f64::from(2 * W::PRECISION + 10));
@@ -102,8 +105,8 @@ fn inverse_power<W: Word>(k: W) -> W {
     if k > bound { W::literal(0.0) } else { power }
 }
 
-/// 2^(1−k) (sinh |x|, cosh |x|), and k, from those of r: with C = 1 + 4^−k and S = 1 − 4^−k,
-/// S cosh r + C sinh r and C cosh r + S sinh r.
+/// Computes 2^(1−k) (sinh |x|, cosh |x|), and k, from sinh r and cosh r: with C = 1 + 4^−k and
+/// S = 1 − 4^−k, the values are S cosh r + C sinh r and C cosh r + S sinh r.
 #[inline(always)]
 fn sinh_cosh<W: Word>(x: W) -> (Pair<W>, Pair<W>, W) {
     let (k, r) = reduce(x.magnitude());

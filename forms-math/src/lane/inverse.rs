@@ -1,10 +1,10 @@
-//! The angles of a sine, a cosine, a tangent and a point.
+//! Inverse trigonometric functions: the angles of a sine, a cosine, a tangent and a point.
 
 use super::pair::{Pair, pair, two_product, two_sum};
 use super::word::Word;
 
-/// arcsin t = t + t³ A(t²) of |t| ≤ 1/2; beyond, arcsin |x| = π/2 − 2 arcsin t with t² = (1 − |x|)/2.
-/// Gives the pair t, t³ A(t²), and whether |x| > 1/2.
+/// Computes arcsin t = t + t³ A(t²) for |t| ≤ 1/2; beyond, arcsin |x| = π/2 − 2 arcsin t with
+/// t² = (1 − |x|)/2. Returns the pair t, t³ A(t²), and whether |x| > 1/2.
 #[inline(always)]
 fn half_angle<W: Word>(x: W) -> (Pair<W>, bool) {
     let half = W::literal(0.5);
@@ -19,7 +19,7 @@ fn half_angle<W: Word>(x: W) -> (Pair<W>, bool) {
     (pair(t.head, (t.head * square).fused(square.polynomial(W::TABLE.asin), t.tail)), large)
 }
 
-/// The angle in [−π/2, π/2] of that sine.
+/// Returns the angle in [−π/2, π/2] with this sine.
 #[inline(always)]
 pub(super) fn asin<W: Word>(x: W) -> W {
     let (t, large) = half_angle(x);
@@ -31,7 +31,8 @@ pub(super) fn asin<W: Word>(x: W) -> W {
     if x.magnitude() < W::two_to(-W::PRECISION / 2 - 1) { x } else { value }
 }
 
-/// The angle in [0, π] of that cosine: π/2 − arcsin x, or 2 arcsin t, from π where x is negative.
+/// Returns the angle in [0, π] with this cosine: π/2 − arcsin x, or 2 arcsin t, subtracted from π
+/// if x is negative.
 #[inline(always)]
 pub(super) fn acos<W: Word>(x: W) -> W {
     let (t, large) = half_angle(x);
@@ -47,15 +48,16 @@ pub(super) fn acos<W: Word>(x: W) -> W {
     sum.head + ((sum.tail + base.tail) + factor * t.tail)
 }
 
-/// The angle in (−π/2, π/2) of that tangent.
+/// Returns the angle in (−π/2, π/2) with this tangent.
 #[inline(always)]
 pub(super) fn atan<W: Word>(x: W) -> W {
     atan2(x, W::literal(1.0))
 }
 
-/// The angle in (−π, π] of the point (x, y): t + t³ A(t²), where t is the smaller over the larger coordinate or, from half a
-/// radian on, the tangent of the angle from the diagonal; reflected into the octant of (|x|, |y|), and then of (x, y). Gives
-/// up at the origin and where coordinates are near overflow.
+/// Returns the angle in (−π, π] of the point (x, y): t + t³ A(t²). Here t is the ratio of the
+/// smaller to the larger coordinate or, from half a radian on, the tangent of the angle from the
+/// diagonal. The result is reflected into the octant of (|x|, |y|), and then of (x, y). Gives up at
+/// the origin and where coordinates are near overflow.
 #[inline(always)]
 pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
     let (height, width) = (y.magnitude(), x.magnitude());
@@ -64,12 +66,13 @@ pub(super) fn atan2<W: Word>(y: W, x: W) -> W {
     let larger = if swapped { height } else { width };
     let smaller = if swapped { width } else { height };
     let near_diagonal = larger * W::of(W::TABLE.atan_limit) <= smaller;
-    // The difference of numbers within a factor of two has no rounding (Sterbenz).
+    // The difference of numbers within a factor of two is exact (Sterbenz).
     let numerator = if near_diagonal { smaller - larger } else { smaller };
     let t = numerator / if near_diagonal { smaller + larger } else { larger };
     let square = t * t;
     let angle = (t * square).fused(square.polynomial(W::TABLE.atan), t);
-    // What the rounding of these constants leaves is below half a unit of the sum, which is not below 1/2.
+    // The rounding errors of these constants are below half a unit of the sum, which is at least
+    // 1/2.
     let quarters = |count: usize| W::of(W::TABLE.quarters_pi[2 * (count - 1)]);
     let angle = angle + if near_diagonal { quarters(1) } else { zero };
     let angle = if swapped { quarters(2) - angle } else { angle };

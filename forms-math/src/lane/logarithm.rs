@@ -1,11 +1,12 @@
-//! ln x, ln(1 + x), and ln x to more than the format holds: x = 2^k m with √½ ≤ m < √2, and with f = m − 1 and
-//! s = f/(2 + f), ln m = 2 artanh s.
+//! ln x, ln(1 + x), and ln x beyond the precision of the format: x = 2^k m with √½ ≤ m < √2, and
+//! with f = m − 1 and s = f/(2 + f), ln m = 2 artanh s.
 
 use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
 use super::word::Word;
 
-/// k ln 2 + ln(1 + f + rest), of a rest below a rounding error of f:
-/// ln(1 + f) = f − (h − s (h + s² P(s²))) with h = f²/2, in which the part that is rounded is small beside f.
+/// Computes k ln 2 + ln(1 + f + rest) for a rest below a rounding error of f:
+/// ln(1 + f) = f − (h − s (h + s² P(s²))) with h = f²/2, in which the rounded part is small
+/// compared with f.
 #[inline(always)]
 fn combine<W: Word>(k: W, f: W, rest: W) -> W {
     let s = f / (W::literal(2.0) + f);
@@ -16,7 +17,8 @@ fn combine<W: Word>(k: W, f: W, rest: W) -> W {
     k * W::of(W::TABLE.ln_2[0]) - ((h - s.fused(h + series, tail)) - f)
 }
 
-/// The value for x > 0, and what stands at the ends of the domain: `at_zero` is whether x is the pole.
+/// Returns the value for a positive position, −∞ at the pole (position 0), and NaN below it; ∞ and
+/// NaN pass through.
 #[inline(always)]
 fn on_domain<W: Word>(position: W, value: W) -> W {
     let zero = W::literal(0.0);
@@ -37,7 +39,7 @@ pub(super) fn ln<W: Word>(x: W) -> W {
     on_domain(x, combine(k, m - W::literal(1.0), W::literal(0.0)))
 }
 
-/// ln(1 + x): what rounding 1 + x leaves is added to f.
+/// Computes ln(1 + x): the rounding error of 1 + x is added to f.
 #[inline(always)]
 pub(super) fn ln_1p<W: Word>(x: W) -> W {
     let one = W::literal(1.0);
@@ -54,8 +56,8 @@ pub(super) fn ln_1p<W: Word>(x: W) -> W {
     if x.magnitude() < W::two_to(-W::PRECISION - 1) { x } else { value }
 }
 
-/// ln x of a positive normal x, with 10 bits more than the format has, in absolute terms where x is near 1:
-/// 2 s + (2/3) s³ in pairs, and the rest of the series.
+/// Computes ln x of a positive normal x with 10 bits more than the format; near 1 this accuracy is
+/// absolute. The terms 2 s + (2/3) s³ are pairs, and the rest of the series is a single number.
 #[inline(always)]
 pub(super) fn ln_pair<W: Word>(x: W) -> Pair<W> {
     let (k, m) = x.split();

@@ -1,23 +1,24 @@
-//! Sums and products without rounding, as a number and what its rounding left.
+//! Error-free sums and products, as a number and its rounding error.
 //!
-//! Dekker, A floating-point technique for extending the available precision, Numer. Math. 18 (1971).
+//! Dekker, A floating-point technique for extending the available precision, Numer. Math. 18
+//! (1971).
 
 use super::word::Word;
 
-/// head + tail, the tail being below the last bit of the head.
+/// Sum head + tail; the tail is below the last bit of the head.
 #[derive(Clone, Copy)]
 pub(super) struct Pair<W> {
     pub(super) head: W,
     pub(super) tail: W,
 }
 
-/// head + tail as they are.
+/// Creates a pair without normalisation.
 #[inline(always)]
 pub(super) fn pair<W>(head: W, tail: W) -> Pair<W> {
     Pair { head, tail }
 }
 
-/// a + b exactly.
+/// Computes a + b exactly.
 #[inline(always)]
 pub(super) fn two_sum<W: Word>(a: W, b: W) -> Pair<W> {
     let head = a + b;
@@ -25,14 +26,14 @@ pub(super) fn two_sum<W: Word>(a: W, b: W) -> Pair<W> {
     pair(head, (a - (head - shift)) + (b - shift))
 }
 
-/// a + b exactly, of |a| ≥ |b| or a = 0.
+/// Computes a + b exactly, if |a| ≥ |b| or a = 0.
 #[inline(always)]
 pub(super) fn fast_two_sum<W: Word>(a: W, b: W) -> Pair<W> {
     let head = a + b;
     pair(head, b - (head - a))
 }
 
-/// a b exactly: by the fused operation, or from the four products of halves.
+/// Computes a b exactly: by the fused operation, or from the four products of halves.
 #[inline(always)]
 pub(super) fn two_product<W: Word>(a: W, b: W) -> Pair<W> {
     let head = a * b;
@@ -45,36 +46,37 @@ pub(super) fn two_product<W: Word>(a: W, b: W) -> Pair<W> {
 }
 
 impl<W: Word> Pair<W> {
-    /// Two entries of a table: a constant and what its rounding leaves.
+    /// Returns two entries of a table: a constant and its rounding error.
     #[inline(always)]
     pub(super) fn of(entries: &'static [W::Raw], position: usize) -> Self {
         pair(W::of(entries[2 * position]), W::of(entries[2 * position + 1]))
     }
-    /// The nearest number.
+    /// Returns the nearest number.
     #[inline(always)]
     pub(super) fn rounded(self) -> W {
         self.head + self.tail
     }
-    /// Head and tail that do not overlap.
+    /// Normalises the pair, so that head and tail do not overlap.
     #[inline(always)]
     pub(super) fn normal(self) -> Self {
         fast_two_sum(self.head, self.tail)
     }
-    /// The product, to about twice the precision.
+    /// Computes the product, to about twice the precision.
     #[inline(always)]
     pub(super) fn times(self, other: Self) -> Self {
         let product = two_product(self.head, other.head);
         let cross = self.head.fused(other.tail, self.tail * other.head);
         pair(product.head, product.tail + cross).normal()
     }
-    /// 1/self, to about twice the precision.
+    /// Computes 1/self, to about twice the precision.
     #[inline(always)]
     pub(super) fn reciprocal(self) -> Self {
         quotient(pair(W::literal(1.0), W::literal(0.0)), self)
     }
 }
 
-/// n/d, to about twice the precision: the quotient of the heads, and what is left of n divided by the same.
+/// Computes n/d, to about twice the precision: the quotient of the heads, and the remainder divided
+/// by the same head.
 #[inline(always)]
 pub(super) fn quotient<W: Word>(numerator: Pair<W>, denominator: Pair<W>) -> Pair<W> {
     let reciprocal = W::literal(1.0) / denominator.head;

@@ -1,15 +1,17 @@
-//! x^(n/d): products and roots where the exponent is an integer, a half or a third, else e^(n/d · ln x).
+//! x^(n/d): products and roots where the exponent is an integer, a half or a third, else
+//! e^(n/d · ln x).
 //!
-//! The exponent is the same in all lanes, so that it may be branched on. Up to three factors are multiplied as they are;
-//! of more, or of roots, each intermediate value is a pair. Where such a value leaves the range in which pairs are right,
-//! the power is NaN.
+//! The exponent is the same in all lanes, so that branches on it are possible. Products of up to
+//! three factors are computed directly; for more factors, or for roots, each intermediate value is
+//! a pair. If such a value leaves the range in which pairs are valid, the power is NaN.
 
 use super::exponential::exp_of_sum;
 use super::logarithm::ln_pair;
 use super::pair::{Pair, fast_two_sum, pair, quotient, two_product};
 use super::word::Word;
 
-/// x^(numerator/denominator), of x > 0, of x = 0 where the exponent is positive, and of x < 0 where it is an integer.
+/// Computes x^(numerator/denominator) for x > 0, for x = 0 if the exponent is positive, and for
+/// x < 0 if it is an integer.
 #[inline(always)]
 pub(super) fn power<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     match (numerator, denominator) {
@@ -20,7 +22,7 @@ pub(super) fn power<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     }
 }
 
-/// The same, of a positive denominator.
+/// Computes the power for a positive denominator.
 #[inline(always)]
 fn power_of<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     match (numerator, denominator) {
@@ -39,14 +41,14 @@ fn power_of<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     }
 }
 
-/// `value` where `magnitude` is in the range in which pairs are right.
+/// Returns `value` if `magnitude` is in the range in which pairs are valid, else NaN.
 #[inline(always)]
 fn in_reach<W: Word>(magnitude: W, value: W) -> W {
     let above = if magnitude > W::two_to(W::SMALL) { value } else { W::not_a_number() };
     if magnitude < W::two_to(W::LARGE) { above } else { W::not_a_number() }
 }
 
-/// The base, a root of x, to an integer power; zero to a positive power is zero.
+/// Computes an integer power of the base, which is a root of x; zero to a positive power is zero.
 #[inline(always)]
 fn of_pair<W: Word>(x: W, base: Pair<W>, exponent: i64) -> W {
     let mut count = exponent.unsigned_abs();
@@ -65,7 +67,7 @@ fn of_pair<W: Word>(x: W, base: Pair<W>, exponent: i64) -> W {
     if exponent > 0 && x.magnitude() <= W::literal(0.0) { W::literal(0.0) } else { value }
 }
 
-/// √x as a pair: s, and (x − s²)/(2s).
+/// Computes √x as a pair: s, and (x − s²)/(2s).
 #[inline(always)]
 fn square_root<W: Word>(x: W) -> Pair<W> {
     let root = x.root();
@@ -73,7 +75,7 @@ fn square_root<W: Word>(x: W) -> Pair<W> {
     pair(root, ((x - square.head) - square.tail) * W::literal(0.5) / root)
 }
 
-/// ∛x as a pair: y = e^(ln x / 3), and (x − y³)/(3 y²).
+/// Computes ∛x as a pair: y = e^(ln x / 3), and (x − y³)/(3 y²).
 #[inline(always)]
 fn cube_root<W: Word>(x: W) -> Pair<W> {
     let root = by_logarithm(x, 1, 3);
@@ -81,7 +83,7 @@ fn cube_root<W: Word>(x: W) -> Pair<W> {
     pair(root, ((x - cube.head) - cube.tail) / (W::literal(3.0) * root * root))
 }
 
-/// e^(n/d · ln x)
+/// Computes e^(n/d · ln x).
 #[inline(always)]
 fn by_logarithm<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     let exponent = fraction(numerator, denominator);
@@ -89,7 +91,7 @@ fn by_logarithm<W: Word>(x: W, numerator: i64, denominator: i64) -> W {
     if numerator > 0 && x.magnitude() <= W::literal(0.0) { W::literal(0.0) } else { value }
 }
 
-/// n/d as a pair; NaN where n or d is not exact.
+/// Returns n/d as a pair; NaN if n or d is not exact.
 #[inline(always)]
 fn fraction<W: Word>(numerator: i64, denominator: i64) -> Pair<W> {
     let exact = |integer: i64| {

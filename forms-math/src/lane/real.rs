@@ -5,7 +5,8 @@ use super::word::Word;
 use super::{Lane32, Lane64, error_function, exponential, inverse, logarithm, power, trigonometric};
 use crate::Real;
 
-/// a b − c d: the rounding error of one product is added by the fused operation (Kahan), or those of both are.
+/// Computes a b − c d: the fused operation adds the rounding error of one product (Kahan); without
+/// it, the rounding errors of both products are added.
 #[inline(always)]
 fn difference_of_products<W: Word>(a: W, b: W, c: W, d: W) -> W {
     if W::FUSED {
@@ -26,7 +27,7 @@ macro_rules! functions {
     )*)* };
 }
 
-/// Functions that lanes do not have: a batch computes them in one number.
+/// Functions that lanes do not have; a batch computes them as single numbers.
 macro_rules! unknown {
     ($($name:ident),*) => { $(
         #[inline(always)]

@@ -1,12 +1,12 @@
 //! sin, cos and tan: x = k π/2 + r with |r| ≤ π/4, polynomials of r, and the quadrant k mod 4.
 //!
-//! π/2 is taken off in parts whose products with k are exact (Cody and Waite), which holds for k below 2^20, 2^12 in `f32`.
-//! Beyond that the value is NaN.
+//! π/2 is subtracted in parts whose products with k are exact (Cody and Waite). This holds for k
+//! below 2^20, 2^12 in `f32`. Beyond that the value is NaN.
 
 use super::pair::{Pair, fast_two_sum, pair, quotient, two_sum};
 use super::word::Word;
 
-/// k with its integer in the low bits, and r as a pair; r is NaN where x is out of reach.
+/// Returns k with its integer in the low bits, and r as a pair; r is NaN if x is out of range.
 #[inline(always)]
 fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     let shifted = (x * W::of(W::TABLE.two_over_pi)).shifted();
@@ -23,7 +23,7 @@ fn reduce<W: Word>(x: W) -> (W, Pair<W>) {
     (shifted, fast_two_sum(rest.head, rest.tail - last))
 }
 
-/// sin r = r + r³ S(r²), as a pair.
+/// Computes sin r = r + r³ S(r²) as a pair.
 #[inline(always)]
 fn sine<W: Word>(r: Pair<W>) -> Pair<W> {
     let square = r.head * r.head;
@@ -32,7 +32,7 @@ fn sine<W: Word>(r: Pair<W>) -> Pair<W> {
     fast_two_sum(r.head, series + tail)
 }
 
-/// cos r = 1 − r²/2 + r⁴ C(r²), as a pair.
+/// Computes cos r = 1 − r²/2 + r⁴ C(r²) as a pair.
 #[inline(always)]
 fn cosine<W: Word>(r: Pair<W>) -> Pair<W> {
     let one = W::literal(1.0);
@@ -59,7 +59,7 @@ pub(super) fn cos<W: Word>(x: W) -> W {
     W::if_odd(k, sine(r).head, cosine(r).head).negated_by_second_bit(next)
 }
 
-/// sin x / cos x, the quotient of pairs; in odd quadrants −cos r / sin r.
+/// Computes sin x / cos x as a quotient of pairs; in odd quadrants −cos r / sin r.
 #[inline(always)]
 pub(super) fn tan<W: Word>(x: W) -> W {
     let (k, r) = reduce(x);

@@ -1,14 +1,15 @@
-//! What the functions of lanes ask of a floating-point format: arithmetic, comparisons and operations on bits.
+//! Operations on a floating-point format that the functions of lanes need: arithmetic, comparisons
+//! and bit operations.
 //!
-//! Everything here is one instruction or a few that every vector unit has, without calls and branches, so that a loop
-//! over it is vectorised: integers are made of floating-point numbers and back by adding 1.5·2^(p−1), p being the
-//! precision, which leaves the integer in the low bits.
+//! Every operation is one or a few instructions that every vector unit has, without calls and
+//! branches, so that a loop over it is vectorised. Conversions between floating-point numbers and
+//! integers add 1.5·2^(p−1), where p is the precision, which leaves the integer in the low bits.
 
 use super::coefficients::{self, Coefficients};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A floating-point number of a format, in one lane of a vector.
+/// Floating-point number of a format, in one lane of a vector.
 pub(crate) trait Word:
     Copy
     + PartialOrd
@@ -18,72 +19,74 @@ pub(crate) trait Word:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The format outside of lanes.
+    /// The format outside lanes.
     type Raw: Copy + 'static;
     /// Its polynomials and constants.
     const TABLE: Coefficients<Self::Raw>;
     /// Whether [`Word::fused`] rounds once.
     const FUSED: bool;
-    /// The largest number that pair arithmetic is sure to be right up to, as a power of two.
+    /// Exponent of two up to which pair arithmetic is certainly valid.
     const LARGE: i32;
-    /// The power of two that pair arithmetic is sure to be right down to: a rounding error of a product is still normal.
+    /// Exponent of two down to which pair arithmetic is certainly valid: the rounding error of a
+    /// product is still normal.
     const SMALL: i32;
-    /// The precision in bits.
+    /// Precision in bits.
     const PRECISION: i32;
-    /// The exponent of the largest power of two.
+    /// Exponent of the largest power of two.
     const LARGEST_EXPONENT: i32;
-    /// The bits of the largest multiple of π/2 that [`Coefficients::half_pi`] reaches.
+    /// Number of bits of the largest multiple of π/2 for which [`Coefficients::half_pi`] is valid.
     const MULTIPLE_BITS: i32;
 
-    /// The number.
+    /// Wraps a number.
     fn of(raw: Self::Raw) -> Self;
-    /// The nearest number of this format.
+    /// Returns the nearest number of this format.
     fn literal(value: f64) -> Self;
-    /// The number in `f64`.
+    /// Converts to `f64`.
     fn to_double(self) -> f64;
-    /// self · factor + summand, with one rounding where the processor has that in an instruction.
+    /// Computes self · factor + summand, with one rounding if the processor has an instruction for
+    /// it.
     fn fused(self, factor: Self, summand: Self) -> Self;
     /// √x
     fn root(self) -> Self;
     /// |x|
     fn magnitude(self) -> Self;
-    /// |x| with the sign of `sign`.
+    /// Returns |x| with the sign of `sign`.
     fn with_sign(self, sign: Self) -> Self;
-    /// The leading half of the significand.
+    /// Returns the leading half of the significand.
     fn leading_half(self) -> Self;
-    /// The sum of `self` and 1.5·2^(p−1): its low bits are the nearest integer of `self`.
+    /// Adds 1.5·2^(p−1): the low bits of the sum are the nearest integer of `self`.
     fn shifted(self) -> Self;
-    /// That nearest integer.
+    /// Subtracts 1.5·2^(p−1), which gives that nearest integer.
     fn unshifted(self) -> Self;
-    /// 2^k of an integer k in the range of exponents of normal numbers.
+    /// Computes 2^k for an integer k in the range of exponents of normal numbers.
     fn power_of_two(self) -> Self;
-    /// (−k, 2^k) of the nearest integer k from −(b + p) to b + 1 − p, b being the largest exponent: the power may be below the
-    /// normal numbers, of the first it is 0, and of the last it stands as ∞.
+    /// Returns (−k, 2^k) for the nearest integer k from −(b + p) to b + 1 − p, where b is the
+    /// largest exponent. The power can be subnormal; it is 0 for the first k, and ∞ for the last.
     fn opposite_exponent_and_power(self) -> (Self, Self);
-    /// (k, m) with x = m 2^k and √½ ≤ m < √2, of a positive normal number.
+    /// Returns (k, m) with x = m 2^k and √½ ≤ m < √2, for a positive normal number.
     fn split(self) -> (Self, Self);
-    /// `odd` where the shifted integer is odd, `even` where it is even.
+    /// Returns `odd` if the shifted integer is odd, and `even` if it is even.
     fn if_odd(shifted: Self, odd: Self, even: Self) -> Self;
-    /// −x where bit 1 of the shifted integer is set, otherwise x.
+    /// Returns −x if bit 1 of the shifted integer is set, otherwise x.
     fn negated_by_second_bit(self, shifted: Self) -> Self;
 
-    /// A number of the format by its value, at compile time.
+    /// Returns 2^exponent, at compile time.
     #[inline(always)]
     fn two_to(exponent: i32) -> Self {
         Self::literal(f64::from_bits(((1023 + i64::from(exponent)) as u64) << 52))
     }
-    /// What is no number.
+    /// Returns NaN.
     #[inline(always)]
     fn not_a_number() -> Self {
         Self::literal(f64::NAN)
     }
-    /// ∞
+    /// Returns ∞.
     #[inline(always)]
     fn infinity() -> Self {
         Self::literal(f64::INFINITY)
     }
-    /// c₀ + c₁ x + …: the even and the odd terms side by side, each by Horner's rule in x², so that the second does not wait
-    /// for the first.
+    /// Evaluates c₀ + c₁ x + …: the even and the odd terms in parallel, each by Horner's rule in
+    /// x², so that the second does not wait for the first.
     #[inline(always)]
     fn polynomial(self, coefficients: &'static [Self::Raw]) -> Self {
         let square = self * self;
@@ -113,13 +116,14 @@ macro_rules! word {
 
         impl<const FMA: bool> $lane<FMA> {
             const SHIFT: $raw = 1.5 * (1u64 << ($precision - 1)) as $raw;
-            /// The bits of √½, where significands begin, and how far these are below those of 1.
+            /// Bits of √½, at which significands begin, and their distance from the bits of 1.
             const LEAST: $bits = std::$raw::consts::FRAC_1_SQRT_2.to_bits();
             const OFFSET: $bits = (1.0 as $raw).to_bits() - Self::LEAST;
-            /// A number whose low bits are those of an integer, when these are set.
+            /// Number whose low bits can be set to those of an integer.
             const INTEGER: $raw = (1u64 << ($precision - 1)) as $raw;
             const BIAS: $raw = (1.0 as $raw).to_bits() as f64 as $raw / (1u64 << ($precision - 1)) as $raw;
-            /// Added to an integer k, this makes the low bits of the sum the exponent of 2^(k + p) as formats store it.
+            /// Summand for an integer k that makes the low bits of the sum the stored exponent of
+            /// 2^(k + p).
             const EXPONENT_SHIFT: $raw = Self::SHIFT + ($raw::MAX_EXP - 1 + $precision) as $raw;
             /// 2^−p
             const UNIT_ROUNDOFF: $raw = 1.0 / (1u64 << $precision) as $raw;
@@ -219,7 +223,8 @@ macro_rules! word {
             }
         }
 
-        // Each comparison is the one of the hardware: by way of an `Ordering` they are not vectorised.
+        // Each comparison is a single hardware comparison: comparisons through `Ordering` are not
+        // vectorised.
         impl<const FMA: bool> PartialOrd for $lane<FMA> {
             #[inline(always)]
             fn partial_cmp(&self, other: &Self) -> Option<Ordering> {

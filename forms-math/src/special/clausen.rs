@@ -1,8 +1,9 @@
 //! Cl₂ from its series about 0 and about π.
 //!
 //! Cl₂(θ) = θ (1 − ln|θ| + Σ ζ(2k)/(k (2k + 1)) (θ/2π)²ᵏ),
-//! Cl₂(π − θ) = θ (ln 2 − Σ (4ᵏ − 1) ζ(2k)/(k (2k + 1)) (θ/2π)²ᵏ): the first to 2π/3, the second
-//! beyond, so that a term is at most a ninth of the one before.
+//! Cl₂(π − θ) = θ (ln 2 − Σ (4ᵏ − 1) ζ(2k)/(k (2k + 1)) (θ/2π)²ᵏ):
+//! the first is used up to 2π/3, the second beyond, so that each term is at most a ninth of the
+//! previous one.
 //!
 //! Source: L. Lewin, Polylogarithms and associated functions (1981), §4.
 

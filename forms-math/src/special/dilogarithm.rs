@@ -1,15 +1,17 @@
 //! Li₂(x) from its series in u = −ln(1 − x), on −1 ≤ x ≤ ½.
 //!
-//! Li₂(x) = u − u²/4 − 2u Σ ζ(2k)/(2k + 1) (−(u/2π)²)ᵏ, |u| < 2π, which is Debye's function with Bernoulli's numbers
-//! written as values of ζ. Elsewhere
-//! Li₂(x) = π²/6 − ln x ln(1 − x) − Li₂(1 − x) and Li₂(x) = −π²/6 − ½ ln²(−x) − Li₂(1/x).
+//! Li₂(x) = u − u²/4 − 2u Σ ζ(2k)/(2k + 1) (−(u/2π)²)ᵏ, |u| < 2π, which is Debye's function with
+//! Bernoulli's numbers written as values of ζ. Elsewhere
+//! Li₂(x) = π²/6 − ln x ln(1 − x) − Li₂(1 − x) and
+//! Li₂(x) = −π²/6 − ½ ln²(−x) − Li₂(1/x).
 //!
-//! Source: L. Lewin, Polylogarithms and associated functions (1981), §1; NIST Digital Library 25.12.
+//! Source: L. Lewin, Polylogarithms and associated functions (1981), §1; NIST Digital Library
+//! 25.12.
 
 use super::zeta::zeta_of_even;
 use crate::scalar::Scalar;
 
-/// Li₂(x), of x ≤ 1
+/// Li₂(x), for x ≤ 1
 pub(crate) fn dilogarithm<T: Scalar>(x: T, bits: u32) -> T {
     let (zero, one) = (T::from_f64(0.0), T::from_f64(1.0));
     let basel = || zeta_of_even::<T>()[0];

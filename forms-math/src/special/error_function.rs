@@ -20,7 +20,7 @@ pub(crate) fn error_function<T: Scalar>(x: T, bits: u32) -> T {
     let (mut term, mut sum) = (one, one);
     let mut odd = 1.0;
     let negligible = one.scaled(-i64::from(bits) - 2);
-    // The terms grow until 2n + 1 > 2 x² and fall by at least the half beyond twice that.
+    // The terms grow until 2n + 1 > 2 x², and fall by at least half beyond twice that index.
     while term > sum * negligible {
         odd += 2.0;
         term = term * step / T::from_f64(odd);

@@ -48,7 +48,8 @@ fn by_series<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     value
 }
 
-/// The continued fraction from its end, of as many steps as leave a negligible part beyond.
+/// Evaluates the continued fraction from its end, with the number of steps that leaves a negligible
+/// remainder.
 fn by_fraction<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     let decay = (-x).exp();
     if decay == T::from_f64(0.0) {
@@ -66,8 +67,8 @@ fn by_fraction<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     decay / value
 }
 
-/// Step k leaves (b − s)/(b + s) of the error of the one before, with b = x + 2k and s = √(b² − 4k²): the ratio of
-/// the two solutions of the recurrence of the denominators.
+/// Returns the number of steps. Step k multiplies the error by (b − s)/(b + s), with b = x + 2k and
+/// s = √(b² − 4k²): the ratio of the two solutions of the recurrence of the denominators.
 fn steps(x: f64, bits: u32) -> f64 {
     let (mut left, mut count) = (f64::from(bits + 8) * std::f64::consts::LN_2, 0.0);
     while left > 0.0 {

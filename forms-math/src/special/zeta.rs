@@ -9,7 +9,8 @@ use crate::table::table;
 
 struct ZetaOfEven;
 
-/// ζ(2k + 2) at place k, as many as a series in (1/3)^(2k) of the type's precision takes.
+/// Returns ζ(2k + 2) at index k, with the number of entries that a series in (1/3)^(2k) needs for
+/// the type's precision.
 pub(crate) fn zeta_of_even<T: Scalar>() -> &'static [T] {
     table::<ZetaOfEven, T>(0, || {
         let mut values = vec![T::pi() * T::pi() / T::from_f64(6.0)];

@@ -1,14 +1,15 @@
-//! sin and cos, with arguments reduced in as many digits of π as they take.
+//! sin and cos; arguments are reduced with the number of digits of π that they need.
 
 use super::constants::half_pi;
 use super::natural::{compare, quotient_and_remainder, shifted_left, subtract};
 use super::{Class, Wide};
 
-/// Arguments beyond this have no angle: the digits of π it would take are not worth having.
+/// Largest exponent of an argument; beyond it the result is NaN, since the reduction would need too
+/// many digits of π.
 const LARGEST_EXPONENT: i64 = 1 << 16;
 
-/// (q mod 4, sign, rest) with ± number · 2^exponent = q π/2 ± rest · 2^(−64 words), 0 ≤ rest ≤ π/4, the rest
-/// accurate to 2^(−64 words) but for a few units; exponent ≥ −64 words.
+/// Returns (q mod 4, sign, rest) with ± number · 2^exponent = q π/2 ± rest · 2^(−64 words) and
+/// 0 ≤ rest ≤ π/4, for exponent ≥ −64 words. The rest is accurate to a few units of 2^(−64 words).
 fn reduced(
     negative: bool,
     number: &[u64],
@@ -19,7 +20,8 @@ fn reduced(
     if length > LARGEST_EXPONENT {
         return None;
     }
-    // As many more words as the quotient has, by fours, so that few lengths of π are kept.
+    // The number of words grows with the quotient, in steps of four, so that few lengths of π are
+    // stored.
     let words = (words + (length.max(0) as usize).div_ceil(64)).next_multiple_of(4);
     let quarter_turn = half_pi(words);
     let dividend = shifted_left(number, usize::try_from(exponent + 64 * words as i64).ok()?);
@@ -38,7 +40,7 @@ fn reduced(
     Some((count, below, rest, words))
 }
 
-/// (q mod 4, rest) of high + low, the rest as a number of four words.
+/// Returns (q mod 4, rest) of high + low, with the rest as a number of four words.
 pub(crate) fn quadrant_of_words(high: f64, low: f64) -> (u8, Wide<4>) {
     let (high, low) = (Wide::<1>::of_f64(high), Wide::<1>::of_f64(low));
     // A common power of two below both: a low word is at least 2^−1074.
@@ -64,7 +66,8 @@ pub(crate) fn quadrant_of_words(high: f64, low: f64) -> (u8, Wide<4>) {
 }
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// (q mod 4, x − q π/2) with the rest at most π/4 in size; NaN beyond 2^65536.
+    /// Returns (q mod 4, x − q π/2), where the remainder is at most π/4 in magnitude, or NaN beyond
+    /// 2^65536.
     pub(super) fn to_quadrant(self) -> (u8, Self) {
         match self.class {
             Class::Zero => return (0, self),
@@ -82,7 +85,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
     }
 
-    /// (sin r, cos r − 1) by Taylor's series.
+    /// Computes (sin r, cos r − 1) by Taylor's series.
     fn series_of_rotation(self) -> (Self, Self) {
         let (mut term, mut sine, mut versine) = (self, self, Self::ZERO);
         for count in 2_u64.. {
@@ -97,7 +100,8 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         (sine, versine)
     }
 
-    /// (sin x, cos x): with s = sin a, c = cos a − 1, sin 2a = 2 s (1 + c), cos 2a − 1 = 2 c (2 + c).
+    /// Computes (sin x, cos x) by doubling: with s = sin a, c = cos a − 1, sin 2a = 2 s (1 + c),
+    /// cos 2a − 1 = 2 c (2 + c).
     pub(super) fn sine_cosine(self) -> (Self, Self) {
         let (quadrant, rest) = self.to_quadrant();
         let one = Self::of_f64(1.0);
@@ -120,7 +124,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
     }
 }
 
-/// (sin, cos) of an angle and so many quarter turns.
+/// Rotates (sin, cos) of an angle by this number of quarter turns.
 fn rotated<const LIMBS: usize>(
     quadrant: u8,
     sine: Wide<LIMBS>,

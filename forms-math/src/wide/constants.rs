@@ -1,4 +1,4 @@
-//! π, ln 2 and γ to as many bits as a type asks for, computed once.
+//! π, ln 2 and γ with the number of bits of a type, computed once.
 
 use super::Wide;
 use super::natural::{add, divide_by_word, multiply_by_word, subtract};
@@ -10,10 +10,11 @@ struct HalfPi;
 struct Ln2;
 struct Constants;
 
-/// Words that rounding may spoil in a sum of fixed-point numbers.
+/// Number of words that rounding can affect in a sum of fixed-point numbers.
 const SPARE: usize = 1;
 
-/// Σ 1/((2k + 1) n^(2k+1)) in fixed point with one word before the point, with alternating signs or not.
+/// Computes Σ 1/((2k + 1) n^(2k+1)) in fixed point with one word before the point, with or without
+/// alternating signs.
 fn arc_tangent_of_reciprocal(n: u64, words: usize, alternating: bool) -> Vec<u64> {
     let mut power = vec![0; words + 1];
     power[words] = 1;
@@ -32,7 +33,7 @@ fn arc_tangent_of_reciprocal(n: u64, words: usize, alternating: bool) -> Vec<u64
     }
 }
 
-/// π/2 in fixed point: `words` words after the point, one before it.
+/// Returns π/2 in fixed point: `words` words after the point, one before it.
 ///
 /// π/4 = 4 arctan 1/5 − arctan 1/239 (J. Machin, 1706).
 pub(super) fn half_pi(words: usize) -> &'static [u64] {
@@ -46,9 +47,10 @@ pub(super) fn half_pi(words: usize) -> &'static [u64] {
     })
 }
 
-/// ln 2 in fixed point: `words` words after the point, one before it.
+/// Returns ln 2 in fixed point: `words` words after the point, one before it.
 ///
-/// ln 2 = 18 artanh 1/26 − 2 artanh 1/4801 + 8 artanh 1/8749: each product of the (n + 1)/(n − 1) is 2.
+/// ln 2 = 18 artanh 1/26 − 2 artanh 1/4801 + 8 artanh 1/8749: each product of the (n + 1)/(n − 1)
+/// is 2.
 fn ln_2(words: usize) -> &'static [u64] {
     table::<Ln2, u64>(words, || {
         let inner = words + SPARE;
@@ -65,7 +67,8 @@ fn ln_2(words: usize) -> &'static [u64] {
 }
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// [π, ln 2, the first words of ln 2, what they leave]: the third times a word is exact.
+    /// Returns [π, ln 2, the first words of ln 2, their remainder]: the product of the third with a
+    /// word is exact.
     pub(super) fn constants() -> &'static [Self] {
         table::<Constants, Self>(0, || {
             let pi = half_pi(LIMBS + 1);
@@ -83,10 +86,10 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         })
     }
 
-    /// γ = Σ aₖ²Hₖ / Σ aₖ² − ln n up to e^(−4n), with aₖ = nᵏ/k! and Hₖ = 1 + ½ + … + 1/k.
+    /// Computes γ = Σ aₖ²Hₖ / Σ aₖ² − ln n up to e^(−4n), with aₖ = nᵏ/k! and Hₖ = 1 + ½ + … + 1/k.
     ///
-    /// Source: R. P. Brent, E. M. McMillan, Some new algorithms for high-precision computation of Euler's constant,
-    /// Mathematics of Computation 34 (1980), algorithm B1.
+    /// Source: R. P. Brent, E. M. McMillan, Some new algorithms for high-precision computation of
+    /// Euler's constant, Mathematics of Computation 34 (1980), algorithm B1.
     pub(super) fn compute_euler_gamma() -> Self {
         let n = (f64::from(Self::PRECISION + 16) * std::f64::consts::LN_2 / 4.0).ceil() as u64;
         let wide = |value: u64| Self::of_f64(value as f64);

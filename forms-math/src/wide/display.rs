@@ -1,19 +1,20 @@
-//! Decimal digits of a binary number, each of them right.
+//! Decimal digits of a binary number, all of them correct.
 
 use std::fmt;
 
 use super::natural::{bit_length, compare, multiply_by_word, quotient_and_remainder, shifted_left};
 use super::{Class, Wide};
 
-/// The digits printed.
+/// Number of digits printed.
 const DIGITS: usize = 36;
-/// Beyond this the exponent is printed of 2: the integers would be too long.
+/// Largest exponent of two that is converted to decimal; beyond it the exponent of 2 is printed,
+/// since the integers would be too long.
 const LARGEST_EXPONENT: i64 = 1 << 16;
 
-/// `number` · 2^`exponent` as d.ddd…e±n, cut off after 36 digits, without zeros at the end.
+/// Formats `number` · 2^`exponent` as d.ddd…e±n, truncated after 36 digits, without trailing zeros.
 fn decimal(negative: bool, number: &[u64], exponent: i64) -> String {
     let length = bit_length(number) as i64 + exponent;
-    // number 2^exponent = numerator/denominator, and 10^power below or equal to it.
+    // number 2^exponent = numerator/denominator, and 10^power is at most this value.
     let mut power = ((length - 1) as f64 * std::f64::consts::LOG10_2).floor() as i64;
     let mut numerator = shifted_left(number, exponent.max(0) as usize);
     let mut denominator = shifted_left(&[1], (-exponent).max(0) as usize);

@@ -4,7 +4,7 @@ use super::product::LARGEST;
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// Taylor's series of e^s − 1.
+    /// Computes e^s − 1 by Taylor's series.
     fn series_of_exponential(self) -> Self {
         let (mut term, mut sum) = (self, self);
         for count in 2.. {
@@ -17,15 +17,15 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         sum
     }
 
-    /// (k, eˣ 2⁻ᵏ − 1) with k near x/ln 2, for finite |x| < 2⁵⁰: x = k ln 2 + 2ᵐ s, and e^(2s) − 1 = p (2 + p) with
-    /// p = e^s − 1, m times.
+    /// Returns (k, eˣ 2⁻ᵏ − 1) with k near x/ln 2, for finite |x| < 2⁵⁰: x = k ln 2 + 2ᵐ s, and m
+    /// times e^(2s) − 1 = p (2 + p) with p = e^s − 1.
     fn reduced_exponential(self) -> (i64, Self) {
         let constants = Self::constants();
         let count = (self.nearest_f64() / std::f64::consts::LN_2).round();
         let factor = Self::of_f64(count);
         let reduced = (self - factor * constants[2]) - factor * constants[3];
         let doublings = 2 + (64 * LIMBS).isqrt() as i64 / 2;
-        // A small argument needs fewer.
+        // A small argument needs fewer doublings.
         let doublings = (doublings + reduced.exponent.clamp(-doublings, 0)).max(0);
         let mut value = Self { exponent: reduced.exponent - doublings, ..reduced }.series_of_exponential();
         for _ in 0..doublings {
@@ -34,7 +34,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         (count as i64, value)
     }
 
-    /// 2ᵉ times it.
+    /// Multiplies by 2ᵉ.
     pub(super) fn by_power_of_two(self, exponent: i64) -> Self {
         if self.class != Class::Finite {
             return self;
@@ -46,7 +46,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
     }
 
-    /// eˣ; out of range from |x| = 2⁵⁰
+    /// Computes eˣ; out of range from |x| = 2⁵⁰.
     pub(super) fn exponential(self) -> Self {
         match self.class {
             Class::Nan => self,

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-/// The bits of a number.
+/// Returns the number of bits.
 pub(super) fn bit_length(number: &[u64]) -> usize {
     number
         .iter()
@@ -10,18 +10,18 @@ pub(super) fn bit_length(number: &[u64]) -> usize {
         .map_or(0, |top| 64 * (top + 1) - number[top].leading_zeros() as usize)
 }
 
-/// a + b·c + carry as (low, high) words.
+/// Computes a + b·c + carry as (low, high) words.
 #[inline(always)]
 pub(super) fn multiply_add(a: u64, b: u64, c: u64, carry: u64) -> (u64, u64) {
     let sum = u128::from(a) + u128::from(b) * u128::from(c) + u128::from(carry);
     (sum as u64, (sum >> 64) as u64)
 }
 
-/// number / divisor, and the remainder.
+/// Divides by a word in place; returns the remainder.
 pub(super) fn divide_by_word(number: &mut [u64], divisor: u64) -> u64 {
     let mut rest = 0_u64;
     if divisor >> 32 == 0 {
-        // Half a word at a time: the division of one word is much faster than that of two.
+        // Half a word at a time: dividing one word is much faster than dividing two.
         for word in number.iter_mut().rev() {
             let high = (rest << 32) | (*word >> 32);
             let low = ((high % divisor) << 32) | (*word & 0xffff_ffff);
@@ -38,7 +38,7 @@ pub(super) fn divide_by_word(number: &mut [u64], divisor: u64) -> u64 {
     rest
 }
 
-/// number · factor, and the word carried out.
+/// Multiplies by a word in place; returns the carry.
 pub(super) fn multiply_by_word(number: &mut [u64], factor: u64) -> u64 {
     let mut carry = 0;
     for word in number.iter_mut() {
@@ -47,7 +47,7 @@ pub(super) fn multiply_by_word(number: &mut [u64], factor: u64) -> u64 {
     carry
 }
 
-/// number + other, of the same length; what is carried out is lost.
+/// Adds a number of the same length in place; the carry is dropped.
 pub(super) fn add(number: &mut [u64], other: &[u64]) {
     let mut carry = false;
     for (word, &more) in number.iter_mut().zip(other) {
@@ -55,7 +55,7 @@ pub(super) fn add(number: &mut [u64], other: &[u64]) {
     }
 }
 
-/// number − other, of the same length and not larger.
+/// Subtracts a number of the same length that is not larger, in place.
 pub(super) fn subtract(number: &mut [u64], other: &[u64]) {
     let mut borrow = false;
     for (word, &less) in number.iter_mut().zip(other) {
@@ -77,7 +77,7 @@ pub(super) fn subtract_with_borrow(a: u64, b: u64, borrow: bool) -> (u64, bool) 
     (difference, first | second)
 }
 
-/// number · 2^bits
+/// Returns number · 2^bits.
 pub(super) fn shifted_left(number: &[u64], bits: usize) -> Vec<u64> {
     let (words, bits) = (bits / 64, bits % 64);
     let mut shifted = vec![0; words];
@@ -90,16 +90,16 @@ pub(super) fn shifted_left(number: &[u64], bits: usize) -> Vec<u64> {
     shifted
 }
 
-/// The order of two numbers.
+/// Compares two numbers.
 pub(super) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     bit_length(a).cmp(&bit_length(b)).then_with(|| {
-        // Of the same length, so the longer has zeros in front.
+        // The bit lengths are equal, so the longer one has leading zero words.
         let words = a.len().min(b.len());
         a[..words].iter().rev().cmp(b[..words].iter().rev())
     })
 }
 
-/// The quotient and the remainder, of a divisor other than zero.
+/// Returns the quotient and the remainder, for a non-zero divisor.
 ///
 /// Source: D. E. Knuth, The Art of Computer Programming 2, §4.3.1, algorithm D.
 pub(super) fn quotient_and_remainder(number: &[u64], divisor: &[u64]) -> (Vec<u64>, Vec<u64>) {
@@ -117,7 +117,8 @@ pub(super) fn quotient_and_remainder(number: &[u64], divisor: &[u64]) -> (Vec<u6
     (quotient, shifted_right(&left, shift))
 }
 
-/// One word of the quotient of a number of one word more than the divisor, whose first bit is set; leaves the remainder.
+/// Computes one word of the quotient of a number with one word more than the divisor, whose first
+/// bit is set; `left` becomes the remainder.
 pub(super) fn quotient_word(left: &mut [u64], divisor: &[u64]) -> u64 {
     let length = divisor.len();
     let (top, first) = (left[length], divisor[length - 1]);
@@ -133,7 +134,7 @@ pub(super) fn quotient_word(left: &mut [u64], divisor: &[u64]) -> u64 {
         (left[place], borrow) = subtract_with_borrow(left[place], product, borrow);
     }
     (left[length], borrow) = subtract_with_borrow(left[length], carry, borrow);
-    // The guess is at most two too large.
+    // The estimate is at most two too large.
     while borrow {
         word -= 1;
         let mut carry = false;
@@ -147,7 +148,7 @@ pub(super) fn quotient_word(left: &mut [u64], divisor: &[u64]) -> u64 {
     word
 }
 
-/// number / 2^bits, bits < 64
+/// Returns number / 2^bits, for bits < 64.
 fn shifted_right(number: &[u64], bits: usize) -> Vec<u64> {
     let word = |place: usize| number.get(place).copied().unwrap_or(0);
     (0..number.len())
@@ -165,7 +166,7 @@ mod tests {
 
     use super::*;
 
-    /// Words that make carries and wrong guesses likely.
+    /// Generates words that make carries and wrong estimates likely.
     fn number(words: std::ops::Range<usize>) -> impl Strategy<Value = Vec<u64>> {
         let word =
             prop_oneof![any::<u64>(), Just(0), Just(1), Just(u64::MAX), Just(1 << 63), Just(u64::MAX - 1)];

@@ -6,7 +6,7 @@ use super::natural::multiply_add;
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// The product, and whether it is exact.
+    /// Returns the product, and whether it is exact.
     pub(crate) fn product(self, other: Self) -> (Self, bool) {
         let negative = self.negative != other.negative;
         match (self.class, other.class) {
@@ -43,10 +43,10 @@ impl<const LIMBS: usize> Wide<LIMBS> {
     }
 }
 
-/// The exponents of finite numbers are below this in size, which leaves room for shifts.
+/// Limit of the magnitude of finite exponents, which leaves room for shifts.
 pub(super) const LARGEST: i64 = 1 << 60;
 
-/// An exponent in that range.
+/// Returns the exponent if it is within that limit.
 pub(super) fn within_range(exponent: i64) -> Option<i64> {
     (exponent.abs() < LARGEST).then_some(exponent)
 }

@@ -8,7 +8,7 @@ use super::product::{LARGEST, within_range};
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// The quotient, and whether it is exact.
+    /// Returns the quotient, and whether it is exact.
     pub(crate) fn quotient(self, other: Self) -> (Self, bool) {
         let negative = self.negative != other.negative;
         match (self.class, other.class) {
@@ -27,7 +27,8 @@ impl<const LIMBS: usize> Wide<LIMBS> {
             let infinite = self.exponent > 0;
             return (if infinite { Self::infinite(negative, LARGEST - 2) } else { Self::ZERO }, false);
         };
-        // The dividend below the divisor, so that the first bit of the quotient stands right after the point.
+        // The dividend is made smaller than the divisor, so that the first bit of the quotient is
+        // directly after the point.
         let halved = self.mantissa.iter().rev().cmp(other.mantissa.iter().rev()) != Ordering::Less;
         let mut left = self.mantissa;
         let mut next = 0;
@@ -50,7 +51,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::rounded(negative, exponent + i64::from(halved), mantissa, guard, sticky)
     }
 
-    /// The quotient by a small integer other than zero, cut off.
+    /// Divides by a small non-zero integer; the result is rounded by the next 64 bits.
     pub(super) fn over_word(self, divisor: u64) -> Self {
         if self.class != Class::Finite {
             return self;
@@ -61,7 +62,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::normalized(self.negative, self.exponent, mantissa, guard, true).0
     }
 
-    /// √x: s + y (x − s²)/2 with s = x y, and y = 1/√x by Newton's y + y (1 − x y²)/2.
+    /// Computes √x: s + y (x − s²)/2 with s = x y, and y = 1/√x by Newton's y + y (1 − x y²)/2.
     pub(super) fn square_root(self) -> Self {
         match self.class {
             Class::Zero => return self,
@@ -89,10 +90,11 @@ impl<const LIMBS: usize> Wide<LIMBS> {
     }
 }
 
-/// The next word of left / divisor, where left < divisor and `next` is the word that follows it; leaves the remainder.
+/// Computes the next word of left / divisor, where left < divisor and `next` is the following word;
+/// `left` becomes the remainder.
 #[inline(always)]
 fn next_word<const LIMBS: usize>(left: &mut [u64; LIMBS], next: u64, divisor: &[u64; LIMBS]) -> u64 {
-    // One word more than the divisor: the words of `left` with the next one before them.
+    // `row` has one word more than the divisor: `next`, then the words of `left`.
     let mut buffer = [[0_u64; LIMBS]; 2];
     let row = buffer.as_flattened_mut();
     row[0] = next;

@@ -1,4 +1,4 @@
-//! Numbers from words and to `f64`, rounding, and their order.
+//! Conversion from words and to `f64`, rounding, and order.
 
 use std::cmp::Ordering;
 
@@ -12,17 +12,19 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self { class: Class::Zero, negative: false, exponent: 0, mantissa: [0; LIMBS] };
     pub(super) const NAN: Self = Self { class: Class::Nan, ..Self::ZERO };
 
-    /// A number of this sign that is at least 2^`exponent` in size.
+    /// Returns a number of this sign with a magnitude of at least 2^`exponent`.
     pub(crate) fn infinite(negative: bool, exponent: i64) -> Self {
         Self { class: Class::Infinite, negative, exponent, ..Self::ZERO }
     }
 
-    /// (whether it is negative, e) of a number beyond the exponents that is at least 2^e in size.
+    /// Returns (whether it is negative, e) for a number beyond the exponents with a magnitude of at
+    /// least 2^e.
     pub(crate) fn least_exponent_of_infinite(self) -> Option<(bool, i64)> {
         (self.class == Class::Infinite).then_some((self.negative, self.exponent))
     }
 
-    /// ± 0.m · 2^exponent rounded by the bits after m: the next 64 and whether there are others. True where it is exact.
+    /// Rounds ± 0.m · 2^exponent by the bits after m: the next 64, and whether there are others.
+    /// Also returns whether the result is exact.
     #[inline(always)]
     pub(super) fn rounded(
         negative: bool,
@@ -45,7 +47,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         (Self { class: Class::Finite, negative, exponent, mantissa }, guard == 0 && !sticky)
     }
 
-    /// The first bit of the mantissa brought to its place, with bits of the guard following.
+    /// Shifts the first bit of the mantissa to its place; bits of the guard follow.
     pub(super) fn normalized(
         negative: bool,
         exponent: i64,
@@ -81,7 +83,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::rounded(negative, exponent - 64 * words as i64 - i64::from(bits), mantissa, guard, sticky)
     }
 
-    /// ± number · 2^exponent
+    /// Returns ± number · 2^exponent.
     pub(super) fn from_natural(negative: bool, number: &[u64], exponent: i64) -> Self {
         let length = bit_length(number);
         if length == 0 {
@@ -95,12 +97,12 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self::normalized(negative, exponent + 64 * words as i64, mantissa, guard, false).0
     }
 
-    /// The natural number of these words, the least significant first.
+    /// Returns the natural number of these words, the least significant first.
     pub(crate) fn from_words(words: &[u64]) -> Self {
         Self::from_natural(false, words, 0)
     }
 
-    /// The nearest number of so many limbs; the same where they are no fewer.
+    /// Rounds to the nearest number with this number of limbs; exact if there are no fewer.
     pub fn to_limbs<const OTHER: usize>(self) -> Wide<OTHER> {
         match self.class {
             Class::Finite => {
@@ -127,7 +129,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         Self { class: Class::Finite, negative: value < 0.0, exponent, mantissa }
     }
 
-    /// The nearest `f64`, ties to even.
+    /// Returns the nearest `f64`, ties to even.
     pub(super) fn nearest_f64(&self) -> f64 {
         let signed = |size: f64| if self.negative { -size } else { size };
         match self.class {
@@ -149,7 +151,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         signed(scaled((kept + u64::from(up)) as f64, self.exponent - bits))
     }
 
-    /// The order of the sizes of two finite numbers.
+    /// Compares the magnitudes of two finite numbers.
     pub(super) fn compare_sizes(&self, other: &Self) -> Ordering {
         match (self.class, other.class) {
             (Class::Zero, Class::Zero) => Ordering::Equal,

@@ -7,7 +7,7 @@ use super::natural::{add_with_carry, subtract_with_borrow};
 use super::{Class, Wide};
 
 impl<const LIMBS: usize> Wide<LIMBS> {
-    /// The sum, and whether it is exact.
+    /// Returns the sum, and whether it is exact.
     pub(crate) fn sum(self, other: Self) -> (Self, bool) {
         match (self.class, other.class) {
             (Class::Finite, Class::Finite) => self.sum_of_finite(other),
@@ -37,11 +37,11 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         }
     }
 
-    /// The mantissa shifted right, the word after it, and whether there are bits beyond.
+    /// Returns the mantissa shifted right, the word after it, and whether there are bits beyond.
     #[inline(always)]
     fn shifted_right(&self, shift: usize) -> ([u64; LIMBS], u64, bool) {
         let (words, bits) = (shift / 64, shift % 64);
-        // The word that follows place `place` of the mantissa, moved by whole words and bits.
+        // Words of the mantissa, shifted by whole words and bits.
         let at = |place: usize| if place < LIMBS { self.mantissa[place] } else { 0 };
         let moved = |place: usize| {
             if bits == 0 { at(place) } else { (at(place) >> bits) | (at(place + 1) << (64 - bits)) }

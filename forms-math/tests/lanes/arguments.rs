@@ -1,6 +1,7 @@
-//! Arguments: over all binades, evenly spread, and near places where a function is hard or changes its method.
+//! Arguments over all binades, uniformly distributed, and near points where a function is hard or
+//! changes its method.
 
-/// A generator of numbers that look random (SplitMix64).
+/// Pseudorandom number generator (SplitMix64).
 pub(crate) struct Draw(pub(crate) u64);
 
 impl Draw {
@@ -14,22 +15,22 @@ impl Draw {
     pub(crate) fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / 9_007_199_254_740_992.0
     }
-    /// Even in value.
+    /// Returns a number with uniformly distributed value.
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         (low / 2.0 + (high / 2.0 - low / 2.0) * self.unit()) * 2.0
     }
-    /// Even in the count of numbers below: all binades alike.
+    /// Returns a number with uniformly distributed bit pattern: all binades are equally likely.
     pub(crate) fn of_any_binade(&mut self, low: f64, high: f64) -> f64 {
         let (from, to) = (i128::from(position(low)), i128::from(position(high)));
         at_position((from + (self.unit() * (to - from) as f64) as i128) as i64)
     }
-    /// A few numbers away.
+    /// Returns a number a few representable numbers away.
     pub(crate) fn near(&mut self, place: f64) -> f64 {
         at_position(position(place) + (self.bits() % 2000) as i64 - 1000)
     }
 }
 
-/// The position of a number among all.
+/// Returns the index of a number among all numbers.
 fn position(x: f64) -> i64 {
     let bits = x.to_bits() as i64;
     if bits < 0 { i64::MIN - bits } else { bits }
@@ -40,7 +41,8 @@ fn at_position(position: i64) -> f64 {
     f64::from_bits(bits as u64)
 }
 
-/// Places that functions are hard near: multiples of π/4 and of (ln 2)/2, and where methods change.
+/// Returns points near which functions are hard: multiples of π/4 and of (ln 2)/2, and points where
+/// methods change.
 fn places() -> Vec<f64> {
     let multiples = (1..200_i32).chain([1000, 65_537, 600_001]).map(f64::from);
     let of = |unit: f64| multiples.clone().map(move |count| count * unit);
@@ -52,7 +54,7 @@ fn places() -> Vec<f64> {
     all.iter().flat_map(|&x| [x, -x]).collect()
 }
 
-/// `count` arguments from `low` to `high`.
+/// Returns `count` arguments from `low` to `high`.
 pub(crate) fn arguments(low: f64, high: f64, count: usize, seed: u64) -> Vec<f64> {
     let mut draw = Draw(seed);
     let places: Vec<f64> = places().into_iter().filter(|&x| low < x && x < high).collect();

@@ -1,4 +1,5 @@
-//! Batches: every length, every set of instructions, rows that lanes give up on, columns that do not fit.
+//! Batches of every length, with every set of instructions, with rows that lanes give up on, and
+//! with columns that do not match.
 
 use crate::arguments::Draw;
 use crate::formulas::{Clausen, Sin};
@@ -8,7 +9,7 @@ use forms_math::{Column, Formula, Instructions, LengthMismatch, Real, batch, bat
 const LENGTHS: [usize; 19] =
     [0, 1, 2, 31, 32, 33, 40, 63, 64, 65, 100, 127, 129, 255, 256, 257, 511, 513, 1000];
 
-/// A point on a spiral, and how far out it is.
+/// Point on a spiral, and its distance from the centre.
 struct Spiral;
 impl Formula<2, 3> for Spiral {
     #[inline(always)]

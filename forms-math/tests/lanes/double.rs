@@ -1,21 +1,22 @@
-//! Batches in `f64` against values of 256 bits, with every set of instructions that the processor has: at most 2 units in
-//! the last place. `FORMS_MATH_CASES` sets how many arguments each function gets.
+//! Batches in `f64` compared with 256-bit values, with every set of instructions of the processor:
+//! at most 2 units in the last place. `FORMS_MATH_CASES` sets the number of arguments of each
+//! function.
 
 use crate::arguments::{Draw, arguments};
 use crate::formulas::*;
 use forms_math::{Formula, Instructions, Real, Wide, batch_by};
 
-/// What is allowed.
+/// Allowed error.
 const LIMIT: f64 = 2.0;
 
-/// The largest angle that lanes reach.
+/// Largest angle that lanes compute.
 const REACH: f64 = 1_647_000.0;
 
 fn cases() -> usize {
     std::env::var("FORMS_MATH_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(400)
 }
 
-/// The distance in units that `f64` has in the last place at the exact value.
+/// Returns the error in units in the last place of `f64` at the exact value.
 fn units(computed: f64, exact: Wide<4>) -> f64 {
     if !computed.is_finite() {
         return f64::INFINITY;
@@ -23,13 +24,13 @@ fn units(computed: f64, exact: Wide<4>) -> f64 {
     let nearest = exact.to_f64();
     let exponent = (((nearest.to_bits() >> 52) & 0x7ff) as i64 - 1023).max(-1022);
     let difference = Wide::from_f64(computed) - exact;
-    // Twice by half of the power: it may be out of range itself.
+    // Scaled twice by half of the power, which itself can be out of range.
     let half = (52 - exponent) / 2;
     let power = |exponent: i64| Wide::from_f64(f64::from_bits(((1023 + exponent) as u64) << 52));
     (difference * power(half) * power(52 - exponent - half)).to_f64().abs()
 }
 
-/// The largest error of each set of instructions, and the place of it.
+/// Returns the largest error of each set of instructions, and its arguments.
 fn worst<F: Formula<A, 1>, const A: usize>(columns: &[Vec<f64>; A]) -> Vec<(&'static str, f64, [f64; A])> {
     let rows = columns[0].len();
     let at = |row: usize| columns.each_ref().map(|column| column[row]);
@@ -97,7 +98,7 @@ fn powers_are_accurate() {
     assert!(results.iter().all(|within| *within), "a power is not within {LIMIT} units; see the output");
 }
 
-/// The angle of the point (x, y).
+/// Angle of the point (x, y).
 struct Angle;
 impl Formula<2, 1> for Angle {
     #[inline(always)]

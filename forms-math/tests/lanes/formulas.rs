@@ -1,4 +1,4 @@
-//! Formulas of one function each.
+//! Formulas with one function each.
 
 use forms_math::{Formula, Real};
 

@@ -1,16 +1,17 @@
-//! Batches in `f32` against batches in `f64`, over all bit patterns or evenly chosen ones, with every set of instructions
-//! that the processor has: at most 2 units in the last place, and NaN, ∞ and the sign of zero where they belong.
+//! Batches in `f32` compared with batches in `f64`, over all bit patterns or evenly spaced ones,
+//! with every set of instructions of the processor: at most 2 units in the last place, and correct
+//! NaN, ∞ and signs of zero.
 
 use crate::formulas::*;
 use forms_math::{Formula, Instructions, batch_by, batch_f32_by};
 
-/// What is allowed.
+/// Allowed error.
 const LIMIT: f64 = 2.0;
 
-/// The values that are compared at once.
+/// Number of values compared at once.
 const CHUNK: usize = 1 << 14;
 
-/// The distance in units that `f32` has in the last place at the exact value.
+/// Returns the error in units in the last place of `f32` at the exact value.
 #[inline]
 fn units(computed: f32, exact: f64) -> f64 {
     let size = exact.abs();
@@ -21,7 +22,7 @@ fn units(computed: f32, exact: f64) -> f64 {
     units_at_the_ends(computed, exact)
 }
 
-/// The same where numbers are not normal, or overflow.
+/// Returns the error where numbers are subnormal or overflow.
 fn units_at_the_ends(computed: f32, exact: f64) -> f64 {
     let nearest = exact as f32;
     let same_kind =
@@ -39,14 +40,14 @@ fn units_at_the_ends(computed: f32, exact: f64) -> f64 {
     (f64::from(computed) - exact).abs() * f64::from_bits(((1023 + 23 - exponent) as u64) << 52)
 }
 
-/// Which bit patterns are taken: every so many, between two numbers, with these instructions.
+/// Selection of bit patterns: every n-th between two numbers, with these instructions.
 struct Choice {
     stride: usize,
     within: std::ops::RangeInclusive<f32>,
     instructions: Vec<Instructions>,
 }
 
-/// The largest error for each set of instructions, and where it is.
+/// Returns the largest error for each set of instructions, and its argument.
 fn worst<F: Formula<1, 1>>(choice: &Choice) -> Vec<(f64, f32)> {
     let mut worst = vec![(0.0, f32::NAN); choice.instructions.len()];
     let (mut computed, mut exact) = (vec![0.0_f32; CHUNK], vec![0.0_f64; CHUNK]);
@@ -71,7 +72,7 @@ fn worst<F: Formula<1, 1>>(choice: &Choice) -> Vec<(f64, f32)> {
     worst
 }
 
-/// The errors of one function, and whether they are allowed.
+/// Reports the errors of one function; returns whether they are allowed.
 fn report<F: Formula<1, 1>>(name: &str, choice: &Choice) -> bool {
     let worst = worst::<F>(choice);
     for ((error, place), instructions) in worst.iter().zip(&choice.instructions) {
@@ -80,7 +81,7 @@ fn report<F: Formula<1, 1>>(name: &str, choice: &Choice) -> bool {
     worst.iter().all(|(error, _)| *error <= LIMIT)
 }
 
-/// Every function, at what `choice` takes of the range in which lanes compute it.
+/// Tests every function, on the part of its range in lanes that `choice` selects.
 fn assert_accurate(choice: impl Fn(f32, f32) -> Choice) {
     let all = || choice(f32::NEG_INFINITY, f32::INFINITY);
     let results = [
@@ -106,7 +107,8 @@ fn assert_accurate(choice: impl Fn(f32, f32) -> Choice) {
     assert!(results.iter().all(|within| *within), "a function is not within {LIMIT} units; see the output");
 }
 
-/// Every so many bit patterns: from `FORMS_MATH_STRIDE`, or such as code that is not optimised takes in seconds.
+/// Returns the stride between bit patterns: from `FORMS_MATH_STRIDE`, or a default that unoptimised
+/// code processes in seconds.
 fn stride() -> usize {
     std::env::var("FORMS_MATH_STRIDE").ok().and_then(|stride| stride.parse().ok()).unwrap_or(99_991)
 }
@@ -121,7 +123,7 @@ fn functions_of_f32_are_accurate_at_evenly_chosen_places() {
     });
 }
 
-/// All arguments that lanes compute, without fused multiply-add and with it.
+/// Tests all arguments that lanes compute, with and without fused multiply-add.
 #[test]
 #[ignore = "takes all arguments: run it with --release"]
 fn functions_of_f32_are_accurate_everywhere() {

@@ -1,5 +1,5 @@
-//! Zeros with their signs, infinities, NaN, the ends of the range: what a lane gives there is what the function of the
-//! standard library gives, or NaN where it gives up.
+//! Signed zeros, infinities, NaN and the ends of the range: a lane returns the value of the
+//! standard library, or NaN where it gives up.
 
 use forms_math::{Lane32, Lane64, Real};
 
@@ -117,7 +117,7 @@ fn choices_between_what_cannot_be_compared_are_nan() {
     }
 }
 
-/// A choice by a comparison of its first two operands.
+/// Choice by a comparison of its first two operands.
 type Choice = fn(Lane64<false>, Lane64<false>, Lane64<false>, Lane64<false>) -> Lane64<false>;
 
 #[test]

@@ -1,5 +1,5 @@
-//! Batches within a stated accuracy, against values of 256 bits and more: formulas that cancel, choose, overflow, at arguments of all
-//! sizes and near the places where they are hard.
+//! Batches within a promised accuracy, compared with values of 256 bits and more: formulas that
+//! cancel, choose and overflow, at arguments of all sizes and near hard points.
 
 use crate::arguments::arguments;
 use forms_math::{Formula, Instructions, Real, Wide, batch_within_by};
@@ -29,7 +29,7 @@ formulas! {
     Exchange: |x| x.expint3() * x.exp();
 }
 
-/// The worst error, in what is allowed.
+/// Asserts that the worst error is within the allowed one.
 fn assert_within<F: Formula<1, 1>, const LIMBS: usize>(name: &str, from: f64, to: f64) {
     let x = arguments(from, to, 120, 5);
     let mut values = vec![0.0; x.len()];

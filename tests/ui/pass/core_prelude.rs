@@ -1,4 +1,4 @@
-//! Names of the expansion are not those of the user.
+//! Names in the expansion do not resolve to the user's names.
 
 #![no_implicit_prelude]
 

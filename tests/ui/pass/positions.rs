@@ -1,4 +1,4 @@
-//! Every macro where items stand and where statements stand.
+//! Every macro at item position and at statement position.
 
 forms::prove! { chart Line(x); d(x**2) == 2*x*dx }
 forms::kernel! { pub cube(x) = x**3; }

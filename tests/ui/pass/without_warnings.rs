@@ -1,4 +1,4 @@
-//! An expansion adds no warning, whatever the user denies.
+//! An expansion adds no warning, even with all lints denied.
 
 #![deny(warnings, missing_docs, unused, clippy::all, clippy::pedantic)]
 #![forbid(unsafe_code)]

@@ -1,4 +1,4 @@
-//! The choice of forms: looked for, proved, and written beside the file.
+//! Choice of forms: better forms are searched, proved, and written to a file next to the input.
 
 use crate::commands::refuse;
 use crate::files::replace;
@@ -9,7 +9,7 @@ use crate::theory_file::{choices_beside, complain, from_text, text};
 use forms::core::stability::{Effort, Found, search, written};
 use std::io::{self, Write};
 
-/// Looks for the best form of every kernel of a file that does not say itself how it is computed.
+/// Searches the best form of every kernel in a file that does not specify its own form.
 pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     if path == LIBRARY {
         return Ok(refuse("forms are written beside a file; name one"));

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Report ─┬─ panel ─▶ digits over time on typical arguments │ the same in the hardest regime
-//!         └─ strip ─▶ the variants, their times, the bits that each regime costs
+//!         └─ strip ─▶ the variants, their times, the bits lost in each regime
 //! ```
 
 mod names;
@@ -18,21 +18,21 @@ use panel::{Panel, Times};
 use strip::{HEAD, ROW, Strip};
 
 const WIDTH: f64 = 960.0;
-/// Where texts begin, and where the panels do.
+/// Left edges of the texts and of the panels.
 const EDGE: f64 = 28.0;
 const LEFT: f64 = 62.0;
 const RIGHT: f64 = 940.0;
-/// Between the panels.
+/// Gap between the panels.
 const GAP: f64 = 26.0;
-/// The height of the panels, and what stands above and below them.
+/// Height of the panels, and the space above and below them.
 const PANEL: f64 = 310.0;
 const ABOVE_PANEL: f64 = 34.0;
 const BELOW_PANEL: f64 = 50.0;
 
-/// The colour of the Pareto front.
+/// Colour of the Pareto front.
 const FRONT: &str = "#b9c0c7";
 
-/// The figure as SVG.
+/// Returns the figure as SVG.
 pub(super) fn svg(report: &Report, machine: &str) -> String {
     let mut drawing = Drawing::new();
     let mut y = head(&mut drawing, report);
@@ -53,13 +53,13 @@ pub(super) fn svg(report: &Report, machine: &str) -> String {
     drawing.finish(WIDTH, y, &format!("{}: accuracy and time of every variant", report.kernel))
 }
 
-/// The name of the kernel and what it computes; gives where that ends.
+/// Draws the name and the summary of the kernel; returns the y coordinate of the end.
 fn head(drawing: &mut Drawing, report: &Report) -> f64 {
     drawing.text([EDGE, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
     let mut y = 34.0;
     let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
     let with_formula = format!("{summary} {formula}");
-    // the formula too where both have room in one line
+    // The formula is added if both fit in one line.
     let has_room = summary != formula && width(&with_formula, 13.0) <= RIGHT - EDGE;
     for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - EDGE) {
         y += 17.0;
@@ -98,8 +98,8 @@ fn colour(arithmetic: Arithmetic) -> &'static str {
     }
 }
 
-/// A circle for one value at a time, a square for batches; open as written, small and filled for the stable form, so that
-/// both are seen where they coincide.
+/// Draws the marker of a variant: a circle for single values, a square for batches; open as
+/// written, small and filled for the stable form, so that both are visible where they coincide.
 fn marker(drawing: &mut Drawing, at: [f64; 2], variant: Variant) {
     let colour = colour(variant.arithmetic);
     match (variant.batch, variant.stable) {
@@ -110,7 +110,7 @@ fn marker(drawing: &mut Drawing, at: [f64; 2], variant: Variant) {
     }
 }
 
-/// What the marks and lines mean.
+/// Draws the key of the markers and lines.
 fn key(drawing: &mut Drawing, y: f64) {
     let variant = |stable: bool, batch: bool| Variant { arithmetic: Arithmetic::Double, stable, batch };
     let marks = [
@@ -161,7 +161,7 @@ mod tests {
         }
     }
 
-    /// What stands behind a name of an element.
+    /// Returns the value of an attribute of an element.
     fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
         let rest = element.split_once(&format!(" {name}=\"")).expect("the attribute").1;
         rest.split_once('"').expect("its end").0

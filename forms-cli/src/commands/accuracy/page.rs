@@ -1,4 +1,4 @@
-//! The page on the price of accuracy: how to read it, a table of all kernels, a figure for each.
+//! The page on the cost of accuracy: how to read it, a table of all kernels, a figure for each.
 
 use super::figure::svg;
 use super::report::{Report, Row};
@@ -7,13 +7,13 @@ use std::fmt::Write;
 use std::io;
 use std::path::Path;
 
-/// The folder of the figures, beside the page.
+/// Folder of the figures, relative to the page.
 const FIGURES: &str = "figures/accuracy";
 
-/// Formulas and forms that are longer are left to `forms show` and to the file of choices.
+/// Longest formula or form on the page; for longer ones see `forms show` and the file of choices.
 const LONGEST: usize = 300;
 
-/// How the figures are read.
+/// Explanation of the figures.
 const READING: &str = "\
 Each figure is one kernel in every way that it can be run: in `f32`, `f64` and double-double (dd), as its formula is written
 or by the stable form that was proved equal to it, one value at a time or in batches. A mark stands at the time of one value
@@ -25,7 +25,7 @@ error ([what is measured](#what-is-measured)).
 
 ";
 
-/// What the words and numbers of the page mean.
+/// Definitions of the words and numbers on the page.
 const MEASURED: &str = "\
 ## What is measured
 
@@ -48,20 +48,21 @@ Not covered: double-double in batches, arguments beyond the domain, values whose
 the time in hard regimes, where a kernel may take another branch.
 ";
 
-/// What a page is of.
+/// Settings of a page.
 pub(super) struct Page<'a> {
-    /// Where it is written, with its figures.
+    /// Folder of the page and its figures.
     pub(super) folder: &'a Path,
-    /// The file, or nothing for the library.
+    /// Input file; `None` for the library.
     pub(super) file: Option<&'a Path>,
-    /// Arguments in each regime.
+    /// Number of arguments in each regime.
     pub(super) samples: usize,
     /// Kernels that were not measured.
     pub(super) left_out: &'a [&'a str],
 }
 
 impl Page<'_> {
-    /// Writes `accuracy.md` of the library or `accuracy_NAME.md` of NAME.forms, and the figures.
+    /// Writes the figures and the page: `accuracy.md` for the library, `accuracy_NAME.md` for
+    /// NAME.forms.
     pub(super) fn write(&self, reports: &[Report]) -> io::Result<()> {
         let stem = self.file.and_then(Path::file_stem).map(|stem| stem.to_string_lossy().into_owned());
         let name = stem.as_ref().map_or("accuracy.md".to_string(), |stem| format!("accuracy_{stem}.md"));
@@ -94,7 +95,8 @@ impl Page<'_> {
     }
 }
 
-/// One line a kernel: bits lost in `f64` as written and by the stable form, and the times of that form.
+/// Appends one line per kernel: bits lost in `f64` as written and by the stable form, and the run
+/// times of the stable form.
 fn overview(page: &mut String, reports: &[Report]) {
     page.push_str(
         "| kernel | bits lost in f64 as written: mean, hardest regime | in f64 by the stable form: mean, hardest regime | its time, ns | in a batch, ns | in dd, ns |\n\
@@ -124,7 +126,7 @@ fn overview(page: &mut String, reports: &[Report]) {
     let _ = writeln!(page, "| **mean of {count} kernels** | **{before:.2}** | **{after:.2}** | | | |\n");
 }
 
-/// The mean over all regimes alike, and the hardest regime.
+/// Formats the mean loss, with equal weight for all regimes, and the loss in the hardest regime.
 fn losses(row: &Row) -> String {
     let hardest = row
         .hardest()
@@ -173,7 +175,7 @@ fn table_row(row: &Row) -> String {
     format!("| {name}{mark} | {time} | {} | {} | {} | {} |", typical.0, typical.1, hardest.0, hardest.1)
 }
 
-/// The processor and the system, as far as they are known.
+/// Describes the processor and the system, if they are known.
 fn machine() -> String {
     let known = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = known

@@ -1,4 +1,4 @@
-//! The sheet as JSON: one object a kernel.
+//! The report as JSON: one object per kernel.
 
 use super::report::{Report, Row};
 use crate::json::write_record;
@@ -17,8 +17,8 @@ struct KernelRecord<'a> {
     variants: Vec<VariantRecord>,
 }
 
-/// What the error of an output in `f64` does not exceed, anywhere on the domain; relative to the value in units of 2⁻⁵³, where
-/// that is kept away from 0.
+/// Bound of the error of an output in `f64`, valid on the whole domain: absolute, and relative to
+/// the value in units of 2⁻⁵³ if the value is bounded away from 0.
 #[derive(serde::Serialize)]
 struct BoundRecord {
     absolute: f64,
@@ -42,7 +42,7 @@ struct RegimeRecord {
     worst: Vec<f64>,
 }
 
-/// An infinite error, of a result that is no number, is null.
+/// Statistics of an error; an infinite error, of a NaN result, is null.
 #[derive(serde::Serialize)]
 struct StatisticsRecord {
     mean: Option<f64>,
@@ -50,7 +50,7 @@ struct StatisticsRecord {
     maximum: Option<f64>,
 }
 
-/// Writes one kernel.
+/// Writes the record of one kernel.
 pub(super) fn write(report: &Report, output: &mut dyn Write) -> io::Result<()> {
     let record = KernelRecord {
         file: &report.file,

@@ -1,4 +1,4 @@
-//! What was measured of one kernel.
+//! Measured accuracy and run time of one kernel.
 
 use super::timing::Workshop;
 use crate::kernel::generated;
@@ -9,52 +9,53 @@ use forms::core::generation::Generated;
 use forms::core::rounding::{ErrorBound, Unbounded};
 use forms::core::theory::Kernel;
 
-/// The seed of the arguments: sheets of equal kernels are equal.
+/// Seed of the random arguments: reports of equal kernels are equal.
 const SEED: u64 = 1;
 
-/// Correct bits that a dearer variant has to add to be worth its time.
+/// Number of correct bits that a slower variant has to add to be on the Pareto front.
 const STEP: f64 = 0.05;
 
-/// Boxes that the domain is split into for a bound of the error.
+/// Number of boxes into which the domain is split for a bound of the error.
 const BOXES: usize = 256;
 
-/// A kernel in every variant.
+/// Report on one kernel in every variant.
 pub(super) struct Report {
-    /// The file it stands in.
+    /// File of the kernel.
     pub(super) file: String,
-    /// Its name.
+    /// Name of the kernel.
     pub(super) kernel: String,
-    /// The lines of its documentation.
+    /// Lines of its documentation.
     pub(super) docs: Vec<String>,
-    /// Its formula, as it was written.
+    /// Formula, as written.
     pub(super) formula: String,
-    /// Where it is defined.
+    /// Conditions of its domain.
     pub(super) domain: Vec<String>,
-    /// The form it is computed by, where that is not the formula.
+    /// Computed form, if it differs from the formula.
     pub(super) form: Option<String>,
-    /// A bound of each output's error in `f64` that no argument exceeds, or why there is none.
+    /// Bound of each output's error in `f64` for all arguments, or the reason why there is none.
     pub(super) bounds: Result<Vec<ErrorBound>, Unbounded>,
-    /// The variants.
+    /// Variants.
     pub(super) rows: Vec<Row>,
 }
 
-/// One variant.
+/// Result of one variant.
 pub(super) struct Row {
-    /// Its errors.
+    /// Errors of the variant.
     pub(super) line: Line,
-    /// The time of one value in nanoseconds, where it was measured.
+    /// Time of one value in nanoseconds, if it was measured.
     pub(super) nanoseconds: Option<f64>,
-    /// Whether no other variant is at least as fast and more accurate.
+    /// Whether the variant is on the Pareto front: no other variant is at least as fast and more
+    /// accurate.
     pub(super) pareto: bool,
 }
 
 impl Row {
-    /// The variant.
+    /// Returns the variant.
     pub(super) fn variant(&self) -> Variant {
         self.line.variant
     }
 
-    /// The time in nanoseconds to three figures, or a dash.
+    /// Formats the time in nanoseconds with three digits, or a dash.
     pub(super) fn time(&self) -> String {
         match self.nanoseconds {
             None => "-".to_string(),
@@ -64,7 +65,7 @@ impl Row {
         }
     }
 
-    /// The bits of a result that are right on the mean over these scores.
+    /// Returns the mean number of correct bits of a result, given the mean number of lost bits.
     pub(super) fn correct_bits(&self, lost: f64) -> f64 {
         let mantissa = match self.variant().arithmetic {
             Arithmetic::Single => 24.0,
@@ -74,19 +75,19 @@ impl Row {
         (mantissa - lost).max(0.0)
     }
 
-    /// The mean of the bits lost over all regimes alike.
+    /// Returns the mean of the lost bits, with equal weight for all regimes.
     pub(super) fn mean_loss(&self) -> f64 {
         let scores = &self.line.scores;
         scores.iter().map(|score| score.bits.mean).sum::<f64>() / scores.len().max(1) as f64
     }
 
-    /// The hard regime in which most is lost on the mean.
+    /// Returns the score of the hard regime with the largest mean loss.
     pub(super) fn hardest(&self) -> Option<&Score> {
         self.line.hard().max_by(|a, b| a.bits.mean.total_cmp(&b.bits.mean))
     }
 }
 
-/// The form that a kernel says it is computed by, or that rules gave.
+/// Returns the form that the kernel specifies, or else the form from the rewriting rules.
 fn form(pool: &Pool, kernel: &Kernel, programs: &Generated) -> Option<String> {
     let forms =
         if kernel.computed.is_empty() { programs.rewritten.clone() } else { pool.texts(&kernel.computed) };
@@ -122,7 +123,8 @@ impl Report {
         Ok(report)
     }
 
-    /// What the kernel computes: the first sentence of its documentation, or its formula where it has none.
+    /// Summarises the kernel: the first sentence of its documentation, or its formula if it has no
+    /// documentation.
     pub(super) fn summary(&self) -> String {
         let paragraph: Vec<&str> =
             self.docs.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
@@ -134,12 +136,12 @@ impl Report {
         }
     }
 
-    /// The row of a variant.
+    /// Returns the row of a variant.
     pub(super) fn row(&self, name: &str) -> Option<&Row> {
         self.rows.iter().find(|row| row.variant().name() == name)
     }
 
-    /// Marks the variants that no other beats in both time and correct bits.
+    /// Marks the Pareto front: the variants that no other beats in both time and correct bits.
     fn mark(&mut self) {
         let values: Vec<Option<(f64, f64)>> =
             self.rows.iter().map(|row| Some((row.nanoseconds?, row.correct_bits(row.mean_loss())))).collect();

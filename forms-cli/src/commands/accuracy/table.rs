@@ -1,11 +1,11 @@
-//! The table in the terminal.
+//! The report as a table for the terminal.
 
 use super::report::{Report, Row};
 use crate::palette::Palette;
 use forms::core::accuracy::Statistics;
 use std::io::{self, Write};
 
-/// One kernel.
+/// Writes the table of one kernel.
 pub(super) fn write(report: &Report, output: &mut dyn Write) -> io::Result<()> {
     let palette = Palette::of_output();
     writeln!(output, "{}", palette.heading(&report.kernel))?;
@@ -43,7 +43,7 @@ fn numbers(bits: &Statistics) -> String {
     format!("{:>6.2}{:>7.1}{:>7.1}", bits.mean, bits.percentile, bits.maximum)
 }
 
-/// What the columns mean.
+/// Writes the explanation of the columns.
 pub(super) fn legend(timed: bool, output: &mut dyn Write) -> io::Result<()> {
     let palette = Palette::of_output();
     let mut lines = vec![

@@ -1,10 +1,11 @@
-//! Times: the generated source of a kernel compiled and run, on typical arguments.
+//! Timing: the generated source of a kernel is compiled and run on typical arguments.
 //!
 //! ```text
 //! the crate of the arithmetic ─ rustc, once ─▶ library ─┐
-//! program ─ formula, harness ─ rustc ─▶ executable ─────┴─ run ─▶ nanoseconds of a value, for each variant
+//! program ─ formula, harness ─ rustc ─▶ executable ─────┴─ run ─▶ nanoseconds per value, for each variant
 //! ```
-//! Compiled as a release build is, for no particular processor: batches choose their instructions when they run.
+//! Compiled like a release build, for no particular processor: batches select their instructions at
+//! run time.
 
 use forms::core::accuracy::{Arithmetic, Regime, Variant, Width, sample};
 use forms::core::emission::emit_formula;
@@ -16,23 +17,23 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Rows of the columns that are timed: their arguments and results stay in the cache nearest to the processor.
+/// Number of rows of the timed columns: their arguments and results fit in the L1 cache.
 pub(super) const ROWS: usize = 1024;
 
-/// Different rows among them.
+/// Number of different rows among them.
 const DIFFERENT: usize = 128;
 
-/// Runs of which the median is taken, each of some tenths of a millisecond: as many as fit in half a second, but no fewer
-/// than the first of these and no more than the second.
+/// Smallest and largest number of runs, of which the median is taken. Each run takes some tenths of
+/// a millisecond; within these limits, the number of runs is chosen to fill half a second.
 pub(super) const RUNS: [usize; 2] = [11, 101];
 
-/// A folder with the library of the arithmetic, compiled.
+/// Temporary folder with the compiled library of the arithmetic.
 pub(super) struct Workshop {
     folder: PathBuf,
 }
 
 impl Workshop {
-    /// A workshop, where there is a rustc.
+    /// Creates a workshop, or returns `None` if rustc is not available.
     pub(super) fn open() -> Option<Self> {
         let folder = std::env::temp_dir().join(format!("forms-accuracy-{}", std::process::id()));
         let workshop = Workshop { folder };
@@ -60,7 +61,8 @@ impl Workshop {
         rustc.is_ok_and(|output| output.status.success())
     }
 
-    /// The nanoseconds of one value in each variant, by its name; nothing where the source does not compile or run.
+    /// Measures the nanoseconds of one value in each variant, by its name; `None` if the source
+    /// does not compile or run.
     pub(super) fn times(
         &self,
         pool: &Pool,
@@ -87,12 +89,12 @@ impl Workshop {
 
 impl Drop for Workshop {
     fn drop(&mut self) {
-        // what cannot be removed from a temporary folder does no harm there
+        // Files that cannot be removed are harmless in a temporary folder.
         let _ = std::fs::remove_dir_all(&self.folder);
     }
 }
 
-/// A program that prints the median time of a value in each variant.
+/// Generates a program that prints the median time of a value in each variant.
 fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
     let (arguments, outputs) = (kernel.arguments.len(), kernel.outputs.len());
     let mut text = String::from("use forms_math::*;\n");
@@ -125,7 +127,7 @@ fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
     text
 }
 
-/// What is timed: what a user would call.
+/// Generates the timed call: the function that a user would call.
 fn call(variant: Variant, counts: &str, within: Option<f64>) -> String {
     let form = if variant.stable { "Stable" } else { "Written" };
     match (variant.batch, variant.arithmetic, within) {
@@ -148,7 +150,7 @@ fn call(variant: Variant, counts: &str, within: Option<f64>) -> String {
     }
 }
 
-/// The part of the harness that is the same for every kernel.
+/// Part of the harness that is the same for every kernel.
 const MEASURE: &str = "
 fn columns<T: Real>() -> [Vec<T>; ARGUMENTS] {
     BITS.map(|column| column.iter().cycle().take(ROWS).map(|&bits| T::from_f64(f64::from_bits(bits))).collect())

@@ -1,4 +1,4 @@
-//! The answers, after the work: a table, or a JSON object for each number.
+//! Output of the answers after the work: a table, or a JSON object for each number.
 
 use super::missed::Missed;
 use crate::json::write_record;
@@ -9,7 +9,7 @@ use forms_radiometry::output::{measured, rough};
 use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
 use std::io::{self, Write};
 
-/// A number as an object.
+/// JSON record of a number.
 #[derive(serde::Serialize)]
 struct Record<'a> {
     receiver: &'a str,
@@ -28,20 +28,20 @@ struct Record<'a> {
     seconds: f64,
 }
 
-/// The time that no answer has alone, as an object.
+/// JSON record of the time shared by all answers.
 #[derive(serde::Serialize)]
 struct SharedRecord {
     shared: &'static str,
     seconds: f64,
 }
 
-/// What all receivers share.
+/// Returns the name of the work shared by all receivers.
 fn shared(is_by_paths: bool) -> &'static str {
     if is_by_paths { "preparation" } else { "solution" }
 }
 
-/// An object for each number, of which those that miss what was asked for are marked, and the means of maps and images of which cells
-/// do; and one for the time that all of them share.
+/// Writes an object for each number, and one for the time shared by all of them. A number is marked
+/// if it misses the tolerance, or if it is the mean of a map or image with cells that miss it.
 pub(super) fn lines(
     found: &Simulation,
     missed: &Missed<'_>,
@@ -68,9 +68,8 @@ pub(super) fn lines(
     write_record(output, &SharedRecord { shared: shared(is_by_paths), seconds: found.shared_seconds() })
 }
 
-/// A line for each number and one for the time that all of them share, how long the work took and
-/// how exact the numbers are altogether, and what the error is made of, if that is more than one
-/// thing.
+/// Writes a line for each number and one for the time shared by all of them, the total time, the
+/// largest error, and the components of that error if there are several.
 pub(super) fn table(
     found: &Simulation,
     tolerance: f64,
@@ -100,7 +99,7 @@ pub(super) fn table(
         "{}",
         if end.error <= tolerance { palette.quiet(&summary) } else { palette.notable(&summary) }
     )?;
-    // of cells it is not known what their errors are made of
+    // The components of the errors of cells are not known.
     let accuracy = found.accuracy();
     let worst = accuracy.worst_answer().filter(|worst| worst.error >= accuracy.largest_of_cells());
     let made_of = worst.map(|worst| parts(&worst.answer.parts)).filter(|parts| parts.len() > 1);
@@ -110,7 +109,7 @@ pub(super) fn table(
     })
 }
 
-/// The parts of an error that are some of it, the largest first: `93% quadrature`.
+/// Lists the components that make up at least 1 % of an error, the largest first: `93% quadrature`.
 fn parts(parts: &ErrorParts) -> Vec<String> {
     let all = parts.all();
     let sum: f64 = all.iter().sum();
@@ -121,10 +120,11 @@ fn parts(parts: &ErrorParts) -> Vec<String> {
     shares.into_iter().map(|(percent, name)| format!("{percent}% {name}")).collect()
 }
 
-/// The column of values.
+/// Column of the values.
 const VALUE: usize = 4;
 
-/// Adds spaces to the values, so that at the right of their column their points are below each other.
+/// Appends spaces to the values, so that their decimal points align when the column is
+/// right-aligned.
 fn point_below_point(rows: &mut [[String; 8]]) {
     let behind = |value: &str| value.find('.').map_or(0, |point| value.len() - point);
     let most = rows.iter().skip(1).map(|row| behind(&row[VALUE])).max().unwrap_or(0);
@@ -134,7 +134,7 @@ fn point_below_point(rows: &mut [[String; 8]]) {
     }
 }
 
-/// The line of what all receivers share.
+/// Returns the row of the time shared by all receivers.
 fn shared_row(found: &Simulation, is_by_paths: bool) -> [String; 8] {
     let mut row: [String; 8] = Default::default();
     row[0] = "(shared)".to_owned();

@@ -1,25 +1,25 @@
-//! The figure of a simulation's error against time, on axes of powers of ten.
+//! The figure of a simulation's error against time, on logarithmic axes.
 
 use crate::drawing::{Anchor, Axis, Drawing, GRID, INK, QUIET, Style};
 use forms_radiometry::simulation::Moment;
 
 const SIZE: [f64; 2] = [720.0, 440.0];
-/// The frame: left, top, right and bottom.
+/// Frame: left, top, right and bottom.
 const FRAME: [f64; 4] = [84.0, 56.0, 696.0, 376.0];
-/// Numbers along the lower axis, and along the left one, stand this far apart or farther.
+/// Smallest distances between numbers on the lower and on the left axis.
 const APART: [f64; 2] = [36.0, 18.0];
-/// The colours of the error and of the tolerance.
+/// Colours of the error and of the tolerance.
 const ERROR: &str = "#22618f";
 const TOLERANCE: &str = "#a8412a";
-/// Shorter times are drawn as this one.
+/// Shortest time in the figure; shorter ones are drawn as this one.
 const SHORTEST: f64 = 1e-6;
-/// Smaller errors are drawn as this one: an `f64` is not more exact.
+/// Smallest error in the figure, the accuracy of an `f64`; smaller ones are drawn as this one.
 const SMALLEST: f64 = f64::EPSILON / 2.0;
 
-/// What is said where there is no line.
+/// Text that is shown if there is no line.
 const UNKNOWN: &str = "no error relative to an answer is known";
 
-/// The figure as SVG. What has no error yet is not drawn.
+/// Returns the figure as SVG. Moments without a known error are omitted.
 pub(super) fn svg(name: &str, history: &[Moment], tolerance: f64) -> String {
     let known = history.iter().filter(|moment| moment.error.is_finite() && moment.seconds.is_finite());
     let points: Vec<[f64; 2]> =
@@ -47,7 +47,7 @@ pub(super) fn svg(name: &str, history: &[Moment], tolerance: f64) -> String {
     drawing.finish(SIZE[0], SIZE[1], &title)
 }
 
-/// Whole decades that hold all values, one at least.
+/// Returns the smallest range of whole decades that contains all values, at least one decade.
 fn decades(values: impl Iterator<Item = f64>) -> [f64; 2] {
     let logarithms: Vec<f64> = values.map(f64::log10).collect();
     let Some(least) = logarithms.iter().copied().reduce(f64::min) else { return [-1.0, 0.0] };

@@ -1,4 +1,4 @@
-//! The files of `--out`: a folder, and what was found, written into it.
+//! Files of `--out`: creates the folder and writes the results into it.
 
 use super::figure;
 use crate::files::{reason, replace};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 const TABLE: &str = "results.csv";
 const FIGURE: &str = "error.svg";
 
-/// Makes the folder and those that it is in. The message names what cannot be made.
+/// Creates the folder and its parents. The error is a message with the name of the folder.
 pub(super) fn folder(path: &str) -> Result<PathBuf, String> {
     match std::fs::create_dir_all(path) {
         Ok(()) => Ok(PathBuf::from(path)),
@@ -20,7 +20,8 @@ pub(super) fn folder(path: &str) -> Result<PathBuf, String> {
     }
 }
 
-/// Writes every file that can be written; gives the names of these, and messages of the others.
+/// Writes every file that can be written; returns the names of the written files, and messages
+/// about the others.
 pub(super) fn write(scene: &Scene, found: &Simulation, folder: &Path) -> (Vec<String>, Vec<String>) {
     let mut files = Files { folder, written: Vec::new(), refused: Vec::new() };
     files.write(TABLE, |output| csv(found, output));

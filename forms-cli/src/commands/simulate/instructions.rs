@@ -1,19 +1,22 @@
-//! Instructions: what was chosen is taken by the kernels, and by the functions of the system as far as these let it be chosen.
+//! Choice of vector instructions: it applies to the kernels, and to the functions of the system
+//! where the system allows a choice.
 //!
 //! ```text
 //! --isa baseline ─┬─▶ kernels over rows
-//!                 └─▶ GLIBC_TUNABLES, read when a program begins: this one begins again ─▶ sin, exp, … without fused multiply-add
+//!                 └─▶ GLIBC_TUNABLES, read at start: restarts the program ─▶ sin, exp, … without fused multiply-add
 //! ```
-//! The GNU C library computes its functions by other instructions where the processor has fused multiply-add, which rounds otherwise.
+//! On a processor with fused multiply-add, the GNU C library computes its functions with other
+//! instructions, which round differently.
 
 use forms::math::Instructions;
 
-/// The setting without which the functions of the GNU C library use what the processor has.
+/// Setting that stops the functions of the GNU C library from using the instructions of this
+/// processor.
 #[cfg(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64"))]
 const SETTING: [&str; 2] =
     ["GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable,-FMA4_Usable"];
 
-/// Computes with these instructions from now on. The message says why that is not possible.
+/// Selects these instructions for all further computations. The error is a message with the reason.
 pub(super) fn choose(instructions: Instructions) -> Result<(), String> {
     instructions.choose();
     #[cfg(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64"))]
@@ -23,7 +26,7 @@ pub(super) fn choose(instructions: Instructions) -> Result<(), String> {
     Ok(())
 }
 
-/// Begins the program again with the setting, unless it has it.
+/// Restarts the program with the setting, unless it is already set.
 #[cfg(all(target_os = "linux", target_env = "gnu", target_arch = "x86_64"))]
 fn without_fused_functions() -> Result<(), String> {
     use std::os::unix::process::CommandExt;

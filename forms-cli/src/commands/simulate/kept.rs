@@ -1,7 +1,8 @@
-//! What is kept of a simulation by paths: a checkpoint that the same work goes on from, and the part that a share of it comes to.
+//! Saved state of a path-tracing run: a checkpoint from which the same run resumes, and the part
+//! that results from a share.
 //!
 //! ```text
-//! snapshot ─┬─ every few seconds ─▶ FILE.new ─▶ FILE        a checkpoint, whole at any moment
+//! snapshot ─┬─ every few seconds ─▶ FILE.new ─▶ FILE        a checkpoint, complete at any moment
 //!           └─ at the end        ─▶ PART.new ─▶ PART
 //! ```
 
@@ -14,22 +15,22 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-/// Keeping takes no more than one in so many seconds of the work.
+/// Smallest ratio between the interval of two checkpoints and the time to write one.
 const RARELY: u32 = 20;
 
-/// The largest state that is read, in bytes.
+/// Limit of the size of a state file, in bytes.
 pub(super) const LARGEST_STATE: u64 = 4 << 30;
 
-/// What a part belongs to, and what it takes to go on with it elsewhere.
+/// Identity of the work of a part, with all data needed to continue it on another machine.
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct PartOf {
     pub(super) identity: Identity,
     pub(super) sources: Sources,
-    /// What replaced the settings of the scene.
+    /// Values that override the settings of the scene.
     pub(super) overrides: Overrides,
-    /// The seconds of exposure.
+    /// Exposure time in seconds.
     pub(super) exposure: Option<f64>,
-    /// The vector instructions, if they were chosen.
+    /// Chosen vector instructions, if any.
     pub(super) instructions: Option<String>,
 }
 
@@ -39,14 +40,14 @@ impl PartOf {
     }
 }
 
-/// Keeps what is asked for in files.
+/// Saves the requested files.
 #[derive(Default)]
 pub(super) struct Kept {
     pub(super) checkpoint: Option<Checkpoint>,
     pub(super) part: Option<Part>,
 }
 
-/// The file that work goes on from.
+/// Checkpoint file from which work resumes.
 pub(super) struct Checkpoint {
     path: PathBuf,
     identity: Identity,
@@ -55,13 +56,13 @@ pub(super) struct Checkpoint {
     _lock: Lock,
 }
 
-/// When the state is to be kept again, if that is ever, and what went wrong.
+/// Time of the next write, if there is one, and the error of the last write.
 struct Last {
     next: Option<Instant>,
     failed: Option<String>,
 }
 
-/// The file of a share.
+/// File of a share.
 pub(super) struct Part {
     path: PathBuf,
     belongs_to: PartOf,
@@ -84,7 +85,8 @@ impl Keeper for Kept {
 }
 
 impl Checkpoint {
-    /// The file, and the state that is in it, if it is there. The message says why work cannot go on from it.
+    /// Opens the checkpoint, with its state if the file exists. The error is a message why the work
+    /// cannot resume from it.
     pub(super) fn open(
         path: &str,
         identity: Identity,
@@ -134,7 +136,7 @@ impl Checkpoint {
         *last = Last { next: Instant::now().checked_add(wait), failed };
     }
 
-    /// Why the state was not kept when it last should have been, if it was not.
+    /// Returns a message if the last write of the state failed.
     pub(super) fn failure(&self) -> Option<String> {
         let failed = self.last.lock().ok()?.failed.take()?;
         Some(format!("the checkpoint `{}` cannot be written: {failed}", self.path.display()))
@@ -161,7 +163,8 @@ impl Part {
         }
     }
 
-    /// How many units of the work it has of how many; nothing if the work was stopped before its end.
+    /// Returns the number of units of the work in this part and the number of all units; `None` if
+    /// the work was stopped before its end.
     pub(super) fn written(&self) -> Option<Result<[usize; 2], String>> {
         self.written.lock().ok()?.take()
     }

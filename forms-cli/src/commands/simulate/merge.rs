@@ -1,4 +1,5 @@
-//! `forms merge`: parts of a simulation become what one run of it gives, if they are all there and of the same work.
+//! `forms merge`: combines the parts of a simulation into the results of a single run, if all parts
+//! are present and belong to the same work.
 //!
 //! ```text
 //! PART… ─▶ read ─▶ of one work? ─▶ each share once? ─▶ states of all shares ─▶ answers, as of one run
@@ -16,14 +17,14 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// A part that was read.
+/// Part that was read.
 struct Part<'a> {
     file: &'a str,
     belongs_to: PartOf,
     state: State,
 }
 
-/// Puts parts together and shows what was found.
+/// Combines parts and prints the results.
 pub(crate) fn merge(
     files: &[String],
     out: Option<&str>,
@@ -64,7 +65,7 @@ pub(crate) fn merge(
     }
 }
 
-/// The parts that can be read, and what is wrong with the others.
+/// Reads the parts; returns those that can be read, and messages about the others.
 fn read(files: &[String]) -> (Vec<Part<'_>>, Vec<String>) {
     let (mut parts, mut messages) = (Vec::new(), Vec::new());
     for file in files {
@@ -84,7 +85,7 @@ fn read(files: &[String]) -> (Vec<Part<'_>>, Vec<String>) {
     (parts, messages)
 }
 
-/// Parts of other work than the first.
+/// Returns messages about parts that do not belong to the work of the first part.
 fn strangers(parts: &[Part<'_>]) -> Vec<String> {
     let first = &parts[0];
     let message = |part: &Part<'_>| {
@@ -104,7 +105,8 @@ fn strangers(parts: &[Part<'_>]) -> Vec<String> {
     parts.iter().filter_map(message).collect()
 }
 
-/// Shares that are there twice and differ, and notes about those that do not.
+/// Returns errors about shares that occur twice with different results, and notes about shares that
+/// occur twice with the same results.
 fn repetitions(parts: &[Part<'_>]) -> (Vec<String>, Vec<String>) {
     let mut seen: BTreeMap<Share, &Part<'_>> = BTreeMap::new();
     let (mut messages, mut notes) = (Vec::new(), Vec::new());
@@ -123,7 +125,7 @@ fn repetitions(parts: &[Part<'_>]) -> (Vec<String>, Vec<String>) {
     (messages, notes)
 }
 
-/// Shares that are not there, with the calls that make them.
+/// Returns messages about missing shares, with the calls that create them.
 fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
     let PartOf { identity, sources, overrides, exposure, instructions } = &first.belongs_to;
     let has = |share: &Share| parts.iter().any(|part| part.belongs_to.identity.share() == *share);
@@ -145,7 +147,7 @@ fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
 
 type Merged = (Scene, simulation::Plan, Simulation);
 
-/// What all shares come to.
+/// Combines all shares.
 fn merged(parts: Vec<Part<'_>>) -> Result<Merged, Vec<String>> {
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
     let PartOf { identity, sources, overrides, .. } = &parts[0].belongs_to;

@@ -1,23 +1,24 @@
-//! What misses the tolerance: numbers, cells of maps and pixels of images whose errors are larger than it allows, and the sentence that tells so.
+//! Results that miss the tolerance: numbers, cells of maps and pixels of images with larger errors,
+//! and the sentence that reports them.
 
 use forms::core::diagnostic::counted;
 use forms_radiometry::output::rough;
 use forms_radiometry::simulation::{Answer, MissedCells, Simulation};
 
-/// The most numbers that are named, and the most maps and images.
+/// Largest number of numbers in the sentence, and of maps and images.
 const MOST: usize = 4;
 
-/// What of a simulation misses a tolerance.
+/// Results of a simulation that miss a tolerance.
 pub(super) struct Missed<'s> {
     found: &'s Simulation,
     tolerance: f64,
-    /// For each answer, in their order, whether it does.
+    /// Whether each answer misses the tolerance, in the order of the answers.
     numbers: Vec<bool>,
     cells: Vec<MissedCells<'s>>,
 }
 
 impl<'s> Missed<'s> {
-    /// What misses this tolerance.
+    /// Collects the results that miss this tolerance.
     pub(super) fn of(found: &'s Simulation, tolerance: f64) -> Self {
         let accuracy = found.accuracy();
         Self {
@@ -28,12 +29,13 @@ impl<'s> Missed<'s> {
         }
     }
 
-    /// Nothing, where no tolerance was asked for.
+    /// Returns an empty collection, for a run without a tolerance.
     pub(super) fn nothing(found: &'s Simulation) -> Self {
         Self { found, tolerance: f64::INFINITY, numbers: vec![false; found.answers.len()], cells: Vec::new() }
     }
 
-    /// Whether the answer in this place does, or cells or pixels of the map or image that it is the mean of do.
+    /// Whether the answer at this index misses the tolerance, or is the mean of a map or image with
+    /// cells or pixels that do.
     pub(super) fn has(&self, place: usize, answer: &Answer) -> bool {
         let is_mean = |MissedCells { map, band, .. }: &MissedCells<'_>| {
             (&map.receiver, map.quantity, *band) == (&answer.receiver, answer.quantity, answer.band)
@@ -41,7 +43,7 @@ impl<'s> Missed<'s> {
         self.numbers[place] || self.cells.iter().any(is_mean)
     }
 
-    /// The sentence that names it, if there is anything.
+    /// Returns the sentence that names the missed results, if there are any.
     pub(super) fn sentence(&self) -> Option<String> {
         let missed: Vec<&Answer> = self
             .found
@@ -69,14 +71,15 @@ impl<'s> Missed<'s> {
     }
 }
 
-/// An answer by its receiver, quantity, band and bin.
+/// Describes an answer by its receiver, quantity, band and bin.
 fn name(answer: &Answer) -> String {
     let places = [answer.band.map(|band| format!("band {band}")), answer.bin.map(|bin| format!("bin {bin}"))];
     let places: String = places.into_iter().flatten().map(|place| format!(", {place}")).collect();
     format!("`{}` ({}{places})", answer.receiver, answer.quantity.name())
 }
 
-/// The cells or pixels of a map or image in one band, with the largest of their errors.
+/// Describes the missed cells or pixels of a map or image in one band, with the largest of their
+/// errors.
 fn cells(missed: &MissedCells<'_>) -> String {
     let MissedCells { map, band, counts: [missed, all], worst } = missed;
     let what = if map.is_image { "pixels" } else { "cells" };
@@ -108,7 +111,8 @@ mod tests {
         }
     }
 
-    /// A number, and an image of four pixels with a lamp in the first one, each with these errors.
+    /// Builds a simulation with one number and an image of four pixels, with these errors. A lamp
+    /// is in the first pixel.
     fn simulation(of_number: f64, of_pixels: [f64; 4]) -> Simulation {
         let image = Map {
             receiver: "eye".to_owned(),
@@ -125,7 +129,8 @@ mod tests {
         Simulation { answers, maps: vec![image], ..Simulation::default() }
     }
 
-    /// What misses a tolerance of one hundredth: for each number whether it is marked, the sentence, and the largest error.
+    /// Returns the results that miss a tolerance of 0.01: whether each number is marked, the
+    /// sentence, and the largest error.
     fn missed(found: &Simulation) -> (Vec<bool>, Option<String>, f64) {
         let missed = Missed::of(found, 1e-2);
         let mut output = Vec::new();
@@ -138,7 +143,8 @@ mod tests {
 
     #[test]
     fn pixels_are_judged_beside_the_scale_of_their_image_or_their_own_value() {
-        // 0.9 of 90, 0.02 of 2 for the darker ones, and 0.03 of 3
+        // The relative errors are 0.9 of 90, 0.02 of 2 (the scale) for the darker pixels, and 0.03
+        // of 3.
         let found = simulation(0.05, [0.9, 0.02, 0.02, 0.03]);
         assert_eq!(missed(&found), (vec![false, false], None, 0.01));
         let (marked, sentence, largest) = missed(&simulation(0.05, [0.9, 0.05, 0.02, 0.045]));
@@ -162,7 +168,7 @@ mod tests {
                 (0..count).map(|index| number(&index.to_string(), Quantity::Irradiance, [1.0, 1e-3]));
             Simulation { answers: numbers.collect(), ..Simulation::default() }
         };
-        // seconds, where every number looked for all others it took minutes
+        // This takes seconds; a search of all numbers for each number would take minutes.
         let found = many(200_000);
         assert_eq!(found.accuracy().missed(1e-2).iter().filter(|missed| **missed).count(), 0);
         assert_eq!(found.accuracy().largest_error(), 1e-3);

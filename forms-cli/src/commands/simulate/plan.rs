@@ -1,4 +1,5 @@
-//! The plan, before the work: a table, or a JSON object for each effect and one for the method.
+//! Output of the plan before the work: a table, or a JSON object for each effect and one for the
+//! method.
 
 use crate::json::write_record;
 use crate::layout::{WIDTH, columns, filled, wrap};
@@ -8,13 +9,13 @@ use forms_radiometry::scene::{Receiver, ReceiverKind, Scene};
 use forms_radiometry::simulation::{Method, Plan, PlannedEffect, Quantity, UsedKernel, methods};
 use std::io::{self, Write};
 
-/// The reasons have this many columns at least, however long the names before them are.
+/// Smallest width of the reasons in columns, even if the names before them are long.
 const NARROWEST_REASON: usize = 30;
 
-/// What the column of bounds says.
+/// Explanation of the column of bounds.
 const MEANING: &str = "bound: what is left out of the effect changes an answer by no more than this";
 
-/// An effect as an object.
+/// JSON record of an effect.
 #[derive(serde::Serialize)]
 struct Record<'a> {
     effect: &'a str,
@@ -25,13 +26,13 @@ struct Record<'a> {
     bound: Option<f64>,
 }
 
-/// The methods as an object.
+/// JSON record of the methods.
 #[derive(serde::Serialize)]
 struct MethodRecord {
     method: Vec<&'static str>,
 }
 
-/// Shows the plan, as a table or as lines of JSON.
+/// Writes the plan as a table or as lines of JSON.
 pub(super) fn show(plan: &Plan, scene: &Scene, json: bool, output: &mut dyn Write) -> io::Result<()> {
     let methods: Vec<&str> = methods(scene, plan).into_iter().map(Method::name).collect();
     if json {
@@ -48,7 +49,8 @@ fn lines(plan: &Plan, output: &mut dyn Write) -> io::Result<()> {
     })
 }
 
-/// A line for each effect: whether it is simulated, what leaving it or its higher orders out can change, and why.
+/// Writes a line for each effect: whether it is simulated, the bound on omitting it or its higher
+/// orders, and the reason.
 fn table(plan: &Plan, scene: &Scene, methods: &[&str], output: &mut dyn Write) -> io::Result<()> {
     let palette = Palette::of_output();
     let title = if scene.name.is_empty() { "Plan".to_owned() } else { format!("Plan of {}", scene.name) };
@@ -74,7 +76,7 @@ fn table(plan: &Plan, scene: &Scene, methods: &[&str], output: &mut dyn Write) -
     kernels(&plan.kernels, palette, output)
 }
 
-/// A line for each kernel that runs: how many operations a value takes, and what it is for.
+/// Writes a line for each kernel that runs: the number of operations per value, and its purpose.
 fn kernels(used: &[UsedKernel], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
     if used.is_empty() {
         return Ok(());
@@ -97,7 +99,7 @@ fn kernels(used: &[UsedKernel], palette: Palette, output: &mut dyn Write) -> io:
     writeln!(output)
 }
 
-/// What a kernel computes, and which of its effects are not in the code that runs.
+/// Describes the purpose of a kernel, and the effects that its running code omits.
 fn purpose(kernel: &UsedKernel) -> String {
     match kernel.without.as_slice() {
         [] => kernel.what.to_owned(),
@@ -105,7 +107,7 @@ fn purpose(kernel: &UsedKernel) -> String {
     }
 }
 
-/// A line, and a text behind it that goes on below in the same column.
+/// Appends a text to a line; the text continues below in the same column.
 fn beside(line: &str, indent: usize, text: &str) -> Vec<String> {
     let room = WIDTH.saturating_sub(indent + 2).max(NARROWEST_REASON);
     let fits = |line: &str, word: &str| line.chars().count() + 1 + word.chars().count() <= room;
@@ -124,7 +126,7 @@ fn extent(planned: &PlannedEffect) -> String {
     }
 }
 
-/// The units of bounds: those of what is asked for.
+/// Returns the units of the bounds: the units of the requested quantities.
 fn units(scene: &Scene) -> String {
     let of = |receiver: &Receiver| match receiver.kind {
         ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => vec![Quantity::Irradiance.unit()],

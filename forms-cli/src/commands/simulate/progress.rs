@@ -1,4 +1,5 @@
-//! How far the work is: on a terminal a bar with the time that is left, elsewhere nothing; and whether it is to stop.
+//! Progress of the work: a bar with the remaining time on a terminal, nothing elsewhere. It also
+//! stops the work on Ctrl-C.
 
 use crate::status::Status;
 use forms_radiometry::simulation::Watch;
@@ -10,17 +11,17 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// Work that is done sooner has no bar.
+/// Time before the bar appears; shorter work has none.
 const PATIENCE: Duration = Duration::from_millis(300);
-/// What is done after Ctrl-C.
+/// Stage shown after Ctrl-C.
 const STOPPING: &str = "stopping";
-/// The parts of a bar.
+/// Number of steps of a bar.
 const PARTS: u64 = 1000;
 
-/// Shows the progress of the work, and stops it when its user asks for that.
+/// Shows the progress of the work, and stops it at the user's request.
 pub(super) struct Progress {
     stopped: Arc<AtomicBool>,
-    /// The bar, if there is someone to see it.
+    /// Progress bar, if standard error is a terminal.
     bar: Option<Bar>,
 }
 
@@ -31,12 +32,13 @@ struct Bar {
     end: End,
 }
 
-/// When the work is foreseen to end, if that can be foreseen.
+/// Predicted end of the work, if it can be predicted.
 #[derive(Clone, Default)]
 struct End(Arc<Mutex<Option<Instant>>>);
 
 impl Progress {
-    /// From now on the first Ctrl-C stops the work, and the second one ends the program.
+    /// Installs the handler of Ctrl-C: the first Ctrl-C stops the work, the second one ends the
+    /// program.
     pub(super) fn watch() -> Result<Self, String> {
         let stopped = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stopped);
@@ -50,7 +52,7 @@ impl Progress {
         Ok(Self { stopped, bar })
     }
 
-    /// Takes the bar away.
+    /// Removes the bar.
     pub(super) fn end(&self) {
         if let Some(bar) = &self.bar {
             bar.drawn.finish_and_clear();
@@ -90,7 +92,7 @@ impl Bar {
         Self { start: Instant::now(), drawn, stage: Mutex::default(), end }
     }
 
-    /// What is being done, and which part of the whole work is done.
+    /// Shows the current stage, and the completed fraction of the whole work.
     fn show(&self, stage: &str, fraction: f64) {
         let Ok(mut current) = self.stage.lock() else { return };
         if *current != stage {
@@ -102,7 +104,7 @@ impl Bar {
 }
 
 impl End {
-    /// So many seconds from now.
+    /// Sets the predicted end to this number of seconds from now.
     fn set(&self, seconds: Option<f64>) {
         let left = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
         if let Ok(mut end) = self.0.lock() {
@@ -110,7 +112,7 @@ impl End {
         }
     }
 
-    /// The time that is left, in words; none where it is not known.
+    /// Returns the remaining time in words; empty if it is not known.
     fn left(&self) -> String {
         let end = self.0.lock().map_or(None, |end| *end);
         let left = end.map(|end| end.saturating_duration_since(Instant::now()));

@@ -1,4 +1,4 @@
-//! The Cornell box by direct light: numbers at its named points, and its picture.
+//! The Cornell box with direct light: numbers at its named points, and its picture.
 
 use super::heading;
 use crate::commands::refuse;
@@ -13,12 +13,13 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use std::time::Instant;
 
-/// Where pictures are put, in the folder the program is called from.
+/// Output folder of pictures, below the current directory.
 const FOLDER: &str = "forms-output";
-/// The picture's file.
+/// File name of the picture.
 const PICTURE: &str = "cornell_box.png";
 
-/// Lights the scene, prints the irradiance at its points and writes its picture.
+/// Computes the direct light of the scene, prints the irradiance at its points and writes its
+/// picture.
 pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
     heading(3, "The Cornell box, lit", palette, output)?;
     let about = "Direct light of the lamp in closed form, its shadows cut out of it exactly; light between the \
@@ -51,11 +52,11 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     }
 }
 
-/// The scene by direct light.
+/// Results of the scene with direct light.
 struct Lit {
-    /// The answers at its points.
+    /// Answers at its points.
     points: Vec<ReceiverResult>,
-    /// The picture of its camera, with the time that it took.
+    /// Picture of its camera, with the run time.
     picture: Option<(Picture, Duration)>,
 }
 
@@ -71,7 +72,8 @@ fn lit() -> Result<Lit, Vec<SceneError>> {
     Ok(Lit { points, picture: picture.map(|picture| (picture, start.elapsed())) })
 }
 
-/// Irradiance, summed over the bands, and the part of the lamp's light that reaches the point.
+/// Prints the irradiance, summed over the bands, and the fraction of the lamp's light that reaches
+/// the point.
 fn points(results: &[ReceiverResult], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
     let title = format!("  {:30} {:>16} {:>12}", "", "irradiance", "unshadowed");
     writeln!(output, "{}", palette.quiet(&title))?;

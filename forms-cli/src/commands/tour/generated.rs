@@ -1,4 +1,4 @@
-//! The kernels of the library and what they cost, as written and as generated.
+//! The kernels of the library and their cost, as written and as generated.
 
 use super::heading;
 use crate::kernel::{generated, library};

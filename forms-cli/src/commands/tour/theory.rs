@@ -1,4 +1,5 @@
-//! The theory of radiance, statement by statement, and where its source is wrong as printed.
+//! The theory of radiance, statement by statement, and the equations that are wrong as printed in
+//! its source.
 
 use super::heading;
 use crate::commands::prove::Totals;
@@ -14,7 +15,7 @@ use forms::core::syntax::Source;
 use forms::core::theory::Statement;
 use std::io::{self, Write};
 
-/// Where what belongs to a statement begins.
+/// Indent of the lines below a statement.
 const INDENT: usize = 6;
 
 /// Decides every statement and prints it with its time, then the printed equations that are wrong.
@@ -53,7 +54,7 @@ pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
     Ok(if totals.all_as_stated() { Status::AsStated } else { Status::NotAsStated })
 }
 
-/// The printed equations that are wrong, each with an exact point at which its sides differ.
+/// Prints the printed equations that are wrong, each with an exact point at which its sides differ.
 fn as_printed(
     wrong: &[Decided],
     source: &Source,
@@ -78,14 +79,14 @@ fn as_printed(
     writeln!(output)
 }
 
-/// Where the sides differ and their values there, to a few digits.
+/// Formats a point at which the sides differ, and their values there, to a few digits.
 fn difference(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let [left, right] = witness.few_digits();
     format!("{left} ≠ {right} at {}", point.join(", "))
 }
 
-/// The equation as it is written in its file, without its name.
+/// Returns the equation as written in its file, without its name.
 fn equation(source: &Source, statement: &Statement) -> String {
     let Span { start, end } = statement.span;
     let after_name = statement.name_span.end.max(start) as usize;

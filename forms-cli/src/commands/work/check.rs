@@ -1,5 +1,5 @@
-//! Errors, statements and kernels of a text, then the verdict on each statement and what kernels claim that was not
-//! shown.
+//! Task `check`: writes the errors, or the statements and kernels of a text, then the verdict on
+//! each statement and the claims of kernels that were not proved.
 
 use super::record::{Place, mathml, read, tell};
 use crate::decisions::timed;
@@ -21,7 +21,7 @@ pub(super) struct Request {
     text: String,
 }
 
-/// What a text declares, told before anything is decided.
+/// Declarations of a text, sent before any decision.
 #[derive(Serialize)]
 struct Declared<'a> {
     statements: Vec<StatementRecord<'a>>,
@@ -32,10 +32,10 @@ struct Declared<'a> {
 struct StatementRecord<'a> {
     name: &'a str,
     kind: &'a str,
-    /// Where its name is.
+    /// Place of its name.
     #[serde(flatten)]
     place: Place,
-    /// The equation as it was written.
+    /// Equation as written.
     mathml: Option<String>,
 }
 
@@ -54,7 +54,7 @@ struct KernelRecord<'a> {
 struct ArgumentRecord<'a> {
     name: &'a str,
     unit: Option<&'a str>,
-    /// The ends of its range, where the domain bounds it by numbers.
+    /// Ends of its range, if the domain bounds it by numbers.
     from: Option<f64>,
     to: Option<f64>,
 }
@@ -72,7 +72,7 @@ struct VerdictRecord<'a> {
     words: &'a str,
     conditions: &'a [String],
     witness: Option<WitnessRecord<'a>>,
-    /// Why nothing was decided.
+    /// Reason why the statement was not decided.
     reason: Option<&'a str>,
     micros: u64,
 }
@@ -87,7 +87,7 @@ struct WitnessRecord<'a> {
     ratio: Option<String>,
 }
 
-/// Tells what is wrong with a text, or what it says and which of its statements are as stated.
+/// Writes the errors of a text, or its declarations and the verdicts on its statements.
 pub(super) fn check(request: &Request, output: &mut dyn Write) -> io::Result<()> {
     let Some((file, mut theory_file)) = read(&request.text, output)? else { return Ok(()) };
     declared(&file, &theory_file, output)?;
@@ -126,7 +126,8 @@ fn declared(file: &File, theory_file: &TheoryFile, output: &mut dyn Write) -> io
     write_record(output, &Declared { statements: statements.collect(), kernels: kernels.collect() })
 }
 
-/// The item of a statement with its name; none where it follows from a warp and nobody wrote it.
+/// Finds the item of a statement, with its name; `None` if the statement follows from a warp and
+/// has no item of its own.
 fn written<'a>(file: &'a File, wanted: &str) -> Option<(&'a Name, &'a ItemKind)> {
     file.items.iter().find_map(|item| match &item.kind {
         ItemKind::Statement { name, .. } if name.text == wanted => Some((name, &item.kind)),
@@ -134,7 +135,7 @@ fn written<'a>(file: &'a File, wanted: &str) -> Option<(&'a Name, &'a ItemKind)>
     })
 }
 
-/// A statement as it was written, in LaTeX.
+/// Returns a statement as written, in LaTeX.
 fn formula(theory: &Theory, item: &ItemKind) -> Option<String> {
     let ItemKind::Statement { left, right, conditions, .. } = item else { return None };
     let equation = format!("{} = {}", latex_as_written(theory, left), latex_as_written(theory, right));

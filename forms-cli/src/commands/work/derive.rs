@@ -1,4 +1,4 @@
-//! The steps that decide one statement of a text.
+//! Task `derive`: the steps that decide one statement of a text.
 
 use super::Refusal;
 use super::record::{mathml, read};
@@ -10,7 +10,7 @@ use std::io::{self, Write};
 #[derive(Deserialize)]
 pub(super) struct Request {
     text: String,
-    /// The name of a statement.
+    /// Name of a statement.
     name: String,
 }
 
@@ -25,7 +25,7 @@ struct StepRecord<'a> {
     lines: Vec<LineRecord<'a>>,
 }
 
-/// A sentence, or a formula in the language's notation and in MathML.
+/// Sentence, or a formula in the notation of the language and in MathML.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum LineRecord<'a> {
@@ -33,7 +33,7 @@ enum LineRecord<'a> {
     Formula { text: &'a str, mathml: Option<String> },
 }
 
-/// Tells the steps, or that there is no such statement.
+/// Writes the steps, or a refusal if there is no such statement.
 pub(super) fn derive(request: &Request, output: &mut dyn Write) -> io::Result<()> {
     let Some((_, file)) = read(&request.text, output)? else { return Ok(()) };
     let Some(derivation) = derivation_of(&file.source, &request.name) else {

@@ -1,4 +1,4 @@
-//! One kernel of a text, as source in each language.
+//! Task `emit`: one kernel of a text, as source code in each language.
 
 use super::Refusal;
 use super::record::{read, tell};
@@ -10,13 +10,13 @@ use forms::core::emission::{Source, Target};
 use serde::{Deserialize, Serialize};
 use std::io::{self, Write};
 
-/// The languages side by side.
+/// Target languages of the answer.
 const TARGETS: [Target; 3] = [Target::Rust, Target::C, Target::Wgsl];
 
 #[derive(Deserialize)]
 pub(super) struct Request {
     text: String,
-    /// The name of a kernel.
+    /// Name of a kernel.
     kernel: String,
 }
 
@@ -29,13 +29,13 @@ struct Sources {
 struct Code {
     target: &'static str,
     precision: &'static str,
-    /// The source …
+    /// Source code, if there is any.
     text: Option<String>,
-    /// … or why there is none.
+    /// Reason why there is no source code.
     reason: Option<String>,
 }
 
-/// Tells the sources, or what is wrong with the kernel.
+/// Writes the source code in each language, or the errors of the kernel.
 pub(super) fn emit(request: &Request, output: &mut dyn Write) -> io::Result<()> {
     let Some((_, file)) = read(&request.text, output)? else { return Ok(()) };
     let files = [file];

@@ -1,4 +1,4 @@
-//! The values of one kernel of a text over two of its arguments, or over its only one, as a drawing.
+//! Task `plot`: the values of one kernel of a text over one or two of its arguments, as a drawing.
 
 use super::Refusal;
 use super::record::{read, tell};
@@ -10,28 +10,28 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// The cells of a map: columns and rows.
+/// Number of cells of a map: columns and rows.
 const CELLS: [usize; 2] = [112, 84];
-/// The points of a curve.
+/// Number of points of a curve.
 const POINTS: usize = 512;
 
 #[derive(Deserialize)]
 pub(super) struct Request {
     text: String,
-    /// The name of a kernel.
+    /// Name of a kernel.
     kernel: String,
-    /// Which of its values, from 0.
+    /// Index of the plotted value, from 0.
     #[serde(default)]
     output: usize,
     across: Axis,
-    /// None for a curve.
+    /// Vertical axis; `None` for a curve.
     up: Option<Axis>,
     /// Values of all other arguments.
     #[serde(default)]
     fixed: BTreeMap<String, f64>,
 }
 
-/// An argument and the range it is drawn over.
+/// Argument with the range over which it is plotted.
 #[derive(Deserialize)]
 struct Axis {
     name: String,
@@ -40,7 +40,7 @@ struct Axis {
 }
 
 impl Axis {
-    /// The value at a share of the range.
+    /// Returns the value at a fraction of the range.
     fn at(&self, share: f64) -> f64 {
         self.from * (1.0 - share) + self.to * share
     }
@@ -60,12 +60,12 @@ struct DrawingRecord {
     svg: String,
     least: Option<f64>,
     greatest: Option<f64>,
-    /// How many of the values are no numbers, and of how many.
+    /// Number of NaN values, and number of all values.
     undefined: usize,
     values: usize,
 }
 
-/// Tells the drawing, or what is wrong with the kernel or the request.
+/// Writes the drawing, or the errors of the kernel or of the request.
 pub(super) fn plot(request: &Request, output: &mut dyn Write) -> io::Result<()> {
     let Some((_, file)) = read(&request.text, output)? else { return Ok(()) };
     let files = [file];
@@ -101,7 +101,8 @@ impl Request {
         Ok(DrawingRecord { svg, least, greatest, undefined, values: values.len() })
     }
 
-    /// In the middles of the cells, row by row from the lower end; at the points of a curve.
+    /// Computes the values at the centres of the cells, row by row from the lower end, or at the
+    /// points of a curve.
     fn values(&self, generated: &Generated) -> Result<Vec<f64>, String> {
         let mut arguments = self.arguments(generated)?;
         let place = |axis: &Axis| generated.optimised.arguments().iter().position(|name| *name == axis.name);
@@ -128,7 +129,8 @@ impl Request {
             .collect())
     }
 
-    /// The values of the fixed arguments in their places; ranges and names are what they should be.
+    /// Checks the ranges and names of the request, and returns the values of the fixed arguments at
+    /// their indices.
     fn arguments(&self, generated: &Generated) -> Result<Vec<f64>, String> {
         let outputs = generated.optimised.outputs().len();
         if self.output >= outputs {
@@ -158,7 +160,7 @@ impl Request {
         format!("`{}` is no argument of `{}`", axis.name, self.kernel)
     }
 
-    /// `density(u, v)`, and which value if there are several.
+    /// Returns the title `density(u, v)`, with the index of the value if there are several.
     fn title(&self, generated: &Generated) -> String {
         let arguments = generated.optimised.arguments().join(", ");
         let several = generated.optimised.outputs().len() > 1;
@@ -166,7 +168,7 @@ impl Request {
         format!("{}({arguments}){which}", self.kernel)
     }
 
-    /// `at r = 1, s = 2`
+    /// Returns the note `at r = 1, s = 2`.
     fn note(&self) -> String {
         let drawn = |name: &str| {
             [Some(&self.across), self.up.as_ref()].into_iter().flatten().any(|axis| axis.name == name)
@@ -177,10 +179,10 @@ impl Request {
     }
 }
 
-/// What gives a number for the arguments of a kernel.
+/// Function from the arguments of a kernel to one number.
 type Value<'a> = Box<dyn FnMut(&[f64]) -> f64 + 'a>;
 
-/// One value of a kernel in double precision, as it is generated.
+/// Returns a function for one value of a kernel, as generated, in double precision.
 fn kernel_of(generated: &Generated, output: usize) -> Value<'_> {
     let program = &generated.optimised;
     match generated.within {

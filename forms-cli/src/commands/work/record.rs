@@ -1,4 +1,4 @@
-//! Places and formulas of a text, as the page reads them.
+//! Places and formulas of a text, in the format of the page.
 
 use super::{Diagnostics, Told};
 use crate::json::write_record;
@@ -11,7 +11,7 @@ use forms_book::{LONGEST_FORMULA, display};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// Where something stands: line and column from 1, the column and the length in characters.
+/// Place in a text: line and column from 1; column and length are in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(super) struct Place {
     line: usize,
@@ -26,7 +26,7 @@ impl Place {
     }
 }
 
-/// A text without errors, or none, its errors being told.
+/// Reads a text. If it has errors, they are written and the result is `None`.
 pub(super) fn read(text: &str, output: &mut dyn Write) -> io::Result<Option<(File, TheoryFile)>> {
     let source = Source::new("the editor", text);
     let (file, theory, diagnostics) = read_file(text);
@@ -38,7 +38,7 @@ pub(super) fn read(text: &str, output: &mut dyn Write) -> io::Result<Option<(Fil
     Ok(None)
 }
 
-/// Tells errors.
+/// Writes errors.
 pub(super) fn tell(errors: &[FileError], output: &mut dyn Write) -> io::Result<()> {
     let told = |error: &FileError| Told {
         place: Place { line: error.line, column: error.column, length: error.length },
@@ -48,7 +48,7 @@ pub(super) fn tell(errors: &[FileError], output: &mut dyn Write) -> io::Result<(
     write_record(output, &Diagnostics { diagnostics: errors.iter().map(told).collect() })
 }
 
-/// A formula as a `<math>` element, unless it is too long or has no form in MathML.
+/// Converts a formula to a `<math>` element, unless it is too long or cannot be written in MathML.
 pub(super) fn mathml(latex: &str) -> Option<String> {
     (latex.len() <= LONGEST_FORMULA).then(|| display(latex).ok()).flatten()
 }

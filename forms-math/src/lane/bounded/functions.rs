@@ -1,4 +1,5 @@
-//! Functions of bounded lanes: 2 ulp, and what the error α of the argument makes of the value for all δ with |δ| ≤ α.
+//! Functions of bounded lanes: rounding errors of 2 ulp, and the propagation of the error α of the
+//! argument, for all δ with |δ| ≤ α.
 
 use super::super::pair::two_product;
 use super::super::word::Word;
@@ -6,13 +7,13 @@ use super::super::{error_function, exponential, inverse, logarithm, power, trigo
 use super::{Bounded, below_one, rest_of};
 
 impl<W: Word> Bounded<W> {
-    /// A function's value, with what the error of the argument makes of it.
+    /// Returns a function's value with its rounding error and the propagated error of the argument.
     #[inline(always)]
     fn function(value: W, propagated: W) -> Self {
         Self::above_underflow(value, value.magnitude() * W::two_to(2 - W::PRECISION) + propagated, false)
     }
 
-    /// |e^δ − 1| ≤ α (1 + α) of α < 1
+    /// |e^δ − 1| ≤ α (1 + α) for α < 1
     #[inline(always)]
     fn growth(self) -> W {
         let one = W::literal(1.0);
@@ -20,7 +21,7 @@ impl<W: Word> Bounded<W> {
         if self.error < one { growth } else { W::infinity() }
     }
 
-    /// α/least, of a positive least; nothing where α is.
+    /// Computes α/least for a positive lower bound; zero if α is zero.
     #[inline(always)]
     fn error_over(self, least: W) -> W {
         let zero = W::literal(0.0);
@@ -40,7 +41,7 @@ impl<W: Word> Bounded<W> {
         Self::above_underflow(root, error, self.is_zero())
     }
 
-    /// |(1 + δ/x)^p − 1| ≤ w (1 + w) of w = |p| α/(|x| − α) < 1
+    /// |(1 + δ/x)^p − 1| ≤ w (1 + w) for w = |p| α/(|x| − α) < 1
     #[inline(always)]
     pub(super) fn rational_power(self, numerator: i64, denominator: i64) -> Self {
         let value = power::power(self.value, numerator, denominator);
@@ -90,8 +91,8 @@ impl<W: Word> Bounded<W> {
     pub(super) fn arc_tangent(self) -> Self {
         Self::function(inverse::atan(self.value), self.error)
     }
-    /// A point that moves by d ≤ r/2 at the distance r turns by at most arcsin(d/r) ≤ 1.1 d/r, but jumps where it may pass
-    /// the negative axis.
+    /// Computes the angle of a point. A point at the distance r that moves by d ≤ r/2 turns by at
+    /// most arcsin(d/r) ≤ 1.1 d/r, but the angle jumps where the point can cross the negative axis.
     #[inline(always)]
     pub(super) fn angle(self, x: Self) -> Self {
         let (height, width) = (self.value.magnitude(), x.value.magnitude());

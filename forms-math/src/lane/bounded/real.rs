@@ -1,4 +1,4 @@
-//! Bounded lanes as numbers of a kernel; what they do not know is NaN, with no bound.
+//! Bounded lanes as numbers of a kernel; an unknown value is NaN, without a bound.
 
 use super::super::pair::two_product;
 use super::super::word::Word;
@@ -14,7 +14,8 @@ impl<W: Word> Bounded<W> {
         (distance > error + error) | (error == W::literal(0.0))
     }
 
-    /// One of two values by a comparison that is decided, otherwise none that is known.
+    /// Selects one of two values by a comparison; if the comparison is undecided, the result has no
+    /// bound.
     #[inline(always)]
     fn chosen(decided: bool, holds: bool, then: Self, otherwise: Self) -> Self {
         let value = if holds { then.value } else { otherwise.value };
@@ -28,7 +29,7 @@ impl<W: Word> Bounded<W> {
     }
 }
 
-/// Functions of one argument, by the names they have here.
+/// Functions of one argument, by their names in this module.
 macro_rules! functions {
     ($($name:ident: $own:ident;)*) => { $(
         #[inline(always)]
@@ -56,7 +57,7 @@ impl<W: Word> Real for Bounded<W> {
         let rest = W::literal((word(0) - value.to_double() + word(1)).abs());
         Self::raised(value, rest)
     }
-    /// What a second word of zero leaves may have been lost to underflow.
+    /// Adds an error for a second word of zero, whose remainder may have been lost to underflow.
     #[inline(always)]
     fn number(number: Number<'_>) -> Self {
         let known = Self::constant(number.words());
@@ -71,8 +72,8 @@ impl<W: Word> Real for Bounded<W> {
         self.value.to_double()
     }
 
-    /// The value of lanes is within 2 ulp where no rest of a product is lost to underflow, besides the roundings of the
-    /// rests themselves.
+    /// The value of lanes is within 2 ulp if no rest of a product is lost to underflow, in addition
+    /// to the roundings of the rests themselves.
     #[inline(always)]
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         let (left, right) = (two_product(a.value, b.value), two_product(c.value, d.value));

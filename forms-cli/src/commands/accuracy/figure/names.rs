@@ -1,31 +1,32 @@
-//! Names placed beside their marks: none covers a mark or another name, and a thread leads to a mark that is not near.
+//! Placement of names next to their markers: no name covers a marker or another name, and a leader
+//! line connects a distant name with its marker.
 
 use crate::drawing::Anchor;
 
-/// How far from its mark a name may stand.
+/// Distances of a name from its marker that are tried.
 const DISTANCES: [f64; 9] = [11.0, 20.0, 32.0, 46.0, 62.0, 80.0, 100.0, 122.0, 146.0];
 
-/// Directions that are tried at each distance, the first ones preferred: right, left, then around.
+/// Directions that are tried at each distance, in order of preference: right, left, then around.
 const DIRECTIONS: [f64; 12] =
     [0.0, 180.0, -40.0, 40.0, -140.0, 140.0, -90.0, 90.0, -65.0, 65.0, -115.0, 115.0];
 
-/// From here on a name has a thread.
+/// Distance beyond which a name has a leader line.
 const NEAR: f64 = 12.0;
 
-/// Half the side of the box that a mark takes.
+/// Half the side of the box of a marker.
 const MARK: f64 = 7.5;
 
-/// The height of a name above and below its middle.
+/// Half the height of a name.
 const HALF_HEIGHT: f64 = 6.5;
 
-/// What a unit of area costs that is covered twice, in units of distance.
+/// Cost of a unit of overlapped area, in units of distance.
 const OVERLAP: f64 = 4.0;
 
-/// What a crossing costs of a thread, and of a line of the panel.
+/// Costs of crossing a leader line, and of crossing a line of the panel.
 const CROSSING: f64 = 70.0;
 const OVER_A_LINE: f64 = 14.0;
 
-/// A box.
+/// Axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Area {
     pub(super) left: f64,
@@ -39,19 +40,19 @@ impl Area {
         Area { left: x - half, top: y - half, right: x + half, bottom: y + half }
     }
 
-    /// The area that two boxes share.
+    /// Returns the area of the intersection of two boxes.
     fn shared(&self, other: &Area) -> f64 {
         let width = self.right.min(other.right) - self.left.max(other.left);
         let height = self.bottom.min(other.bottom) - self.top.max(other.top);
         width.max(0.0) * height.max(0.0)
     }
 
-    /// The area that is outside of another box.
+    /// Returns the area outside another box.
     fn outside(&self, other: &Area) -> f64 {
         (self.right - self.left) * (self.bottom - self.top) - self.shared(other)
     }
 
-    /// Whether a segment goes through: whether what is left of it between the sides is anything.
+    /// Whether a segment passes through the box: clipped to the box, it has a positive length.
     fn is_crossed(&self, from: [f64; 2], to: [f64; 2]) -> bool {
         let sides = [(self.left, self.right), (self.top, self.bottom)];
         let (mut first, mut last) = (0.0_f64, 1.0_f64);
@@ -70,17 +71,17 @@ impl Area {
     }
 }
 
-/// Where a name stands.
+/// Placement of a name.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// The base line of its text.
+    /// Point on the baseline of the text.
     pub(super) text: [f64; 2],
     pub(super) anchor: Anchor,
-    /// The end of the thread to its mark.
+    /// End of the leader line to its marker.
     pub(super) thread: Option<[f64; 2]>,
 }
 
-/// A panel on which names are placed one after the other.
+/// Panel on which names are placed one after the other.
 pub(super) struct Names {
     bounds: Area,
     marks: Vec<[f64; 2]>,
@@ -90,12 +91,12 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// With these marks, boxes that are taken by something else, and lines that are better not covered.
+    /// Creates a panel with these markers, occupied boxes, and lines that should not be covered.
     pub(super) fn new(bounds: Area, marks: &[[f64; 2]], taken: Vec<Area>, lines: Vec<[[f64; 2]; 2]>) -> Self {
         Names { bounds, marks: marks.to_vec(), taken, lines, threads: Vec::new() }
     }
 
-    /// The best place for a name of a width.
+    /// Finds the best placement of a name with this width.
     pub(super) fn place(&mut self, mark: [f64; 2], width: f64) -> Place {
         let candidates = DISTANCES.iter().flat_map(|&distance| {
             DIRECTIONS.iter().enumerate().map(move |(rank, &direction)| {
@@ -112,7 +113,7 @@ impl Names {
         place
     }
 
-    /// What stands in the way of a name and of its thread.
+    /// Returns the cost of all overlaps and crossings of a name and its leader line.
     fn obstacles(&self, mark: [f64; 2], place: &Place, area: &Area) -> f64 {
         let marks = || self.marks.iter().map(|&at| Area::around(at, MARK));
         let covered: f64 = marks().chain(self.taken.iter().copied()).map(|other| area.shared(&other)).sum();
@@ -132,7 +133,7 @@ impl Names {
     }
 }
 
-/// A name at a distance and in a direction, in degrees, and the box it takes.
+/// Places a name at a distance and in a direction, in degrees; returns the placement and its box.
 fn candidate(mark: [f64; 2], distance: f64, direction: f64, width: f64) -> (Place, Area) {
     let (sine, cosine) = direction.to_radians().sin_cos();
     let end = [mark[0] + distance * cosine, mark[1] + distance * sine];
@@ -141,7 +142,7 @@ fn candidate(mark: [f64; 2], distance: f64, direction: f64, width: f64) -> (Plac
         c if c < -0.3 => (Anchor::End, end[0] - width),
         _ => (Anchor::Middle, end[0] - width / 2.0),
     };
-    // above and below the thread ends at the rim of the name
+    // Above and below the marker, the leader line ends at the edge of the name.
     let middle = if anchor == Anchor::Middle { end[1] + sine.signum() * HALF_HEIGHT } else { end[1] };
     let area = Area { left, top: middle - HALF_HEIGHT, right: left + width, bottom: middle + HALF_HEIGHT };
     let thread = (distance > NEAR).then_some(end);

@@ -1,4 +1,5 @@
-//! A panel: right digits of a result over the time of one value, a mark with its name for each variant, and the Pareto front.
+//! A panel: correct digits of a result over the time of one value, with a named marker for each
+//! variant and the Pareto front.
 
 use super::names::{Area, Names};
 use super::{FRONT, colour, marker};
@@ -6,23 +7,23 @@ use crate::commands::accuracy::report::{Report, Row};
 use crate::drawing::{Anchor, Axis, Drawing, GRID, INK, QUIET, Style, width};
 use forms::core::accuracy::{Arithmetic, Score};
 
-/// Digits at the upper end of the axis.
+/// Number of digits at the upper end of the axis.
 const MOST_DIGITS: f64 = 34.0;
 
-/// Numbers along the axis of times stand this far apart or farther.
+/// Smallest distance between numbers on the axis of times.
 const APART: f64 = 31.0;
 
-/// The size of names.
+/// Font size of names.
 const NAME: f64 = 11.0;
 
-/// The digits that each arithmetic has.
+/// Number of bits of each arithmetic.
 const LEVELS: [(Arithmetic, &str, f64); 3] = [
     (Arithmetic::Single, "all of f32: 24 bits", 24.0),
     (Arithmetic::Double, "all of f64: 53 bits", 53.0),
     (Arithmetic::DoubleDouble, "all of dd: 106 bits", 106.0),
 ];
 
-/// Powers of ten of nanoseconds that hold the times of a report.
+/// Range of the axis of times: decimal logarithms of nanoseconds.
 #[derive(Clone, Copy)]
 pub(super) struct Times {
     from: f64,
@@ -30,7 +31,7 @@ pub(super) struct Times {
 }
 
 impl Times {
-    /// Of what was timed; nothing if nothing was.
+    /// Returns the range of the measured times, or `None` if there are none.
     pub(super) fn of(report: &Report) -> Option<Self> {
         let times = || report.rows.iter().filter_map(|row| row.nanoseconds);
         let (least, most) = (times().reduce(f64::min)?.log10(), times().reduce(f64::max)?.log10());
@@ -39,14 +40,14 @@ impl Times {
     }
 }
 
-/// Where a panel is, and what it shows.
+/// Position and content of a panel.
 pub(super) struct Panel<'a> {
     pub(super) area: Area,
     pub(super) times: Times,
     pub(super) title: &'a str,
-    /// The score of a variant that is shown.
+    /// Score of a variant that is drawn.
     pub(super) score: fn(&Row) -> Option<&Score>,
-    /// Whether the axis of digits has its numbers.
+    /// Whether the axis of digits is numbered.
     pub(super) numbered: bool,
 }
 
@@ -91,7 +92,7 @@ impl Panel<'_> {
         self.area.bottom - part * (self.area.bottom - self.area.top)
     }
 
-    /// Axes and levels; gives the boxes that their texts take.
+    /// Draws axes and levels; returns the boxes of their texts.
     fn frame(&self, drawing: &mut Drawing) -> Vec<Area> {
         let Area { left, top, right, bottom } = self.area;
         drawing.text([left, top - 10.0], Style::of(13.0, INK).bold(), self.title);
@@ -129,7 +130,8 @@ impl Panel<'_> {
         drawing.text([(left + right) / 2.0, bottom + 35.0], style, "time of one value [ns], logarithmic");
     }
 
-    /// The stairs of what no other variant beats in both time and digits.
+    /// Returns the staircase of the Pareto front: the variants that no other beats in both time and
+    /// digits.
     fn front(&self, marks: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let mut sorted = marks.to_vec();
         sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));

@@ -1,23 +1,24 @@
-//! The strip below the panels: each variant with its time, and the bits that it loses in each regime.
+//! The strip below the panels: each variant with its time, and the bits lost in each regime.
 
 use super::marker;
 use crate::commands::accuracy::report::{Report, Row};
 use crate::drawing::{Anchor, Drawing, INK, QUIET, Style};
 use forms::core::accuracy::{Regime, Score};
 
-/// The height of a line.
+/// Height of a line.
 pub(super) const ROW: f64 = 23.0;
 
-/// What stands above the first line.
+/// Height of the header above the first line.
 pub(super) const HEAD: f64 = 44.0;
 
-/// The place of a variant's name, of its time and of its mark on the Pareto front, and where regimes begin.
+/// Positions of a variant's name, of its time, of its mark on the Pareto front, and of the first
+/// regime.
 const NAME: f64 = 24.0;
 const TIME: f64 = 196.0;
 const FRONT: f64 = 228.0;
 const REGIMES: f64 = 256.0;
 
-/// Where the strip is.
+/// Position of the strip.
 pub(super) struct Strip {
     pub(super) left: f64,
     pub(super) right: f64,
@@ -75,7 +76,7 @@ fn score(row: &Row, regime: Regime) -> Option<&Score> {
     row.line.scores.iter().find(|score| score.regime == regime)
 }
 
-/// The darker, the larger the part of the digits that is lost.
+/// Draws a cell with the bits lost; its colour is darker for a larger lost fraction of the digits.
 fn loss(drawing: &mut Drawing, [x, y]: [f64; 2], width: f64, row: &Row, score: &Score, hardest: bool) {
     let lost = score.bits.mean;
     let share = ((lost - 0.5).max(0.0) / row.correct_bits(0.0)).min(1.0).sqrt();
