@@ -54,11 +54,6 @@ impl Enclosure {
         Enclosure::exact(a, precision).hull(&Enclosure::exact(b, precision))
     }
 
-    /// Encloses π.
-    pub fn pi(precision: Precision) -> Self {
-        Enclosure::from_range(super::constants::pi(precision.0))
-    }
-
     /// Encloses a rational number, rounded outward if it has become long.
     pub(super) fn from_rational(value: Rational, precision: u32) -> Self {
         if value.numer().bits().max(value.denom().bits()) <= exact_bits(precision) {

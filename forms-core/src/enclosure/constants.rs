@@ -1,8 +1,6 @@
-//! π and log 2, from series of reciprocals of integers, and Euler’s γ from the exponential
-//! integral.
+//! π and log 2, from series of reciprocals of integers; constants are computed once and kept.
 
-use super::exponential::logarithm_of;
-use super::exponential_integral::{entire_part, lost_to_terms, negligible_from};
+use super::bounds::{Enclosure, Precision};
 use super::range::Range;
 use super::series::odd_reciprocals;
 use num_bigint::BigInt;
@@ -11,13 +9,20 @@ use std::sync::OnceLock;
 /// Precisions at which the constants are computed once and kept. The first one is nearly always
 /// enough, and the second costs a millisecond. The others serve numbers near the ends of the range
 /// of `f64`.
-const KEPT: [u32; 4] = [320, 1280, 2560, 5120];
+pub(super) const KEPT: [u32; 4] = [320, 1280, 2560, 5120];
 
 /// A constant at each of these precisions.
-type Kept = [OnceLock<Range>; KEPT.len()];
+pub(super) type Kept = [OnceLock<Range>; KEPT.len()];
 
 /// Guard places that absorb the rounding of a few thousand terms.
-const GUARD: u32 = 24;
+pub(super) const GUARD: u32 = 24;
+
+impl Enclosure {
+    /// Encloses π.
+    pub fn pi(precision: Precision) -> Self {
+        Enclosure::from_range(pi(precision.0))
+    }
+}
 
 /// Machin: π = 16 arctan(1/5) − 4 arctan(1/239)
 pub(super) fn pi(precision: u32) -> Range {
@@ -33,19 +38,8 @@ pub(super) fn log_two(precision: u32) -> Range {
     constant(precision, &KEPT_LOG_TWO, |p| combination(&[(18, 26), (-2, 4801), (8, 8749)], p, Range::square))
 }
 
-/// Euler's γ = −log n − Σ (−n)ᵏ/(k k!) − E₁(n), with 0 < E₁(n) < 2⁻ᵖ for n above p log 2
-pub(super) fn euler(precision: u32) -> Range {
-    static KEPT_EULER: Kept = [const { OnceLock::new() }; KEPT.len()];
-    constant(precision, &KEPT_EULER, |p| {
-        let n = negligible_from(p);
-        let fine = p + lost_to_terms(n) + GUARD;
-        let n = Range::integer(n.into(), fine);
-        let sum = logarithm_of(&n).add(&entire_part(&n)).negate().rescaled(p);
-        sum.subtract(&Range::new(0.into(), 1.into(), p))
-    })
-}
-
-fn constant(precision: u32, kept: &Kept, compute: impl Fn(u32) -> Range) -> Range {
+/// Returns a constant, kept at the precisions at which it was computed.
+pub(super) fn constant(precision: u32, kept: &Kept, compute: impl Fn(u32) -> Range) -> Range {
     for (place, known) in KEPT.into_iter().zip(kept) {
         if precision + GUARD <= place {
             return known.get_or_init(|| compute(place)).rescaled(precision);

@@ -1,31 +1,45 @@
 //! The error function and the exponential integrals E₁, E₂, E₃, by their entire series.
 
 use super::bounds::{Enclosure, Undecided};
-use super::constants::{euler, pi};
+use super::constants::{self, KEPT, Kept, constant, pi};
+use super::exponential::logarithm_of;
 use super::range::Range;
 use super::series::{Divisors, entire_series};
 use crate::expression::Rational;
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
+use std::sync::OnceLock;
 
 /// Guard places that absorb the rounding of a few thousand steps and of factors below 2¹².
 const GUARD: u32 = 48;
 
 /// Returns an integer above p log 2: e⁻ˣ < 2⁻ᵖ for larger x.
-pub(super) fn negligible_from(precision: u32) -> u32 {
+fn negligible_from(precision: u32) -> u32 {
     7 * precision / 10 + 2
 }
 
 /// Returns the number of places that a sum of size 1 loses if its terms are as large as eᵃ: log₂ e
 /// < 3/2.
-pub(super) fn lost_to_terms(a: u32) -> u32 {
+fn lost_to_terms(a: u32) -> u32 {
     3 * a / 2 + 1
 }
 
 /// Σ (−x)ᵏ/(k k!) for k ≥ 1, which is −γ − log x − E₁(x).
-pub(super) fn entire_part(x: &Range) -> Range {
+fn entire_part(x: &Range) -> Range {
     let negated = x.negate();
     entire_series(negated.clone(), &negated, |k| Divisors { step: k + 2, term: k + 1 })
+}
+
+/// Euler's γ = −log n − Σ (−n)ᵏ/(k k!) − E₁(n), with 0 < E₁(n) < 2⁻ᵖ for n above p log 2
+fn euler(precision: u32) -> Range {
+    static KEPT_EULER: Kept = [const { OnceLock::new() }; KEPT.len()];
+    constant(precision, &KEPT_EULER, |p| {
+        let n = negligible_from(p);
+        let fine = p + lost_to_terms(n) + constants::GUARD;
+        let n = Range::integer(n.into(), fine);
+        let sum = logarithm_of(&n).add(&entire_part(&n)).negate().rescaled(p);
+        sum.subtract(&Range::new(0.into(), 1.into(), p))
+    })
 }
 
 impl Enclosure {

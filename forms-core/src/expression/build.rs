@@ -2,8 +2,9 @@
 //! signs move out of products and quotients, integer powers of powers merge, and derivatives of
 //! integrals are lowered. No other rewriting is done.
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam, Symbol};
+use super::node::{Expr, FunctionId, Node, Rational, Seam, Symbol};
 use super::operation::Operation;
+use super::pool::Pool;
 use crate::expression::Relation;
 use num_rational::Ratio;
 use num_traits::{One, Signed, Zero};

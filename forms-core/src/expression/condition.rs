@@ -1,7 +1,8 @@
 //! Relations between expressions: `where` conditions, and conditions under which an expression is
 //! defined.
 
-use super::node::{Expr, Pool};
+use super::node::Expr;
+use super::pool::Pool;
 use super::substitution::Substitution;
 use crate::expression::Relation;
 

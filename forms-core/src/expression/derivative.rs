@@ -1,7 +1,8 @@
 //! Partial derivatives of structured expressions: the chain rule over the expression graph, each
 //! node differentiated once.
 
-use super::node::{Expr, Node, Origin, Pool, Symbol};
+use super::node::{Expr, Node, Origin, Symbol};
+use super::pool::Pool;
 use num_rational::Ratio;
 
 impl Pool {
@@ -105,7 +106,7 @@ impl Pool {
                 if inner.iter().all(|&d| self.is_zero(d)) {
                     return zero;
                 }
-                let partials = (operation.row().partials)(self, &arguments);
+                let partials = operation.partials(self, &arguments);
                 self.chain(&partials, &inner)
             }
             Node::Jet { function, orders, arguments } => {

@@ -2,8 +2,9 @@
 //! everywhere.
 
 use super::condition::Condition;
-use super::node::{Expr, Node, Pool};
+use super::node::{Expr, Node};
 use super::operation::Operation;
+use super::pool::Pool;
 use crate::expression::Relation;
 use num_rational::Ratio;
 use num_traits::{Signed, Zero};

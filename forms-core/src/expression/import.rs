@@ -1,6 +1,7 @@
 //! Import of expressions from another pool.
 
-use super::node::{Expr, Node, Pool, Symbol};
+use super::node::{Expr, Node, Symbol};
+use super::pool::Pool;
 use rustc_hash::FxHashMap;
 
 impl Pool {

@@ -5,8 +5,9 @@
 //! product ─ gather ─▶ jets at variables and parameters · remaining factor ─ least order of the variables ─▶ primitive
 //! ```
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational, Symbol};
-use super::primitive::{Factor, Place, Primitive};
+use super::integral_table::{Factor, Place, Primitive};
+use super::node::{Expr, FunctionId, Node, Rational, Symbol};
+use super::pool::Pool;
 use super::substitution::Substitution;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;

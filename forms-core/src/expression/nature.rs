@@ -1,8 +1,9 @@
 //! Signs that are evident from the form of an expression: squares, roots, exponentials, and sums
 //! and products of these.
 
-use super::node::{Expr, Node, Pool};
+use super::node::{Expr, Node};
 use super::operation::Operation;
+use super::pool::Pool;
 use num_traits::{Signed, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 

@@ -15,56 +15,10 @@
 //! The lower limit 0 stands for an arbitrary point where 0 is outside the kernel's domain: definite
 //! integrals are differences and do not depend on the kernel outside their ranges.
 
-use super::node::{Expr, FunctionId, Node, Pool, Symbol, SymbolKind};
+use super::integral_table::{Place, Primitive};
+use super::node::{Expr, FunctionId, Node, Symbol, SymbolKind};
+use super::pool::Pool;
 use super::substitution::Substitution;
-use rustc_hash::FxHashMap;
-
-/// Argument of a jet in a kernel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) enum Place {
-    /// The integration variable with this number, and the order of differentiation of the jet in
-    /// this argument.
-    Integrated(usize, u32),
-    /// The next parameter.
-    Parameter,
-}
-
-/// Jet of a kernel.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct Factor {
-    pub(super) function: FunctionId,
-    pub(super) places: Vec<Place>,
-}
-
-/// Kernel of a primitive, with the number of its integration variables and of its parameters.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Primitive {
-    pub(super) factors: Vec<Factor>,
-    /// Factor outside the jets, in the formal variables; its parameters follow those of the jets.
-    pub(super) elementary: Expr,
-    pub(super) integrated: usize,
-    pub(super) parameters: usize,
-}
-
-/// The primitives of a pool and the variables they are written in.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Primitives {
-    functions: FxHashMap<Primitive, FunctionId>,
-    pub(super) kernels: FxHashMap<FunctionId, Primitive>,
-    integrated: Vec<Symbol>,
-    parameters: Vec<Symbol>,
-    /// Integration variables of a kernel under construction.
-    inner: Vec<Symbol>,
-    ends: Vec<Symbol>,
-}
-
-impl Primitive {
-    /// Returns the number of the first parameter that belongs to no jet.
-    fn first_beside_jets(&self) -> usize {
-        let places = self.factors.iter().flat_map(|factor| &factor.places);
-        self.integrated + places.filter(|place| **place == Place::Parameter).count()
-    }
-}
 
 impl Pool {
     /// Whether a function is a primitive.

@@ -9,24 +9,10 @@
 //! integral, and the factors of the integrand are in the order of the pool. The derivatives of Q
 //! are −w(a), w(b) and the quadratures of the derivatives of w.
 
-use super::node::{Expr, FunctionId, Pool, Symbol};
+use super::integral_table::Quadrature;
+use super::node::{Expr, FunctionId, Symbol};
+use super::pool::Pool;
 use super::substitution::Substitution;
-use rustc_hash::FxHashMap;
-
-/// Integrand of a quadrature, its integration variable and its other variables.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Quadrature {
-    pub(crate) integrand: Expr,
-    pub(crate) variable: Symbol,
-    pub(crate) parameters: Vec<Symbol>,
-}
-
-/// The quadratures of a pool.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Quadratures {
-    functions: FxHashMap<Quadrature, FunctionId>,
-    integrands: FxHashMap<FunctionId, Quadrature>,
-}
 
 impl Pool {
     /// Builds ∫ integrand d variable between two limits, unevaluated.

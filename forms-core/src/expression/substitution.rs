@@ -1,6 +1,7 @@
 //! Simultaneous substitution of expressions for variables.
 
-use super::node::{Expr, Node, Pool, Symbol};
+use super::node::{Expr, Node, Symbol};
+use super::pool::Pool;
 use rustc_hash::FxHashMap;
 
 /// Replacement for each variable; variables without one stay.

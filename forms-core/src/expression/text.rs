@@ -1,6 +1,7 @@
 //! Text of expressions in the language that they came from.
 
-use super::node::{Expr, FunctionId, Node, Pool, Rational, Seam};
+use super::node::{Expr, FunctionId, Node, Rational, Seam};
+use super::pool::Pool;
 use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;

@@ -4,10 +4,11 @@
 //! cosine in one comparison is a polynomial in the functions of integer multiples of the same
 //! units.
 
-use super::factor::FactorPower;
 use super::fraction::Fraction;
-use super::generator::{Generator, Quantity, Unit};
-use super::tower::{Obstacle, Tower, Trigonometry};
+use super::generator::{Generator, Quantity, Trigonometry, Unit};
+use super::obstacle::Obstacle;
+use super::power::FactorPower;
+use super::tower::Tower;
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
 use num_integer::Integer;
@@ -46,13 +47,13 @@ impl Tower {
         let outside =
             || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
         let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
-        let divisor = *self.divisors.entry(quantity.clone()).or_insert(needed);
+        let divisor = *self.denominators.of_angles.entry(quantity.clone()).or_insert(needed);
         if !divisor.is_multiple_of(needed) {
             let finer = divisor.lcm(&needed);
             if finer > LARGEST_MULTIPLE {
                 return Err(outside());
             }
-            self.divisors.insert(quantity.clone(), finer);
+            self.denominators.of_angles.insert(quantity.clone(), finer);
             return Err(Obstacle::Refine);
         }
         let multiple = coefficient * Rational::from_integer(divisor.into());

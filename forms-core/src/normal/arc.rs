@@ -11,7 +11,8 @@
 use super::angle::Point;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity};
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::tower::Tower;
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;

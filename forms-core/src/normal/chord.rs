@@ -13,8 +13,9 @@
 use super::angle::Point;
 use super::fraction::Fraction;
 use super::generator::Generator;
+use super::obstacle::Obstacle;
 use super::polygon::ratio;
-use super::tower::{Obstacle, Tower};
+use super::tower::Tower;
 use crate::enclosure::{Enclosure, Precision};
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;

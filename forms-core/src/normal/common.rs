@@ -1,8 +1,9 @@
 //! Several fractions over one denominator, so that a reader sees numerators cancel.
 
-use super::factor::common_powers;
 use super::fraction::Fraction;
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::power::common_powers;
+use super::tower::Tower;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_integer::Integer;

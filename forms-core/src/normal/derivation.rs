@@ -4,10 +4,11 @@
 //! Dcos u = −sin u Du, Dsin u = cos u Du, Dtan(u/2) = (1 + tan²(u/2)) Du/2, Dexp u = exp u Du,
 //! Dlog|g| = Dg/g, and the chain rule for jets.
 
-use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::power::FactorPower;
+use super::tower::Tower;
 use crate::calculus::{Coefficients, Coordinate, Product};
 use crate::expression::{FunctionId, Operation, Rational, Symbol};
 use crate::polynomial::Polynomial;

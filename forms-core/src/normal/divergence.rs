@@ -11,10 +11,12 @@
 //! and the Uⱼ are summed, and checked for common factors, before anything is multiplied by a Gⱼ: in
 //! a Laplacian most of T cancels.
 
-use super::factor::{FactorPower, merge_powers};
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::tower::{Obstacle, Relation, Tower};
+use super::generators::Relation;
+use super::obstacle::Obstacle;
+use super::power::{FactorPower, merge_powers};
+use super::tower::Tower;
 use crate::expression::{Rational, Symbol};
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;

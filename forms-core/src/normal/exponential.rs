@@ -9,11 +9,12 @@
 //! other product with a logarithm is an exponent like all others. A logarithm needs no sign: log q
 //! is defined for q > 0 only, where it is log|q|.
 
-use super::factor::{FactorPower, common_powers, merge_powers};
 use super::factored::Power;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::power::{FactorPower, common_powers, merge_powers};
+use super::tower::Tower;
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
@@ -138,13 +139,13 @@ impl Tower {
             return self.base_power(base, Ratio::new(part(coefficient.numer())?, part(coefficient.denom())?));
         }
         let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
-        let divisor = *self.exponent_divisors.entry(quantity.clone()).or_insert(needed);
+        let divisor = *self.denominators.of_exponents.entry(quantity.clone()).or_insert(needed);
         if !divisor.is_multiple_of(needed) {
             let finer = divisor.lcm(&needed);
             if finer > LARGEST_MULTIPLE {
                 return Err(outside());
             }
-            self.exponent_divisors.insert(quantity, finer);
+            self.denominators.of_exponents.insert(quantity, finer);
             return Err(Obstacle::Refine);
         }
         let multiple = (coefficient * Rational::from_integer(divisor.into())).to_integer();
@@ -157,15 +158,15 @@ impl Tower {
     /// coefficients.
     fn exponent_parts(&mut self, argument: &Fraction) -> Result<Vec<(Quantity, Rational)>, Obstacle> {
         let argument = self.expanded(argument)?;
-        if argument.factors.is_empty() && self.exponent_denominator.is_empty() {
+        if argument.factors.is_empty() && self.denominators.of_all_exponents.is_empty() {
             return self.linear_parts(&argument);
         }
         let Some((numerator, divisor, below)) = self.over_free_denominator(&argument)? else {
             return self.linear_parts(&argument);
         };
-        let common = common_powers(&below, &self.exponent_denominator);
-        if common.all != self.exponent_denominator {
-            self.exponent_denominator = common.all;
+        let common = common_powers(&below, &self.denominators.of_all_exponents);
+        if common.all != self.denominators.of_all_exponents {
+            self.denominators.of_all_exponents = common.all;
             return Err(Obstacle::Refine);
         }
         let denominator = self.product_of(&common.all)?;

@@ -1,8 +1,10 @@
 //! Known factors: polynomials that have occurred in denominators, and exact division by them.
 
 use super::fraction::Fraction;
-use super::generator::{FactorId, Generator};
-use super::tower::{Obstacle, Tower};
+use super::generator::Generator;
+use super::obstacle::Obstacle;
+use super::power::{FactorId, FactorPower, merge_powers};
+use super::tower::Tower;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -10,68 +12,6 @@ use num_traits::{One, Signed};
 
 /// Largest number of terms of a conjugate that is used for division.
 const LARGEST_CONJUGATE: usize = 60;
-
-/// Fᵉ in the denominator, or in the numerator for e < 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct FactorPower {
-    pub(super) factor: FactorId,
-    pub(super) exponent: i32,
-}
-
-impl FactorPower {
-    pub(super) fn inverse(self) -> Self {
-        FactorPower { exponent: -self.exponent, ..self }
-    }
-}
-
-/// Common denominator of two factor lists: the larger exponents, and the powers that each side
-/// lacks.
-pub(super) struct CommonPowers {
-    pub(super) all: Vec<FactorPower>,
-    pub(super) lacking_left: Vec<FactorPower>,
-    pub(super) lacking_right: Vec<FactorPower>,
-}
-
-/// Returns the least common denominator of two factor lists. A factor that a side does not have
-/// counts as F⁰.
-pub(super) fn common_powers(left: &[FactorPower], right: &[FactorPower]) -> CommonPowers {
-    let mut factors: Vec<FactorId> = left.iter().chain(right).map(|power| power.factor).collect();
-    factors.sort_unstable();
-    factors.dedup();
-    let mut common = CommonPowers { all: vec![], lacking_left: vec![], lacking_right: vec![] };
-    for factor in factors {
-        let (a, b) = (exponent_of(left, factor), exponent_of(right, factor));
-        let larger = a.max(b);
-        let lacking = |exponent: i32| FactorPower { factor, exponent: larger - exponent };
-        push(&mut common.all, FactorPower { factor, exponent: larger });
-        push(&mut common.lacking_left, lacking(a));
-        push(&mut common.lacking_right, lacking(b));
-    }
-    common
-}
-
-fn push(powers: &mut Vec<FactorPower>, power: FactorPower) {
-    if power.exponent != 0 {
-        powers.push(power);
-    }
-}
-
-fn exponent_of(powers: &[FactorPower], factor: FactorId) -> i32 {
-    powers.binary_search_by_key(&factor, |power| power.factor).map_or(0, |place| powers[place].exponent)
-}
-
-/// Returns the product of two factor lists.
-pub(super) fn merge_powers(a: &[FactorPower], b: &[FactorPower]) -> Vec<FactorPower> {
-    let mut all: Vec<FactorPower> = a.to_vec();
-    for power in b {
-        match all.binary_search_by_key(&power.factor, |entry| entry.factor) {
-            Ok(place) => all[place].exponent += power.exponent,
-            Err(place) => all.insert(place, *power),
-        }
-    }
-    all.retain(|power| power.exponent != 0);
-    all
-}
 
 impl Tower {
     /// Splits a polynomial into content · ∏ factors: generators that divide it, radicands, known
@@ -110,8 +50,8 @@ impl Tower {
     /// Divides out roots ρ, and radicands as their powers ρⁿ. A product of a root and a sum is then
     /// recognised by the sum, wherever the sum occurs without the root.
     fn split_radicands(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) {
-        for number in 0..self.relations.len() {
-            let relation = self.relations[number].clone();
+        for number in 0..self.generators.relations().len() {
+            let relation = self.generators.relations()[number].clone();
             if relation.value.term_count() < 2 || !self.is_current_root(relation.variable) {
                 continue;
             }
@@ -126,11 +66,11 @@ impl Tower {
     /// Divides out known factors; factors with roots are divided out by their conjugates.
     fn split_known(&mut self, rest: &mut Polynomial, powers: &mut Vec<FactorPower>) -> Result<(), Obstacle> {
         for number in 0..self.factors.len() {
-            let known = self.factors[number].clone();
             let factor = FactorId(number as u32);
+            let known = self.factor_polynomial(factor).clone();
             if known.term_count() < 2
                 || known.term_count() > rest.term_count()
-                || self.products.contains_key(&factor)
+                || self.factors.products.contains_key(&factor)
                 || !self.is_current(factor)
             {
                 continue;
@@ -191,7 +131,9 @@ impl Tower {
     ) -> Result<Option<(Polynomial, Polynomial)>, Obstacle> {
         let (mut conjugate, mut norm) = (Polynomial::one(), factor.clone());
         let mut found = false;
-        while let Some(relation) = self.relations.iter().rev().find(|r| norm.contains(r.variable)).cloned() {
+        while let Some(relation) =
+            self.generators.relations().iter().rev().find(|r| norm.contains(r.variable)).cloned()
+        {
             if relation.order != 2 || self.is_trigonometric(relation.variable) {
                 return Ok(None);
             }

@@ -1,6 +1,6 @@
 //! Elements as products of powers of factors of radicands and of exponentials.
 
-use super::root::SignConstraint;
+use super::base::SignConstraint;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::Ratio;

@@ -54,7 +54,7 @@ impl Images {
 /// Returns values of the generators that satisfy every relation; `None` if a radicand is not a
 /// square there, or if a chord occurs.
 fn point(tower: &Tower, random: &mut SplitMix) -> Option<Vec<u64>> {
-    let mut values = vec![0; tower.generators.len()];
+    let mut values = vec![0; tower.generators.list().len()];
     for number in 0..values.len() {
         let variable = number as u32;
         values[number] = match (tower.generator(variable), tower.relation_of(variable)) {
@@ -67,7 +67,7 @@ fn point(tower: &Tower, random: &mut SplitMix) -> Option<Vec<u64>> {
                 let t = modular::reduce(random.next());
                 let (cosine, sine) = on_the_circle(t)?;
                 let partner = Generator::Sine(unit.clone());
-                if let Some(place) = tower.generators.iter().position(|g| *g == partner) {
+                if let Some(place) = tower.generators.list().iter().position(|g| *g == partner) {
                     values[place] = sine;
                 }
                 cosine

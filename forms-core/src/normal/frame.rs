@@ -9,21 +9,11 @@
 //! correspondingly fewer variables. Nothing else changes: elements, their derivatives and the
 //! expressions raised from them represent the same functions.
 
+use super::drift::Drift;
 use super::generator::Generator;
 use super::tower::Tower;
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
-
-/// Motion of s with f at a speed v.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Drift {
-    /// s
-    pub moved: Symbol,
-    /// f, which moves with no variable.
-    pub with: Symbol,
-    /// v
-    pub speed: i64,
-}
 
 impl Tower {
     /// Returns the same tower with some variables written relative to others. A variable that moves

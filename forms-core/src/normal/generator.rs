@@ -1,13 +1,18 @@
 //! Generators of the field in which expressions are compared; each is one variable of the
 //! polynomials.
 
-use super::factor::FactorPower;
 use super::fraction::Fraction;
+use super::power::FactorPower;
 use crate::expression::{FunctionId, Operation, Symbol};
 
-/// Number of an interned denominator factor.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct FactorId(pub(super) u32);
+/// Representation of sines and cosines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trigonometry {
+    /// By c and s with s² = 1 − c²: small and readable, but not a ring with unique factorisation.
+    Circle,
+    /// By t = tan(u/2), in which radicands can be factored.
+    HalfAngle,
+}
 
 /// Product of generators over known factors, without a numeric coefficient. An angle or an exponent
 /// is a rational combination of quantities.

@@ -1,8 +1,8 @@
 //! Constituents of elements, for writing proofs: generators, units, bases of radicands.
 
+use super::base::Base;
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
-use super::root::Base;
 use super::tower::Tower;
 use crate::expression::Expr;
 use rustc_hash::FxHashSet;
@@ -21,7 +21,7 @@ impl Tower {
             Generator::Logarithm { base } => Some(*base),
             _ => None,
         };
-        self.generators.iter().filter_map(base).collect()
+        self.generators.list().iter().filter_map(base).collect()
     }
 
     /// Returns the unit as a fraction.
@@ -33,7 +33,7 @@ impl Tower {
 
     /// Returns the bases that the roots and magnitudes among some expressions are factored over.
     pub(crate) fn bases_of(&self, parts: &[Expr]) -> Vec<usize> {
-        let met = parts.iter().filter_map(|part| self.met_by.get(part)).flatten();
+        let met = parts.iter().filter_map(|part| self.signs.met_by.get(part)).flatten();
         let mut all: Vec<usize> = met.copied().filter(|base| !self.base(*base).is_retired()).collect();
         all.sort_unstable();
         all.dedup();

@@ -4,11 +4,12 @@
 //! their arguments: this fixes the generators. The other expressions follow, either exactly or, as
 //! a filter, modulo a prime.
 
+use super::base::SignConstraint;
 use super::fraction::Fraction;
 use super::generator::Generator;
+use super::obstacle::Obstacle;
 use super::plan::{Step, steps};
-use super::root::SignConstraint;
-use super::tower::{Obstacle, Tower};
+use super::tower::Tower;
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
@@ -116,7 +117,7 @@ fn walk<'a>(
     pool: &'a Pool,
     compute: impl FnOnce(&mut Walk<'a>) -> Result<(), Obstacle>,
 ) -> Result<(), Obstacle> {
-    tower.take_signs_asked();
+    tower.signs.take();
     let elements = std::mem::take(&mut tower.elements);
     let mut walk = Walk { tower, pool, elements, inverses: FxHashMap::default() };
     let result = compute(&mut walk);
@@ -168,7 +169,7 @@ impl Walk<'_> {
                     self.tower.divergence(&terms)?
                 }
             };
-            self.tower.note_signs_asked(expression);
+            self.tower.signs.note(expression);
             self.elements.insert(expression, element);
         }
         Ok(())
@@ -179,7 +180,7 @@ impl Walk<'_> {
         for &expression in order {
             if !self.elements.contains_key(&expression) && wanted(expression) {
                 let element = self.element(expression)?;
-                self.tower.note_signs_asked(expression);
+                self.tower.signs.note(expression);
                 self.elements.insert(expression, element);
             }
         }

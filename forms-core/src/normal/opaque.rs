@@ -9,7 +9,8 @@
 
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::tower::Tower;
 use crate::expression::{Operation, Rational};
 use crate::polynomial::Polynomial;
 
@@ -53,14 +54,14 @@ impl Tower {
         fresh: Generator,
         alike: impl Fn(&Generator) -> Option<&Vec<Fraction>>,
     ) -> Result<Generator, Obstacle> {
-        for number in 0..self.generators.len() {
-            let Some(known) = alike(&self.generators[number]).cloned() else { continue };
+        for number in 0..self.generators.list().len() {
+            let Some(known) = alike(&self.generators.list()[number]).cloned() else { continue };
             let mut equal = true;
             for (a, b) in arguments.iter().zip(&known) {
                 equal = equal && self.subtract(a, b)?.is_zero();
             }
             if equal {
-                return Ok(self.generators[number].clone());
+                return Ok(self.generators.list()[number].clone());
             }
         }
         Ok(fresh)
@@ -93,8 +94,8 @@ impl Tower {
         q: &Fraction,
         agree: impl Fn(&Self, &Fraction) -> bool,
     ) -> Result<Fraction, Obstacle> {
-        for number in 0..self.generators.len() {
-            let known = match &self.generators[number] {
+        for number in 0..self.generators.list().len() {
+            let known = match &self.generators.list()[number] {
                 Generator::Opaque { operation: other, arguments } if *other == operation => {
                     arguments[0].clone()
                 }

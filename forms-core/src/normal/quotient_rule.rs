@@ -9,11 +9,12 @@
 //! derivatives are summed before they are multiplied by ∏G, and only the sum is checked for common
 //! factors.
 
-use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::frame::derivative_along;
 use super::generator::Generator;
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::power::FactorPower;
+use super::tower::Tower;
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 

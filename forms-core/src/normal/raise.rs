@@ -1,8 +1,8 @@
 //! Raising: fractions become structured expressions again, for readers.
 
+use super::base::{Base, Sign};
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
-use super::root::{Base, Sign};
 use super::tower::Tower;
 use crate::expression::{Expr, Operation, Pool, Rational, Symbol};
 use crate::polynomial::Polynomial;

@@ -3,7 +3,9 @@
 //! With ρᵢ^nᵢ = fᵢ a polynomial Σ Aₖ ∏ ρᵢ^(nᵢ kᵢ) becomes Σ Aₖ ∏ fᵢ^kᵢ, all relations at once and
 //! in one accumulator. If an fᵢ contains an earlier bound generator, the sum is reduced again.
 
-use super::tower::{Obstacle, Relation, Tower};
+use super::generators::Relation;
+use super::obstacle::Obstacle;
+use super::tower::Tower;
 use crate::polynomial::Polynomial;
 
 impl Tower {
@@ -12,7 +14,8 @@ impl Tower {
         let mut reduced = polynomial;
         loop {
             let beyond: Vec<Relation> = self
-                .relations
+                .generators
+                .relations()
                 .iter()
                 .filter(|relation| reduced.degree(relation.variable) >= relation.order)
                 .cloned()

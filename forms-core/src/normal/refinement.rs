@@ -6,18 +6,12 @@
 //! Factors are primitive, so the coefficient of the product is ±1; with roots it can be −1, since
 //! reduction changes leading terms.
 
-use super::factor::{FactorPower, merge_powers};
 use super::fraction::Fraction;
-use super::generator::FactorId;
-use super::tower::{Obstacle, Tower};
+use super::known_factors::Product;
+use super::obstacle::Obstacle;
+use super::power::{FactorId, FactorPower, merge_powers};
+use super::tower::Tower;
 use num_traits::Signed;
-
-/// G = ±∏ Fᵉ
-#[derive(Clone, Debug)]
-pub(super) struct Product {
-    negative: bool,
-    powers: Vec<FactorPower>,
-}
 
 impl Tower {
     /// Tries the factors that only one of two fractions has against each other. `None` if no factor
@@ -43,17 +37,23 @@ impl Tower {
     }
 
     fn is_finest(&self, a: &Fraction) -> bool {
-        a.factors.iter().all(|power| !self.products.contains_key(&power.factor))
+        a.factors.iter().all(|power| !self.factors.products.contains_key(&power.factor))
     }
 
     /// Divides the longer of two factors by the other one, once per pair.
     fn try_division(&mut self, left: FactorId, right: FactorId) -> Result<(), Obstacle> {
         let terms = |factor: FactorId| self.factor_polynomial(factor).term_count();
         let (short, long) = if terms(left) <= terms(right) { (left, right) } else { (right, left) };
-        if terms(short) < 2 || self.products.contains_key(&long) || self.products.contains_key(&short) {
+        if terms(short) < 2
+            || self.factors.products.contains_key(&long)
+            || self.factors.products.contains_key(&short)
+        {
             return Ok(());
         }
-        if !self.divisions_tried.insert((short, long)) || !self.is_current(short) || !self.is_current(long) {
+        if !self.factors.divisions_tried.insert((short, long))
+            || !self.is_current(short)
+            || !self.is_current(long)
+        {
             return Ok(());
         }
         let divisor = self.factor_polynomial(short).clone();
@@ -66,7 +66,7 @@ impl Tower {
             if cofactor.as_constant().is_none() {
                 powers = merge_powers(&powers, &[FactorPower { factor: self.factor(cofactor), exponent: 1 }]);
             }
-            self.products.insert(long, Product { negative, powers });
+            self.factors.products.insert(long, Product { negative, powers });
         }
         Ok(())
     }
@@ -75,9 +75,11 @@ impl Tower {
     /// product.
     fn refined(&self, a: &Fraction) -> Fraction {
         let mut refined = a.clone();
-        while let Some(place) = refined.factors.iter().position(|p| self.products.contains_key(&p.factor)) {
+        while let Some(place) =
+            refined.factors.iter().position(|p| self.factors.products.contains_key(&p.factor))
+        {
             let power = refined.factors.remove(place);
-            let product = &self.products[&power.factor];
+            let product = &self.factors.products[&power.factor];
             let raised: Vec<FactorPower> = product
                 .powers
                 .iter()

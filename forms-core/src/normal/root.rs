@@ -6,11 +6,14 @@
 //! cases. Exponentials are not factors of the basis: their powers are exponentials. Logarithms use
 //! the same factors.
 
-use super::factor::FactorPower;
+use super::base::{Base, Sign, SignConstraint};
 use super::factored::{Factored, Power};
 use super::fraction::Fraction;
-use super::generator::Generator;
-use super::tower::{Obstacle, Tower, Trigonometry};
+use super::generator::{Generator, Trigonometry};
+use super::obstacle::Obstacle;
+use super::power::FactorPower;
+use super::tower::Tower;
+use super::work::check_exponent;
 use crate::polynomial::Polynomial;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -22,48 +25,6 @@ const LARGEST_ORDER: u32 = 64;
 
 /// Bound below which the prime factors of the radicand of a number are found.
 const PRIME_BOUND: u32 = 4096;
-
-/// Factor of radicands: primitive, coprime to the others, not a constant unless a prime.
-#[derive(Clone, Debug)]
-pub struct Base {
-    /// The factor.
-    pub polynomial: Polynomial,
-    /// The order of its root: the least common multiple of the orders that were needed.
-    pub(super) order: u32,
-    /// Whether finer factors have replaced it.
-    pub(super) retired: bool,
-    /// Its sign in the region considered, once the sign is known or assumed.
-    pub sign: Option<Sign>,
-    /// Whether its sign was needed.
-    pub sign_needed: bool,
-}
-
-impl Base {
-    /// Whether finer factors have replaced it.
-    pub fn is_retired(&self) -> bool {
-        self.retired
-    }
-}
-
-/// Sign of a factor in a region, zero allowed: σ with σ g ≥ 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sign {
-    /// g ≥ 0
-    Positive,
-    /// g ≤ 0
-    Negative,
-}
-
-/// Sign of a product of a number and basis factors, with the factors that occur to an odd power.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct SignConstraint {
-    /// Whether the number is negative.
-    pub negative: bool,
-    /// The bases with an odd power.
-    pub odd: Vec<usize>,
-    /// The bases with any other power: they matter only where they vanish.
-    pub other: Vec<usize>,
-}
 
 impl Tower {
     /// Returns |q|^r for q ≠ 0, with the sign constraint of q itself unless this depends on an open
@@ -80,7 +41,7 @@ impl Tower {
         let exponentials: Vec<_> = factored.exponentials.iter().map(|&(v, e)| (v, e * r)).collect();
         let exponent = self.exponent_of(&exponentials)?;
         let mut result = self.exponential(&exponent)?;
-        self.met.extend(factored.powers.iter().map(|power| power.base));
+        self.signs.met.extend(factored.powers.iter().map(|power| power.base));
         for Power { base, exponent, .. } in factored.powers {
             let power = self.base_power(base, exponent * r)?;
             result = self.multiply(&result, &power)?;
@@ -130,7 +91,7 @@ impl Tower {
             Ok(exponent) if radicand_terms > 1 && times >= i64::from(order) => exponent,
             _ => return self.integer_power(&Polynomial::variable(root).into(), times),
         };
-        Self::check_exponent(exponent.unsigned_abs())?;
+        check_exponent(exponent.unsigned_abs())?;
         let factor = self.factor(Polynomial::variable(root));
         Ok(Fraction {
             numerator: Polynomial::one(),

@@ -10,10 +10,11 @@
 //! decided one by one: at a half turn (cos u, sin u) is (−1, 0), and [`Tower::at_half_turns`]
 //! computes with these values.
 
-use super::factor::FactorPower;
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::power::FactorPower;
+use super::tower::Tower;
 use crate::expression::Symbol;
 use crate::polynomial::Polynomial;
 
@@ -23,18 +24,18 @@ const MOST_UNITS: usize = 4;
 impl Tower {
     /// Returns the units u whose half-angle tangent was used: nothing is known where cos u = −1.
     pub(crate) fn poles(&self) -> &[Unit] {
-        &self.poles
+        &self.exclusions.poles
     }
 
     /// Returns the polynomials without roots that were divisors: nothing is known where one
     /// vanishes.
     pub(crate) fn excluded(&self) -> &[Polynomial] {
-        &self.excluded
+        &self.exclusions.divisors
     }
 
     /// Whether the computed elements are valid at every point at which the expressions are defined.
     pub(crate) fn holds_everywhere(&self) -> bool {
-        self.poles.is_empty() && self.excluded.is_empty()
+        self.exclusions.poles.is_empty() && self.exclusions.divisors.is_empty()
     }
 
     /// Whether some variables are written relative to others.
@@ -47,14 +48,14 @@ impl Tower {
     pub(crate) fn has_coarser_poles(&self) -> bool {
         let finer =
             |unit: &Unit, other: &Unit| unit.quantity == other.quantity && unit.divisor != other.divisor;
-        self.poles.iter().any(|unit| self.poles.iter().any(|other| finer(unit, other)))
+        self.exclusions.poles.iter().any(|unit| self.exclusions.poles.iter().any(|other| finer(unit, other)))
     }
 
     /// Returns a tower with the same generators, with nothing computed and nothing recorded.
     pub(crate) fn apart(&self) -> Tower {
         let mut tower = self.clone();
-        tower.poles.clear();
-        tower.excluded.clear();
+        tower.exclusions.poles.clear();
+        tower.exclusions.divisors.clear();
         tower.fix_signs(&[]);
         tower.start_again();
         tower
@@ -64,21 +65,21 @@ impl Tower {
     /// units, and no others, are at an odd multiple of π.
     pub(crate) fn at_half_turns(&self, units: &[Unit]) -> Tower {
         let mut tower = self.apart();
-        tower.half_turns = units.to_vec();
+        tower.exclusions.half_turns = units.to_vec();
         tower
     }
 
     /// Returns every non-empty choice of the units whose half-angle tangents were used; `None` if
     /// there are too many.
     pub(crate) fn choices_of_half_turns(&self) -> Option<Vec<Vec<Unit>>> {
-        if self.poles.len() > MOST_UNITS {
+        if self.exclusions.poles.len() > MOST_UNITS {
             return None;
         }
         let chosen = |choice: usize| {
             let is_chosen = |(place, unit): (usize, &Unit)| (choice >> place & 1 == 1).then(|| unit.clone());
-            self.poles.iter().enumerate().filter_map(is_chosen).collect()
+            self.exclusions.poles.iter().enumerate().filter_map(is_chosen).collect()
         };
-        Some((1..1 << self.poles.len()).map(chosen).collect())
+        Some((1..1 << self.exclusions.poles.len()).map(chosen).collect())
     }
 
     /// Returns the angle of a unit.
@@ -91,14 +92,14 @@ impl Tower {
     /// returns whether it is. A unit that is divided more finely than the one at a half turn has no
     /// known sine there.
     pub(super) fn is_at_half_turn(&mut self, unit: &Unit) -> Result<bool, Obstacle> {
-        if self.half_turns.contains(unit) {
+        if self.exclusions.half_turns.contains(unit) {
             return Ok(true);
         }
-        if self.half_turns.iter().any(|known| known.quantity == unit.quantity) {
+        if self.exclusions.half_turns.iter().any(|known| known.quantity == unit.quantity) {
             return Err(Obstacle::Outside("a part of an angle at a half turn".into()));
         }
-        if !self.poles.contains(unit) {
-            self.poles.push(unit.clone());
+        if !self.exclusions.poles.contains(unit) {
+            self.exclusions.poles.push(unit.clone());
         }
         Ok(false)
     }
@@ -113,8 +114,8 @@ impl Tower {
         if polynomial.variables().into_iter().all(|variable| Some(variable) == pi) {
             return;
         }
-        if !self.excluded.contains(&polynomial) {
-            self.excluded.push(polynomial);
+        if !self.exclusions.divisors.contains(&polynomial) {
+            self.exclusions.divisors.push(polynomial);
         }
     }
 
@@ -154,11 +155,11 @@ impl Tower {
         let is_it = |variable: u32| *self.generator(variable) == Generator::Variable(symbol);
         let plain =
             |variable: u32| matches!(self.generator(variable), Generator::Variable(_) | Generator::Pi);
-        let poles = self.poles.iter().all(|unit| {
+        let poles = self.exclusions.poles.iter().all(|unit| {
             let variables = self.variables_of(&self.quantity(&unit.quantity));
             variables.iter().any(|&v| is_it(v)) && variables.iter().all(|&v| plain(v))
         });
-        let zeros = self.excluded.iter().all(|polynomial| {
+        let zeros = self.exclusions.divisors.iter().all(|polynomial| {
             let variables = polynomial.variables();
             let own = variables.iter().copied().find(|&v| is_it(v));
             own.is_some_and(|own| {

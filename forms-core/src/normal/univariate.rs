@@ -3,7 +3,8 @@
 
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::tower::{Obstacle, Tower};
+use super::obstacle::Obstacle;
+use super::tower::Tower;
 use crate::expression::Symbol;
 use crate::polynomial::{Polynomial, coprime_basis};
 use num_bigint::BigInt;

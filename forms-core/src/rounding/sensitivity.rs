@@ -227,7 +227,7 @@ fn partials_of(operation: Operation) -> Program {
         .map(|place| pool.declare_symbol(format!("x{place}"), SymbolKind::Local))
         .collect();
     let values: Vec<_> = arguments.iter().map(|&argument| pool.symbol(argument)).collect();
-    let outputs = (operation.row().partials)(&mut pool, &values);
+    let outputs = operation.partials(&mut pool, &values);
     let source = KernelSource { arguments, outputs, ..KernelSource::default() };
     lower(&pool, &source).expect("the derivatives of a function are functions of its arguments")
 }
