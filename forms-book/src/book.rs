@@ -8,7 +8,6 @@
 //! A page is rendered at its first request and cached.
 
 use crate::check::Problem;
-use crate::html;
 use crate::links::{is_relative, resolved};
 use crate::page::{Page, words};
 use pulldown_cmark::{Event, Tag, TagEnd};
@@ -34,7 +33,7 @@ pub struct Chapter {
     pub path: String,
 }
 
-type Html = Result<String, Vec<Problem>>;
+pub(crate) type Html = Result<String, Vec<Problem>>;
 
 /// The book: pages of HTML and figures, by name.
 #[derive(Debug)]
@@ -104,18 +103,14 @@ impl Book {
         self.made.keys().map(String::as_str)
     }
 
-    /// Returns a page of HTML by its name, or `None` if no page has that name.
-    ///
-    /// # Errors
-    /// If the page contains formulas that cannot be parsed.
-    pub fn html(&self, name: &str) -> Option<Result<&str, &[Problem]>> {
+    /// Returns the rendered page of that name, which is rendered once; `None` if no page has that
+    /// name.
+    pub(crate) fn rendered(&self, name: &str, render: impl FnOnce(&Page) -> Html) -> Option<&Html> {
         let made = self.made.get(name)?;
-        let html = made.get_or_init(|| {
+        Some(made.get_or_init(|| {
             let path = self.names.iter().find(|(_, known)| *known == name).map(|(path, _)| path);
-            let page = path.and_then(|path| self.page(path));
-            page.map_or_else(|| Ok(String::new()), |page| html::of_page(self, name, &page))
-        });
-        Some(html.as_ref().map(String::as_str).map_err(Vec::as_slice))
+            path.and_then(|path| self.page(path)).map_or_else(|| Ok(String::new()), |page| render(&page))
+        }))
     }
 
     /// Returns the figures with the names by which pages refer to them.

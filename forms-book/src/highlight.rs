@@ -1,6 +1,6 @@
 //! Syntax highlighting: words, numbers and comments of the language are marked for a style sheet.
 
-use crate::html::escaped;
+use crate::escape::escaped;
 use forms_core::syntax::lex;
 use forms_core::syntax::token::TokenKind;
 use forms_core::syntax::words::{Word, reserved};

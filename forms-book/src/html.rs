@@ -6,6 +6,7 @@
 
 use crate::book::{Book, Chapter};
 use crate::check::Problem;
+use crate::escape::escaped;
 use crate::expand::expanded;
 use crate::highlight::highlighted;
 use crate::page::{Anchors, MARKDOWN, Page, words};
@@ -18,13 +19,19 @@ const TITLE: &str = "Light as a differential form";
 /// Style sheet of the pages: light and dark, wide and narrow.
 const STYLE: &str = include_str!("style.css");
 
-/// Escapes text for HTML.
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+impl Book {
+    /// Returns a page of HTML by its name, or `None` if no page has that name.
+    ///
+    /// # Errors
+    /// If the page contains formulas that cannot be parsed.
+    pub fn html(&self, name: &str) -> Option<Result<&str, &[Problem]>> {
+        let html = self.rendered(name, |page| of_page(self, name, page))?;
+        Some(html.as_ref().map(String::as_str).map_err(Vec::as_slice))
+    }
 }
 
 /// Renders the page of that name. A source that is not Markdown is shown verbatim.
-pub(crate) fn of_page(book: &Book, name: &str, page: &Page) -> Result<String, Vec<Problem>> {
+fn of_page(book: &Book, name: &str, page: &Page) -> Result<String, Vec<Problem>> {
     let (title, body) = if page.path.ends_with(".md") {
         let markdown = expanded(page, &|target| book.target(&page.path, target))?;
         (page.title(), body(&markdown))

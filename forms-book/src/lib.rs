@@ -13,6 +13,7 @@
 mod book;
 mod check;
 mod console;
+mod escape;
 mod expand;
 mod highlight;
 mod html;
@@ -26,7 +27,7 @@ mod verdicts;
 pub use book::{Book, Chapter, book};
 pub use check::{Problem, Report, check_kinds, check_theories, with_errors_quoted};
 pub use console::{Call, agrees, calls, with_outputs};
-pub use html::escaped;
+pub use escape::escaped;
 pub use links::check_links;
 pub use mathml::{LONGEST_FORMULA, display, inline};
 pub use page::{Block, Link, Page, pages};

@@ -6,7 +6,7 @@
 //!                └─ forms, kernels ─ notation ──▶ one closed <details>
 //! ```
 
-use crate::html::escaped;
+use crate::escape::escaped;
 use crate::mathml::{LONGEST_FORMULA, display};
 use forms_core::check::read_file;
 use forms_core::decide::Verdict;

@@ -1,13 +1,10 @@
 //! Certificates: files, and for each statement a proof, a refutation or the reason why there is
 //! neither.
 
-use crate::integral::Offered;
+use crate::line::{Line, Offered};
 use crate::proof::{self, Subject};
 use crate::theory::Theory;
 use crate::{Checked, Claim, Outcome, Stop, integral, malformed, witness};
-
-/// Line of a certificate: a keyword and its argument.
-pub(crate) type Line = (String, String);
 
 /// First line of every certificate.
 const HEADER: &str = "forms certificate 1";

@@ -3,7 +3,6 @@
 use crate::expression::Operation::{Add, Divide, Function, Jet, Multiply, Number, Power, Variable};
 use crate::expression::{Expr, rational};
 use crate::field::Field;
-use crate::integral::Range;
 use crate::interval::Interval;
 use crate::point::Point;
 use crate::sign::Seen;
@@ -16,6 +15,15 @@ const MOST_BOXES: usize = 32;
 
 /// Maximum order of the derivatives examined for a nonzero one.
 const MOST_DERIVATIVES: usize = 4;
+
+/// Range of an integral, with the place of its variable in the source.
+#[derive(Clone)]
+pub(crate) struct Range {
+    pub(crate) variable: usize,
+    pub(crate) from: Expr,
+    pub(crate) to: Expr,
+    pub(crate) place: usize,
+}
 
 /// Ranges and conditions for the points at which an antiderivative is examined.
 pub(crate) struct Region<'a> {

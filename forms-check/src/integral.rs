@@ -11,30 +11,18 @@
 //! integral was found must hold over the whole ranges of the outer integral.
 
 use crate::calculus::{Value, order};
-use crate::certificate::Line;
+use crate::continuity::Range;
 use crate::continuity::Region;
 use crate::expression::Operation::{Add, Function, Multiply, Variable};
 use crate::expression::{Expr, rational};
 use crate::field::{Field, Kind};
+use crate::line::{Line, Offered};
 use crate::proof::{self, Subject};
 use crate::sign::Seen;
 use crate::theory::{Condition, Relation, Scope, Statement, Theory};
 use crate::tokens::Reader;
 use crate::{Stop, malformed, uncovered};
 use std::collections::{BTreeMap, HashMap};
-
-/// Antiderivatives by the place of each range's variable, in the order in which they are needed,
-/// each with the lines that prove its derivative.
-pub(crate) type Offered = HashMap<usize, Vec<(String, Vec<Line>)>>;
-
-/// Range of an integral, with the place of its variable in the source.
-#[derive(Clone)]
-pub(crate) struct Range {
-    pub(crate) variable: usize,
-    pub(crate) from: Expr,
-    pub(crate) to: Expr,
-    place: usize,
-}
 
 impl Theory {
     /// Reads in a new scope, and returns that scope with the value.

@@ -23,7 +23,7 @@ mod expression;
 mod field;
 mod integral;
 mod interval;
-mod metric;
+mod line;
 mod point;
 mod polynomial;
 mod proof;

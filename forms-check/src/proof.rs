@@ -4,10 +4,10 @@
 //! Every expression in the certificate must be defined wherever the statement to be proved is
 //! defined: it is made of nodes of the statement, or the conditions of its operations are shown.
 
-use crate::certificate::Line;
 use crate::expression::Operation::{Function, Multiply, Pi, Variable};
 use crate::expression::{Expr, rational};
 use crate::field::{Base, Field, Fraction, Kind};
+use crate::line::Line;
 use crate::polynomial::Polynomial;
 use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected};

@@ -2,13 +2,14 @@
 //! of its statements.
 
 mod declaration;
+mod metric;
 
 use crate::calculus::{Kind, Value, coordinates};
 use crate::expression::{Expr, Pool, rational};
-use crate::integral::Offered;
-use crate::metric::Metric;
+use crate::line::Offered;
 use crate::tokens::{Reader, Token};
 use crate::{Claim, Stop, malformed, rejected, uncovered};
+use metric::Metric;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Maximum number of coordinates and params of a file: each coordinate is a bit of a blade.

@@ -1,10 +1,10 @@
 //! Witness points, named by a certificate or found by the checker: points where two sides differ,
 //! and points that show that a statement is not vacuous.
 
-use crate::certificate::Line;
 use crate::expression::Expr;
 use crate::expression::rational;
 use crate::interval::Interval;
+use crate::line::Line;
 use crate::point::Point;
 use crate::theory::{Condition, Relation, Statement, Theory};
 use crate::{Stop, malformed, rejected, uncovered};

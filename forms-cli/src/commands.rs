@@ -6,6 +6,7 @@ mod check;
 mod derive;
 mod emit;
 mod eval;
+mod evaluation;
 mod exact;
 mod kernels;
 mod prove;

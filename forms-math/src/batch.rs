@@ -19,9 +19,10 @@ mod rows;
 use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
 use crate::lane::{Bounded, Lane64};
-use block::{BLOCK, Kernel, STEP};
+use block::{Kernel, STEP};
 pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
+use method::BLOCK;
 use method::{Element, Method, Plain, Within};
 #[cfg(feature = "ndarray")]
 pub use rows::{RowsMismatch, batch_rows, batch_rows_within};

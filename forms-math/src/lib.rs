@@ -10,12 +10,14 @@
 //! features, the crate needs only the standard library, so that it can be pasted next to a kernel.
 
 mod batch;
+mod composed;
 mod double_double;
 mod elementary;
 mod error_free;
 mod escalate;
 mod formula;
 mod guarded;
+mod hardware;
 mod lane;
 mod number;
 mod quadrature;

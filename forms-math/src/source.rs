@@ -5,8 +5,9 @@
 //! ```
 //! Lanes and batches are omitted: the pasted text is for single values.
 
-/// Files that are pasted, by their path without `.rs` or `/mod.rs`.
+/// Files that are pasted, by their path without `.rs`.
 const FILES: &[(&str, &str)] = &[
+    ("composed", include_str!("composed.rs")),
     ("double_double", include_str!("double_double.rs")),
     ("double_double/arithmetic", include_str!("double_double/arithmetic.rs")),
     ("double_double/circular", include_str!("double_double/circular.rs")),
@@ -32,6 +33,7 @@ const FILES: &[(&str, &str)] = &[
     ("guarded/number", include_str!("guarded/number.rs")),
     ("guarded/real", include_str!("guarded/real.rs")),
     ("guarded/special", include_str!("guarded/special.rs")),
+    ("hardware", include_str!("hardware.rs")),
     ("number", include_str!("number.rs")),
     ("quadrature", include_str!("quadrature.rs")),
     ("real", include_str!("real.rs")),

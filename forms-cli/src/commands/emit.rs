@@ -51,7 +51,7 @@ pub(crate) fn emit(
     };
     match emission::emit(&sources, target, precision) {
         Ok(text) => {
-            for line in kernel::broken_promises(&sources, target, precision) {
+            for line in emission::broken_promises(&sources, target, precision) {
                 eprintln!("warning: {line}");
             }
             write!(output, "{}\n{text}", heading(if file == LIBRARY { "the library" } else { file }))?;

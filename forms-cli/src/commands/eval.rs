@@ -1,6 +1,7 @@
 //! `forms eval`: evaluates a kernel on rows of CSV and appends its values to them.
 
 use crate::arguments::Tier;
+use crate::commands::evaluation::{Computed, Evaluation};
 use crate::commands::exact::Exact;
 use crate::commands::refuse;
 use crate::commands::rounded::Rounded;
@@ -66,54 +67,6 @@ pub(crate) fn eval(
         ("dd", Some(_)) => table(&Rounded::to_29_digits(&program), input, output),
         (_, None) => table(&Rounded::<f64>::new(&program), input, output),
         (_, Some(within)) => table(&Rounded::within(&program, within), input, output),
-    }
-}
-
-/// Kernel in one arithmetic: parsing, evaluation and formatting of its numbers.
-pub(super) trait Evaluation {
-    /// Number type of the arithmetic.
-    type Number;
-    /// Returns the kernel's name.
-    fn name(&self) -> &str;
-    /// Returns the names of its arguments.
-    fn arguments(&self) -> &[String];
-    /// Returns the number of its values.
-    fn outputs(&self) -> usize;
-    /// Parses a number.
-    fn read(&self, text: &str) -> Result<Self::Number, Unread>;
-    /// Computes the kernel's values.
-    fn values(&self, arguments: &[Self::Number]) -> Vec<Computed>;
-    /// Formats an argument.
-    fn written(&self, argument: &Self::Number) -> String;
-}
-
-/// Value of a kernel.
-pub(super) struct Computed {
-    /// Formatted value.
-    pub(super) text: String,
-    /// Whether none of the available precisions reached the promised digits.
-    pub(super) is_undecided: bool,
-}
-
-/// Reason why a text is not an argument.
-pub(super) enum Unread {
-    /// The text is not a number.
-    NoNumber,
-    /// The number exceeds the largest one of this type.
-    TooLarge(&'static str),
-}
-
-impl Unread {
-    fn message(&self, name: &str, text: &str) -> String {
-        let found: String = text.chars().take(40).collect();
-        match self {
-            Unread::NoNumber => {
-                format!("expected a number such as 0.5, 1e-3 or 1/3 for `{name}`, found `{found}`")
-            }
-            Unread::TooLarge(numbers) => format!(
-                "`{found}` for `{name}` is beyond the largest {numbers} number; `--precision exact` takes it"
-            ),
-        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Values of a kernel to fifty digits, at exact arguments.
 
-use super::eval::{Computed, Evaluation, Unread};
+use super::evaluation::{Computed, Evaluation, Unread};
 use crate::decimal;
 use crate::theory_file::TheoryFile;
 use forms::core::accuracy::{Format, Rounded, Truth, Value};

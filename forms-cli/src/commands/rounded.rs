@@ -1,7 +1,7 @@
 //! Values of a kernel in one of its generated precisions, or in the precision that its promised
 //! accuracy requires.
 
-use super::eval::{Computed, Evaluation, Unread};
+use super::evaluation::{Computed, Evaluation, Unread};
 use crate::decimal;
 use forms::core::accuracy::{Format, Rounded as Text};
 use forms::core::kernel::{Constant, Program};

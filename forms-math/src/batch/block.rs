@@ -1,10 +1,6 @@
 //! A block of rows: the vectorised loop, and the code around it.
 
-use super::method::{Element, Method};
-
-/// Largest number of rows that are computed at once: the cost of starting a block is negligible
-/// compared with theirs.
-pub(super) const BLOCK: usize = 256;
+use super::method::{BLOCK, Element, Method};
 
 /// Divisor of the number of rows of a block: several vectors of the widest kind, so that the loop
 /// has no remainder.

@@ -1,10 +1,13 @@
 //! Evaluation of the rows of a batch: in lanes, and again as single numbers where lanes give NaN.
 
-use super::block::BLOCK;
 use crate::lane::Bounded;
 use crate::{Formula, Lane32, Lane64, Real, escalate};
 use std::marker::PhantomData;
 use std::ops::BitOr;
+
+/// Largest number of rows that are computed at once: the cost of starting a block is negligible
+/// compared with theirs.
+pub(super) const BLOCK: usize = 256;
 
 /// Number of a column.
 pub(super) trait Element: Copy + Default + Send + Sync + 'static {

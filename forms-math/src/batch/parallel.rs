@@ -1,6 +1,6 @@
 //! Batches on all processors: the rows are divided into shares of several blocks.
 
-use super::block::BLOCK;
+use super::method::BLOCK;
 use super::method::Element;
 use rayon::prelude::*;
 

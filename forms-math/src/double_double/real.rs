@@ -2,8 +2,9 @@
 
 use super::DoubleDouble;
 use super::ends::is_near_an_end;
+use crate::composed::composed_functions;
 use crate::error_free::{mantissa_and_exponent, two_product};
-use crate::scalar::{Scalar, composed_functions};
+use crate::scalar::Scalar;
 use crate::{Real, Wide};
 
 impl Real for DoubleDouble {

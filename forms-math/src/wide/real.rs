@@ -1,7 +1,8 @@
 //! Wide floating point as a number of a kernel.
 
 use super::{Class, Wide};
-use crate::scalar::{Scalar, composed_functions};
+use crate::composed::composed_functions;
+use crate::scalar::Scalar;
 use crate::table::table;
 use crate::{Number, Real};
 
