@@ -78,7 +78,7 @@ fn details(derivation: &Derivation) -> Result<String, String> {
         Verdict::Proved(_) => "proved",
         Verdict::Refuted(_) => "refuted",
         Verdict::Unknown { .. } => "undecided",
-        Verdict::Empty { .. } => "speaks of no point",
+        Verdict::Empty { .. } => "vacuous",
     };
     let (class, mark) = if derivation.ok { ("verdict", "✓") } else { ("verdict wrong", "✗") };
     let summary =

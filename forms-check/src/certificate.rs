@@ -37,10 +37,10 @@ pub(crate) fn check(
     let mut checked: Vec<Checked> = Vec::new();
     let mut sections = lines.split(|line| line.0 == "file");
     if sections.next().is_some_and(|before| !before.is_empty()) {
-        return Err(malformed("something before the first file"));
+        return Err(malformed("there are lines before the first `file`"));
     }
     if !lines.iter().any(|line| line.0 == "file") {
-        return Err(malformed("it speaks of no file"));
+        return Err(malformed("it names no file"));
     }
     let names = lines.iter().filter(|line| line.0 == "file").map(|line| &line.1);
     for (file, section) in names.zip(sections) {
@@ -65,12 +65,12 @@ pub(crate) fn check(
             }
         }
         let mut theory = Theory::read(&source, offered).map_err(|stop| {
-            malformed(format!("{file} is no file whose statements can be decided: {}", stop.into_text()))
+            malformed(format!("the statements of {file} cannot be decided: {}", stop.into_text()))
         })?;
         for (head, body) in claims {
             let name = head.1.split(' ').next().unwrap_or_default().to_string();
             if checked.iter().any(|known| known.file == *file && known.name == name) {
-                return Err(malformed(format!("`{name}` stands twice")));
+                return Err(malformed(format!("`{name}` has two entries")));
             }
             let outcome = entry(&mut theory, head, &name, body)?;
             let shown = match head.0.as_str() {
@@ -116,11 +116,11 @@ fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<
                 .and_then(|()| witness::check_inhabited(theory, &statement, at))
         }
         "refuted" => witness::check(theory, &statement, body),
-        other => Err(malformed(format!("`{other}` begins no entry"))),
+        other => Err(malformed(format!("unknown keyword `{other}` at the start of an entry"))),
     };
     match result {
         // when the pool was full, one node stood for others
-        _ if theory.pool.is_full() => Ok(Outcome::NotCovered("expressions of so many parts".into())),
+        _ if theory.pool.is_full() => Ok(Outcome::NotCovered("expressions with too many nodes".into())),
         Ok(()) => Ok(Outcome::Accepted),
         Err(Stop::Malformed(why)) => Err(malformed(format!("{name}: {why}"))),
         // a proof that needs more than the checker covers proves nothing

@@ -54,14 +54,14 @@ impl Field {
         if let Some(m) = [3, 5].into_iter().find(|m| q % m == 0) {
             let n = q / m;
             let Some(u) = (0..n).find(|u| (u * m) % n == 1) else {
-                return rejected("the sine or cosine of a part of a circle");
+                return rejected("there is no rule for the sine and cosine of this rational multiple of pi");
             };
             let (coarse, fine) = (self.part_of_half_turn(n)?, self.part_of_half_turn(m)?);
             let point = self.turned_often((one(), Fraction::default()), &coarse, u)?;
             return self.turned_often(point, &fine, (1 - u * m) / n);
         }
         if q % 2 != 0 || q > 64 {
-            return rejected("the sine or cosine of a part of a circle");
+            return rejected("there is no rule for the sine and cosine of this rational multiple of pi");
         }
         let cosine = self.part_of_half_turn(q / 2)?.0;
         let [up, down] = [1, -1].map(|sign| cosine.scale(&rational(sign, 2)));
@@ -86,13 +86,13 @@ impl Field {
                 let times = i64::try_from(c.numer() % (c.denom() * BigInt::from(2))).ok();
                 let q = i64::try_from(c.denom()).ok().filter(|q| *q <= SMALLEST_PART);
                 let (Some(times), Some(q)) = (times, q) else {
-                    return rejected("so small a part of a circle");
+                    return rejected("the denominator of the multiple of pi is too large");
                 };
                 return Ok((self.part_of_half_turn(q)?, times));
             }
             Some((Function(name @ ("asin" | "atan")), a)) if c.is_integer() => {
                 let times = i64::try_from(c.numer()).ok().filter(|n| n.abs() < 256);
-                let Some(times) = times else { return rejected("so large a multiple of an angle") };
+                let Some(times) = times else { return rejected("the multiple of the angle is too large") };
                 return Ok((self.inverse_point(name, &a[0])?, times));
             }
             _ => {}
@@ -127,7 +127,7 @@ impl Field {
     pub(crate) fn declare(&mut self, kind: Kind, value: &Fraction) -> Result<Fraction, Stop> {
         let value = self.expanded(value)?;
         if value.numerator.0.len() != 1 {
-            return rejected("a unit is no number times a quantity");
+            return rejected("a unit must be a single term");
         }
         let generator = self.new_generator(None)?;
         if kind == Kind::Circle {

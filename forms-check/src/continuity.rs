@@ -40,7 +40,7 @@ impl Theory {
                 && !self.holds(q, relation, region)?
                 && !(relation == Relation::NotZero && self.leaves_out_zeros(q, region)?)
             {
-                return uncovered("an antiderivative that is not seen to be continuous");
+                return uncovered("an antiderivative that was not shown to be continuous");
             }
         }
         Ok(())
@@ -66,7 +66,7 @@ impl Theory {
                 }
             };
             if self.pool.variables(*q).contains(&u) && !is_real {
-                return uncovered("an integrand that is not seen to be defined over the range");
+                return uncovered("an integrand that was not shown to be defined on the range");
             }
         }
         for part in self.pool.parts(&[antiderivative]) {
@@ -76,7 +76,7 @@ impl Theory {
                 _ => continue,
             };
             if self.pool.variables(kink).contains(&u) && !self.has_few_zeros(kink, region)? {
-                return uncovered("an antiderivative that is not seen to have a derivative");
+                return uncovered("an antiderivative that was not shown to be differentiable");
             }
         }
         Ok(())

@@ -92,8 +92,8 @@ impl Theory {
         for q in closed {
             if !field.shows(&mut self.pool, (q, Relation::NotNegative), &known)? {
                 return rejected(
-                    "a half angle leaves out points that are not seen to be limits of others: a condition that is \
-                     not strict depends on the angle",
+                    "a half angle excludes points that were not shown to be limits of others: a non-strict condition \
+                     depends on the angle",
                 );
             }
         }

@@ -30,7 +30,7 @@ fn number_power(c: &BigRational, n: i64) -> Result<BigRational, Stop> {
     let bits = c.numer().bits().max(c.denom().bits()).saturating_mul(n.unsigned_abs());
     match i32::try_from(n).ok().filter(|_| bits <= MOST_BITS) {
         Some(n) => Ok(c.pow(n)),
-        None => uncovered("numbers of so many digits"),
+        None => uncovered("numbers with too many digits"),
     }
 }
 
@@ -118,7 +118,7 @@ impl Field {
                 });
                 self.logarithm(magnitude.as_ref().unwrap_or(&a[0]))
             }
-            _ => rejected("nothing is known of it"),
+            _ => rejected("there is no rule for this function"),
         }
     }
 
@@ -128,7 +128,7 @@ impl Field {
             return if r > Ratio::from_integer(0) { Ok(Fraction::default()) } else { Err(Stop::Undefined) };
         }
         if *r.denom() > LARGEST_ROOT || r.numer().abs() > LARGEST_ROOT {
-            return uncovered("so large a power");
+            return uncovered("exponents this large");
         }
         let Factored { constant, powers, exponentials } = self.factored(q)?;
         let numbers = if r.is_integer() { BTreeMap::new() } else { self.number_powers(&constant)? };
@@ -229,7 +229,7 @@ impl Field {
         if parts == [BigInt::from(1), BigInt::from(1)] {
             return Ok(powers);
         }
-        rejected("a number is no product of the bases")
+        rejected("a number is not a product of the bases")
     }
 
     /// Returns |g|ᵉ: in terms of g itself for an integer e, of its root otherwise.
@@ -293,7 +293,7 @@ impl Field {
                 let Some(n) =
                     i64::try_from(times.numer()).ok().filter(|n| times.is_integer() && n.abs() < 256)
                 else {
-                    return rejected("an angle or exponent is no multiple of its unit");
+                    return rejected("an angle or exponent is not an integer multiple of its unit");
                 };
                 self.units[number].used = gcd(self.units[number].used, n);
                 return Ok((number, n));

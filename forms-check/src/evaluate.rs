@@ -137,7 +137,11 @@ impl Theory {
         if self.in_metric && value.as_scalar(&mut self.pool).is_none() {
             let two = exponent.as_scalar(&mut self.pool).is_some_and(|n| self.pool.is(n, 2));
             let square = value.symmetric(&mut self.pool, &value);
-            return if two && value.kind == Kind::Form { Ok(square) } else { Err(malformed("no square")) };
+            return if two && value.kind == Kind::Form {
+                Ok(square)
+            } else {
+                Err(malformed("inside a metric only the square of a 1-form is allowed"))
+            };
         }
         let (base, exponent) = (self.as_scalar(&value)?, self.as_scalar(&exponent)?);
         Ok(Value::of(0, self.raised(base, exponent)?))
@@ -157,7 +161,7 @@ impl Theory {
         };
         let small = [value.numer(), value.denom()].map(|part| i64::try_from(part).ok());
         let [Some(p), Some(q)] = small.map(|part| part.filter(|p| p.abs() <= 1 << 20)) else {
-            return uncovered("so large a power");
+            return uncovered("exponents this large");
         };
         match (q == 1, p < 0) {
             (true, true) => self.require(base, Relation::NotZero),
@@ -310,7 +314,7 @@ impl Theory {
             }
             let derivative = self.as_scalar(&value)?;
             let Jet(f, orders) = self.pool.node(derivative).0.clone() else {
-                return Err(malformed("only a derivative of an unknown function is taken elsewhere"));
+                return Err(malformed("only a derivative of an unknown function takes other arguments"));
             };
             let arguments = self.scalars(reader, orders.len())?;
             return Ok(Value::of(0, self.pool.make(Jet(f, orders), arguments)));
@@ -341,14 +345,14 @@ impl Theory {
             _ => false,
         };
         if !is_meant {
-            return Err(malformed(format!("`{name}` of other arguments")));
+            return Err(malformed(format!("`{name}` does not accept these arguments")));
         }
         match (name, values.as_slice()) {
             ("d", [w]) => Ok(w.exterior(pool, &along)),
             ("interior", [x, w]) => Ok(w.interior(pool, x)),
             ("lie" | "bracket", [x, w]) => Ok(w.lie(pool, x, &along)),
             ("pair", [w, fields @ ..]) => Ok(fields.iter().fold(w.clone(), |w, x| w.interior(pool, x))),
-            _ => Err(malformed(format!("another number of arguments of `{name}`"))),
+            _ => Err(malformed(format!("wrong number of arguments of `{name}`"))),
         }
     }
 
@@ -360,7 +364,7 @@ impl Theory {
         let (source, images, bound, scope) = match self.names.get(&name).cloned() {
             Some(Named::Map(source, images, bound, scope)) => (source, images, bound, scope),
             Some(Named::Uncovered(what)) => return uncovered(what),
-            _ => return Err(malformed(format!("`{name}` is no map"))),
+            _ => return Err(malformed(format!("`{name}` is not a map"))),
         };
         reader.expect(",")?;
         // conditions that a statement places on its points do not hold for their images
@@ -369,7 +373,7 @@ impl Theory {
         self.given = given;
         let (value, inner) = read?;
         if value.kind != Kind::Form {
-            return Err(malformed("a form is pulled back"));
+            return Err(malformed("`pullback` takes a form"));
         }
         self.scope.integrates |= inner.integrates;
         if inner.is_narrowed {
@@ -390,7 +394,7 @@ impl Theory {
             let v = match self.names.get(&name) {
                 Some(Named::Variable(v)) if value.kind == Kind::Field => *v,
                 Some(Named::Differential(v)) if value.kind == Kind::Form => *v,
-                _ => return Err(malformed(format!("`{name}` is no differential"))),
+                _ => return Err(malformed(format!("`{name}` is not a differential"))),
             };
             sign *= order(blade, 1 << v).ok_or_else(|| malformed("a differential occurs twice"))?;
             blade |= 1 << v;

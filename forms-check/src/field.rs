@@ -231,7 +231,7 @@ impl Field {
             .into_iter()
             .for_each(|(factor, exponent)| *factors.entry(factor).or_default() += exponent);
         if factors.values().any(|exponent| exponent.unsigned_abs() > u64::from(LARGEST_EXPONENT)) {
-            return uncovered("so large a power");
+            return uncovered("exponents this large");
         }
         let product = self.product(&left.numerator, &right.numerator)?;
         Ok(self.cancel(product, factors))
@@ -269,7 +269,7 @@ impl Field {
             *below.entry(*factor).or_default() -= exponent;
         }
         if below.values().any(|exponent| exponent.unsigned_abs() > LARGEST_FACTOR_EXPONENT) {
-            return uncovered("so large a power");
+            return uncovered("exponents this large");
         }
         Ok(self.cancel(Polynomial::constant(content), below))
     }
@@ -290,7 +290,7 @@ impl Field {
     pub(crate) fn integer_power(&mut self, a: &Fraction, n: i64) -> Result<Fraction, Stop> {
         let base = if n < 0 { self.inverse(a)? } else { a.clone() };
         if n.unsigned_abs() > u64::from(LARGEST_EXPONENT) {
-            return uncovered("so large a power");
+            return uncovered("exponents this large");
         }
         let mut power = Fraction::number(rational(1, 1));
         for _ in 0..n.unsigned_abs() {

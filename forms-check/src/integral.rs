@@ -132,7 +132,7 @@ impl Theory {
                 let speaks_of_them = self.pool.variables(*expr).iter().any(is_bound);
                 if speaks_of_them && !self.holds(*expr, *relation, &region)? {
                     return uncovered(
-                        "an integral of an integral that is not seen to hold all over the range",
+                        "a nested integral whose inner value was not shown to be valid on the whole range",
                     );
                 }
             }
@@ -298,7 +298,7 @@ impl Theory {
 /// Reads the entry `integral PLACE F` and the lines below it.
 pub(crate) fn offer(offered: &mut Offered, rest: &str, lines: &[Line]) -> Result<(), Stop> {
     let (place, text) = rest.split_once(' ').unwrap_or((rest, ""));
-    let place = place.parse().map_err(|_| malformed(format!("the place `{place}` of an integral")))?;
+    let place = place.parse().map_err(|_| malformed(format!("invalid place `{place}` of an integral")))?;
     offered.entry(place).or_default().push((text.to_string(), lines.to_vec()));
     Ok(())
 }

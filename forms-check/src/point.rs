@@ -126,7 +126,7 @@ impl Point {
                 Jet(f, orders) => self.jet(*f, orders, &a),
             };
             let Some(value) = value.filter(|value| !value.is_long()) else {
-                return rejected(format!("no certain value of {operation:?} at the point"));
+                return rejected(format!("{operation:?} has no certain value at the point"));
             };
             known.insert(part, value);
         }

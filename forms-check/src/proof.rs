@@ -102,10 +102,10 @@ impl<'a> Proof<'a> {
                 "split" if depth < DEEPEST => return self.split(&mut step, rest),
                 "undefined" if self.subject == Subject::Statement => return self.undefined(&mut step.field),
                 "zero" => return self.zero(&mut step.field),
-                other => return Err(malformed(format!("`{other}` in a proof"))),
+                other => return Err(malformed(format!("unexpected `{other}` in a proof"))),
             }
         }
-        Err(malformed("a proof without an end"))
+        Err(malformed("the proof does not end with `zero`, `split` or `undefined`"))
     }
 
     /// Reads an expression of the certificate, checks that it is defined, and returns it with its
@@ -122,7 +122,7 @@ impl<'a> Proof<'a> {
             if let Some(need) = self.theory.need(part)?
                 && !step.field.shows(&mut self.theory.pool, need, &step.conditions)?
             {
-                return rejected(format!("`{text}` is not seen to be defined wherever the statement is"));
+                return rejected(format!("`{text}` was not shown to be defined wherever the statement is"));
             }
         }
         let element = step.field.element(&self.theory.pool, expr)?;
@@ -144,7 +144,7 @@ impl<'a> Proof<'a> {
         let constant = element.numerator.as_constant();
         let is_usable = |c: &num_rational::BigRational| *c > rational(1, 1) && c.is_integer();
         if !element.factors.is_empty() || constant.as_ref().is_some_and(|c| !is_usable(c)) {
-            return rejected("a base is no polynomial, nor an integer above 1");
+            return rejected("a base must be a polynomial or an integer above 1");
         }
         let order = match self.next_if(&["root"]) {
             Some((_, order)) => {
@@ -207,7 +207,7 @@ impl<'a> Proof<'a> {
         }
         if !is_product || !moves {
             return rejected(
-                "the unit of a half angle is no number times powers of variables that can be moved",
+                "the unit of a half angle must be a number times powers of variables that can be perturbed",
             );
         }
         self.half_angles.push(expr);
@@ -250,7 +250,7 @@ impl<'a> Proof<'a> {
         let number = |word: &str| word.parse().ok().filter(|n| (1..=step.bases.len()).contains(n));
         let split: Option<Vec<usize>> =
             text.split_whitespace().map(|word| number(word).map(|n| n - 1)).collect();
-        let split = split.ok_or_else(|| malformed(format!("the bases `{text}`")))?;
+        let split = split.ok_or_else(|| malformed(format!("invalid list of bases `{text}`")))?;
         let mut cases: Vec<Vec<i64>> = Vec::new();
         while let Some((_, signs)) = self.next_if(&["case"]) {
             let sign = |c: char| match c {
@@ -261,7 +261,9 @@ impl<'a> Proof<'a> {
             let signs: Vec<i64> = signs.chars().map(sign).collect::<Option<_>>().unwrap_or_default();
             let length = cases.first().map_or(signs.len(), Vec::len);
             if signs.is_empty() || signs.len() != length || length > split.len() || cases.contains(&signs) {
-                return Err(malformed("cases have as many signs, for the first bases, and stand once"));
+                return Err(malformed(
+                    "every case must give the signs of the same first bases of the split, and occur once",
+                ));
             }
             let mut inner = step.cases.clone();
             for (sign, base) in signs.iter().zip(&split) {
@@ -275,7 +277,7 @@ impl<'a> Proof<'a> {
             cases.push(signs);
         }
         if self.next_if(&["end"]).is_none() {
-            return Err(malformed("cases without an end"));
+            return Err(malformed("the list of cases has no `end`"));
         }
         step.field.check_cover(&self.theory.pool, &step.conditions, &split, &cases)
     }

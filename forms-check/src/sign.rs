@@ -224,7 +224,7 @@ impl Field {
         cases: &[Vec<i64>],
     ) -> Result<(), Stop> {
         if split.len() > MOST_SPLIT {
-            return uncovered("so many open signs");
+            return uncovered("this many undetermined signs");
         }
         let constraints = self.constraints(pool, conditions);
         for number in 0..3_usize.pow(split.len() as u32) {

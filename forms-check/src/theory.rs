@@ -203,7 +203,7 @@ impl Theory {
     pub(crate) fn statement(&mut self, name: &str) -> Result<Statement, Stop> {
         let mut reader = match self.statements.get(name).cloned() {
             None => return rejected("the file has no such statement"),
-            Some((_, None)) => return uncovered("what follows from a warp"),
+            Some((_, None)) => return uncovered("statements derived from a warp"),
             Some((_, Some(reader))) => reader,
         };
         if let Some(obstacle) = &self.obstacle {
@@ -285,7 +285,7 @@ impl Theory {
                 .chain(DERIVED.iter().map(|row| row.0))
                 .any(|word| word == name);
         if is_word {
-            self.fault.get_or_insert(format!("`{name}` is a word of the language"));
+            self.fault.get_or_insert(format!("`{name}` is a reserved word of the language"));
         }
         if self.names.insert(name.to_string(), meaning).is_some() {
             self.fault.get_or_insert(format!("`{name}` is declared twice"));
@@ -304,6 +304,6 @@ impl Theory {
     }
 
     fn check_size(&self) -> Result<(), Stop> {
-        if self.pool.is_full() { uncovered("expressions of so many parts") } else { Ok(()) }
+        if self.pool.is_full() { uncovered("expressions with too many nodes") } else { Ok(()) }
     }
 }

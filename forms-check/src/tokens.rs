@@ -51,7 +51,7 @@ impl Reader {
             let (word, after) = rest.split_at(length);
             rest = after;
             if first.is_ascii_digit() {
-                let value = number(word).ok_or_else(|| malformed(format!("the number {word}")))?;
+                let value = number(word).ok_or_else(|| malformed(format!("invalid number `{word}`")))?;
                 tokens.push((Token::Number(value), place));
             } else if is_word(first) {
                 tokens.push((Token::Name(word.to_string()), place));

@@ -75,12 +75,12 @@ pub(crate) fn check(theory: &mut Theory, statement: &Statement, lines: &[Line]) 
     }
     let [a, b] = [known[&sides[0]].clone(), known[&sides[1]].clone()];
     if a.low <= b.high && b.low <= a.high {
-        return rejected("the sides are not told apart at the point");
+        return rejected("the enclosures of the sides overlap at the point");
     }
     if is_rounded(&a, &number(theory, left)?, left) && is_rounded(&b, &number(theory, right)?, right) {
         Ok(())
     } else {
-        rejected("other values")
+        rejected("the sides have other values than the certificate states")
     }
 }
 
@@ -94,7 +94,7 @@ pub(crate) fn check_inhabited(theory: &mut Theory, statement: &Statement, at: &[
     if is_of(theory, &point, statement) {
         Ok(())
     } else {
-        rejected("it is not certain that the statement speaks of the point")
+        rejected("the point was not shown to satisfy the conditions of the statement")
     }
 }
 
@@ -170,12 +170,12 @@ fn find(theory: &mut Theory, statement: &Statement) -> Result<(), Stop> {
             }
         }
     }
-    uncovered("no point is found that the statement speaks of")
+    uncovered("no point was found that satisfies the conditions of the statement")
 }
 
 fn number(theory: &mut Theory, text: &str) -> Result<BigRational, Stop> {
     let expr = theory.expression(text)?;
-    theory.pool.as_number(expr).cloned().ok_or_else(|| malformed(format!("`{text}` is no number")))
+    theory.pool.as_number(expr).cloned().ok_or_else(|| malformed(format!("`{text}` is not a number")))
 }
 
 /// Whether a decimal equals the value to its last digit; a fraction must equal the value.

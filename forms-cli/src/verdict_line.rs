@@ -46,7 +46,7 @@ impl Decided {
             (Verdict::Proved(_), Claim::Refute) => "holds after all",
             (Verdict::Refuted(_), Claim::Prove) => "does not hold",
             (Verdict::Unknown { .. }, _) => "unknown",
-            (Verdict::Empty { .. }, _) => "speaks of nothing",
+            (Verdict::Empty { .. }, _) => "vacuous",
         }
     }
 

@@ -59,7 +59,7 @@ pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> S
             let proved = retrace(theory, statement, &mut writer);
             match writer.finish() {
                 Ok(lines) if proved => format!("\nproved {name}\n{lines}"),
-                Ok(_) => format!("\nuncovered {name} the proof was not found again\n"),
+                Ok(_) => format!("\nuncovered {name} the proof could not be reproduced\n"),
                 Err(reason) => format!("\nuncovered {name} {}\n", reason.replace(['\r', '\n'], " ")),
             }
         }

@@ -61,7 +61,7 @@ fn lost_item(file: &File, theory: &Theory) -> Option<Diagnostic> {
         _ => true,
     };
     let lost = file.items.iter().find(|item| !is_kept(item))?;
-    let message = "this item was read and not resolved, which is an error of Forms";
+    let message = "this item was parsed but not resolved, which is a bug in Forms";
     Some(Diagnostic::new(lost.span, message).with_help("please report the file"))
 }
 
@@ -122,7 +122,7 @@ fn unread_claim(tokens: &[Token], file: &File) -> Option<Diagnostic> {
         })
     };
     let lost = tokens.iter().filter(is_claim).find(|token| !is_read(token))?;
-    let message = "this statement was not read, which is an error of Forms";
+    let message = "this statement was not parsed, which is a bug in Forms";
     Some(Diagnostic::new(lost.span, message).with_help("please report the file"))
 }
 
@@ -148,7 +148,7 @@ pub fn objection(statement: &Statement, verdict: &Verdict) -> Option<Diagnostic>
     match verdict {
         Verdict::Refuted(witness) => diagnostic(format!("{name} is false: {}", contradiction(witness))),
         Verdict::Unknown { reason } => diagnostic(format!("{name} is undecided: {reason}")),
-        Verdict::Empty { reason } => diagnostic(format!("{name} speaks of no point: {reason}")),
+        Verdict::Empty { reason } => diagnostic(format!("{name} is vacuous: {reason}")),
         Verdict::Proved(theorem) => {
             let mut message = format!("{name} is claimed to be false and was proved");
             if !theorem.conditions.is_empty() {

@@ -141,7 +141,7 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
             has_limits && is_not_zero_densely(pool, difference) || is_implied(pool, condition, &plain);
         !is_harmless
     })?;
-    Some(format!("an integral in it is known where `{}` only", open.text(pool)))
+    Some(format!("the value of an integral in the statement is known only where `{}`", open.text(pool)))
 }
 
 /// Whether a condition is defined without requiring that a divisor is not zero.

@@ -76,7 +76,7 @@ impl Generated {
         }
         let form = results(&self.rewritten);
         let form = if form.len() <= LONGEST_FORM { format!(": `{form}`") } else { String::new() };
-        format!("{} Computed by an equal form that rules alone give{form}.", self.translation)
+        format!("{} Computed by an equal form found by rewriting rules{form}.", self.translation)
     }
 }
 

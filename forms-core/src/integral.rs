@@ -102,7 +102,7 @@ fn any_normal_form(
         }
         match assumptions.cases(tower, pool, &[expression], &given)? {
             Cases::Signs(cases) if cases.len() == 1 => given.extend(&cases[0]),
-            _ => return Err("the sign of something under a root is not known".into()),
+            _ => return Err("the sign of a radicand is not known".into()),
         }
     };
     Ok(prepared.exact(tower, pool)?.remove(0))

@@ -45,7 +45,7 @@ impl ErrorBound {
 impl fmt::Display for ErrorBound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.units() {
-            Some(units) => write!(f, "{units:.1}·2⁻⁵³ of its size"),
+            Some(units) => write!(f, "{units:.1}·2⁻⁵³ of its magnitude"),
             None => write!(f, "{:.1e}", self.absolute),
         }
     }
@@ -81,8 +81,11 @@ const BOXES_OF_DOCUMENTATION: usize = 64;
 pub fn sentence(program: &Program) -> Option<String> {
     let bounds = program.error_bound(BOXES_OF_DOCUMENTATION).ok()?;
     let bounds: Vec<String> = bounds.iter().map(ErrorBound::to_string).collect();
-    let of = if bounds.len() == 1 { "Its value" } else { "Each value" };
-    Some(format!("{of} in `f64` is within {} of the true one, anywhere on the domain.", bounds.join(", ")))
+    let of = if bounds.len() == 1 { "its value" } else { "each value" };
+    Some(format!(
+        "The rounding error of {of} in `f64` is at most {}, everywhere on the domain (bound).",
+        bounds.join(", ")
+    ))
 }
 
 impl Program {

@@ -67,7 +67,7 @@ pub fn topology(source: &Source, name: &str) -> Result<Report, String> {
     match verdict {
         Verdict::Proved(_) => report.proved(&closed, &[]),
         Verdict::Refuted(witness) => {
-            report.say(format!("it is not closed: {closed} fails {witness}"));
+            report.say(format!("the form is not closed: {closed} fails {witness}"));
             report.say("a form that is not closed has no potential");
             return Ok(report);
         }
@@ -92,10 +92,10 @@ pub fn topology(source: &Source, name: &str) -> Result<Report, String> {
 
 fn around(session: &Session, study: &Study, hole: &Hole, report: &mut Report) {
     let sphere = hole.coordinates.len() - 1;
-    report.say(format!("the domain goes around {}, like the sphere S{sphere}", hole.place));
+    report.say(format!("the domain contracts to the sphere S{sphere} around {}", hole.place));
     if study.form.degree() as usize != sphere {
         report.say(format!(
-            "such a domain lets only {sphere}-forms be closed and not exact, so this form has a potential"
+            "on such a domain only {sphere}-forms can be closed but not exact, so this form has a potential"
         ));
         return potential::on_the_domain(session, study, Some(hole), report);
     }
@@ -142,7 +142,7 @@ fn study(session: &Session, name: &str) -> Result<Study, String> {
         [] => Err(format!("no chart has all coordinates of `{name}`")),
         several => {
             let names: Vec<&str> = several.iter().map(|&chart| theory.charts[chart].name.as_str()).collect();
-            Err(format!("`{name}` lives on several charts: {}", names.join(", ")))
+            Err(format!("`{name}` belongs to several charts: {}", names.join(", ")))
         }
     }
 }

@@ -24,7 +24,7 @@ fn derivation(statement: &str) -> Derivation {
 
 /// Returns the formulas of a derivation that are equations of the language.
 fn equations(derivation: &Derivation) -> Vec<String> {
-    let told = ["What the calculus gives", "Left minus right"];
+    let told = ["Results of the exterior calculus", "Left minus right"];
     let steps = derivation.steps.iter().filter(|step| told.iter().any(|title| step.title.starts_with(title)));
     let formulas = steps.flat_map(|step| &step.lines).filter_map(|line| match line {
         Line::Formula(formula) => Some(formula.text.clone()),
@@ -75,18 +75,18 @@ s
 1. Claimed to hold
       d(beta) = 0
 
-2. What the names stand for
+2. Definitions
       r = sqrt(x**2 + y**2 + z**2)
       beta = (x*dy^dz + y*dz^dx + z*dx^dy)/r**3
 
-3. What the calculus gives
+3. Results of the exterior calculus
       diff(z/(x**2 + y**2 + z**2)**(3/2), z)*dz^dx^dy = (x**2 + y**2 - 2*z**2)/(x**2 + y**2 + z**2)**(5/2)*dx^dy^dz
       diff(-y/(x**2 + y**2 + z**2)**(3/2), y)*dy^dx^dz = (x**2 + z**2 - 2*y**2)/(x**2 + y**2 + z**2)**(5/2)*dx^dy^dz
       diff(x/(x**2 + y**2 + z**2)**(3/2), x)*dx^dy^dz = -(2*x**2 - y**2 - z**2)/(x**2 + y**2 + z**2)**(5/2)*dx^dy^dz
       d(beta) = 0
 
 4. Left minus right
-   The computation is with polynomials in the variables and these generators:
+   The computation uses polynomials in the variables and these generators:
       (sqrt(x**2 + y**2 + z**2))**2 = x**2 + y**2 + z**2
    The coefficient of dx^dy^dz:
       ((x**2 + y**2 - 2*z**2) + (x**2 + z**2 - 2*y**2) + (-(2*x**2 - y**2 - z**2)))/((x**2 + y**2 + z**2)**(5/2)) = 0

@@ -68,12 +68,12 @@ fn nested_choices_are_compared_where_they_are_reached() {
     is_refused(
         "kernel k(u) = if u > 1 { 2*u } else if u > 0 { u**2 } else { 0 };",
         "the branches of `if u > 1` differ at the seam u = 1 of `k`: their difference is 1\n\
-         at u = 1: 2 from the side where it holds, 1 from the other",
+         at u = 1: 2 in the branch where the condition holds, 1 in the other",
     );
     is_refused(
         "kernel k(u) = if u > 1 { u } else if u > 0 { u**2 } else { 5 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -5\n\
-         at u = 0: 0 from the side where it holds, 5 from the other",
+         at u = 0: 0 in the branch where the condition holds, 5 in the other",
     );
 }
 
@@ -85,7 +85,7 @@ fn the_domain_of_the_kernel_bounds_its_seams() {
     is_refused(
         "kernel k(u) = if u > 0 { u } else { 7 } where u > -1;",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is -7\n\
-         at u = 0: 0 from the side where it holds, 7 from the other",
+         at u = 0: 0 in the branch where the condition holds, 7 in the other",
     );
 }
 
@@ -94,7 +94,7 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
     is_refused(
         "kernel k(u) = if u > 0 { u + 1 } else { 0 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
-         at u = 0: 1 from the side where it holds, 0 from the other",
+         at u = 0: 1 in the branch where the condition holds, 0 in the other",
     );
     let message = generated("kernel k(u, v) = if u > 2*v { u**2 } else { v };").unwrap_err();
     assert!(message.contains("at the seam u = 2*v of `k`: their difference is"), "{message}");
@@ -121,10 +121,13 @@ fn a_seam_that_cannot_be_decided_is_refused_too() {
         "kernel k(x) = if x > 0 { 1 } else { sin(x)/x };",
     ] {
         let message = generated(text).unwrap_err();
-        assert!(message.contains("is undecided: a branch is not defined there"), "{text}\n{message}");
+        assert!(message.contains("of `k`: a branch is not defined there"), "{text}\n{message}");
     }
     let message = generated("kernel k(x) = if sin(x) > x/2 { cos(x) } else { x };").unwrap_err();
-    assert!(message.starts_with("whether the branches of `if sin(x) > x/2` agree at the seam"), "{message}");
+    assert!(
+        message.starts_with("cannot decide whether the branches of `if sin(x) > x/2` agree at the seam"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -178,18 +181,18 @@ fn a_kernel_is_computed_by_an_equal_form() {
 fn a_form_that_is_not_proved_equal_is_refused() {
     is_refused(
         "kernel k(x) = sin(x) by 1 - x where x > 0;",
-        "the form that `k` is computed by differs from its formula\n\
+        "the stable form of `k` differs from its formula\n\
          at x = 1: the formula is 0.841470984807896506…, the form is 0",
     );
     let message =
         generated("kernel k(x) = (exp(x) - 1)/x by if x != 0 { expm1(x)/x } else { 2 };").unwrap_err();
     assert!(message.contains("differ at the seam x = 0"), "{message}");
     let message = generated("kernel k(x) = sqrt(x**2) by if x > 1 { x } else { x**2 };").unwrap_err();
-    assert!(message.starts_with("the form that `k` is computed by differs from its formula"), "{message}");
+    assert!(message.starts_with("the stable form of `k` differs from its formula"), "{message}");
     let undecided = "kernel k(x) = dilog(x) + dilog(-x) by dilog(x**2)/2 where 0 < x < 1;";
     let message = generated(undecided).unwrap_err();
     assert!(
-        message.starts_with("whether the form that `k` is computed by equals its formula is undecided"),
+        message.starts_with("cannot decide whether the stable form of `k` equals its formula"),
         "{message}"
     );
 }
@@ -218,7 +221,7 @@ fn a_jump_is_not_looked_at() {
     is_refused(
         "kernel k(u) = if jump u > 1 { 7 } else if u > 0 { 1 } else { 0 };",
         "the branches of `if u > 0` differ at the seam u = 0 of `k`: their difference is 1\n\
-         at u = 0: 1 from the side where it holds, 0 from the other",
+         at u = 0: 1 in the branch where the condition holds, 0 in the other",
     );
 }
 
@@ -252,7 +255,7 @@ fn many_pieces_end_in_a_bound_and_not_in_a_long_search() {
     let (halves, _) = sum_of_forty(|x| format!("({x} + abs({x}))/2"));
     is_refused(
         &format!("kernel k({names}) = {halves} by {positive_parts};"),
-        "whether the form that `k` is computed by equals its formula is undecided: it has more than 64 pieces",
+        "cannot decide whether the stable form of `k` equals its formula: it has more than 64 pieces",
     );
 }
 
@@ -305,7 +308,11 @@ fn an_integral_that_is_known_on_a_part_of_the_domain_asks_for_that_part() {
     ] {
         let (_, errors) = read_theory(&format!("{chart}\n{text}"));
         let messages: Vec<&str> = errors.iter().map(|error| error.message.as_str()).collect();
-        assert_eq!(messages, [format!("an integral in `k` is known where `{condition}` only")], "{text}");
+        assert_eq!(
+            messages,
+            [format!("the value of an integral in `k` is known only where `{condition}`")],
+            "{text}"
+        );
         let with_condition = format!("{chart}\n{} where {condition};", text.trim_end_matches(';'));
         is_accepted(&with_condition);
     }
@@ -323,7 +330,8 @@ fn an_integral_that_is_known_on_a_part_of_the_domain_asks_for_that_part() {
 fn a_form_has_the_value_of_atan2_on_its_cut() {
     is_refused(
         "kernel k(u, v) = atan2(u, v) by 2*atan(u/(sqrt(u*u + v*v) + v));",
-        "the form that `k` is computed by loses a point of its formula\nat u = 0, v = -1: the formula is \
+        "the stable form of `k` is undefined at a point where its formula has a value\n\
+         at u = 0, v = -1: the formula is \
          3.141592653589793238…, the form has no value: `u/(sqrt(u*u + v*v) + v)` is not defined",
     );
     is_accepted("kernel k(u, v) = atan2(u, v) by 2*atan(u/(sqrt(u*u + v*v) + v)) where v > 0;");

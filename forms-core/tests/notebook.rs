@@ -69,7 +69,7 @@ fn a_derivation_has_a_title_and_a_formula_for_each_step() {
 #[test]
 fn what_is_not_there_is_told_with_what_is() {
     let error = Sheet::read(TEXT).derive("open").expect_err("no such claim");
-    assert_eq!(error, "no claim is named `open`; there are: closed, flat, wrong");
+    assert_eq!(error, "no claim is named `open`; the claims are: closed, flat, wrong");
     let error = Sheet::read("chart L(x); prove s: d(y) == 0;").derive("s").expect_err("y is unknown");
     assert!(error.contains("--> cell:1:24"), "{error}");
 }

@@ -86,7 +86,7 @@ fn what_a_quadrature_integrates_is_optimised_like_a_kernel() {
     let cases = [
         ("t**2", "1 multiplication"),
         ("t**3 + 2*t**2 + x*t", "2 additions, 2 multiplications"),
-        ("t**2*exp(-x*t**2)", "3 multiplications, 1 change of sign, 1 function call"),
+        ("t**2*exp(-x*t**2)", "3 multiplications, 1 negation, 1 function call"),
         ("(x + t)**(3/2)", "1 addition, 1 multiplication, 1 square root"),
     ];
     for (integrand, expected) in cases {

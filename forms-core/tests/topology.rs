@@ -95,7 +95,7 @@ fn off_a_cut_a_form_with_a_period_has_a_potential() {
 
 #[test]
 fn what_is_not_recognised_is_said() {
-    assert!(report("open").to_string().contains("it is not closed"), "{}", report("open"));
+    assert!(report("open").to_string().contains("the form is not closed"), "{}", report("open"));
     assert!(report("twice").to_string().contains("more than one hole"), "{}", report("twice"));
     assert!(report("sector").to_string().contains("contracts to a point"), "{}", report("sector"));
     let refused = |name| topology(&Source::new("spaces", SPACES), name).map(|report| report.to_string());

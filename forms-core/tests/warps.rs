@@ -83,7 +83,7 @@ fn a_form_behind_by_and_an_accuracy_go_with_the_sample() {
     let kernel = wrong.kernels[0].clone();
     assert!(compile_kernel(&mut wrong.pool, &kernel).is_err());
     assert!(
-        errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, and 2 behind `by`")
+        errors(&HEMISPHERE.replace("+ 1/2);", "+ 1/2) by (u, v);")).contains("3 outputs, but `by` gives 2")
     );
 }
 
@@ -96,7 +96,7 @@ fn the_orientation_is_found_and_said() {
     assert!(reversed.warps[0].reverses);
     assert_eq!(
         reversed.statements[0].docs,
-        ["The density of `disk` is that of its map, which reverses the orientation."]
+        ["The density of `disk` is the density of its map, which reverses the orientation."]
     );
     assert!(!theory(HEMISPHERE).warps[0].reverses);
 }
@@ -131,9 +131,9 @@ fn mistakes_are_named() {
         ("chart C(x); warp w(u) = (u) density 1 of dx;", "expected `onto`, found `density`"),
         (
             "chart C(x); warp w(x; u) = (u) onto C density 1 of dx;",
-            "a coordinate of the chart a warp goes to is no parameter of it",
+            "a coordinate of a warp's target chart cannot be a parameter of the warp",
         ),
-        ("chart C(x); warp w(u) = (u) onto C density 1 of dx inverse (x, x);", "the inverse has 1 value,"),
+        ("chart C(x); warp w(u) = (u) onto C density 1 of dx inverse (x, x);", "the inverse needs 1 value,"),
         ("chart C(x); warp w(; u) = (u) onto C density 1 of dx; let w_pdf = 1;", "`w_pdf` is declared twice"),
     ] {
         let found = errors(text);
@@ -167,5 +167,5 @@ fn units_of_a_warp_are_checked() {
     let units: Vec<_> = known.kernels.iter().map(|kernel| kernel.units.outputs.clone()).collect();
     assert_eq!(units[..2], [vec![Some("m".to_owned())], vec![Some("1/m".to_owned())]]);
     let found = errors(&flight.replace("density sigma*", "density "));
-    assert!(found.contains("`flight_density` equates unlike units"), "{found}");
+    assert!(found.contains("`flight_density` equates different units"), "{found}");
 }

@@ -80,7 +80,7 @@ fn claim(Equation { left, right, conditions }: Equation) -> Item {
 }
 
 fn missing(expected: &str, end: Span) -> Diagnostic {
-    Diagnostic::new(end, format!("expected {expected} behind the declarations"))
+    Diagnostic::new(end, format!("expected {expected} after the declarations"))
 }
 
 /// Expands `kernel! { items; name(…) = … where … }`.
@@ -179,8 +179,8 @@ fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     let places = removable_singularities(&theory.pool, kernel);
     (!places.is_empty()).then(|| {
         warned(&format!(
-            "`{}` has no value at {}, where its formula has a limit: give an equal form that has one behind `by`, or \
-             exclude the place behind `where`",
+            "`{}` has no value at {}, where its formula has a limit: give an equal form that has one after `by`, or \
+             exclude the place with `where`",
             kernel.name,
             places.join(" and at ")
         ))

@@ -46,8 +46,9 @@ fn a_quantity_in_the_place_of_another_is_an_error() {
     for (claim, left, right) in MISTAKES {
         let (_, errors) = read_theory(&format!("{}refute mistake: {claim};", table()));
         let messages: Vec<String> = errors.into_iter().map(|error| error.message).collect();
-        let wanted =
-            format!("`mistake` equates unlike units: the left side is in {left}, the right side in {right}");
+        let wanted = format!(
+            "`mistake` equates different units: the left side is in {left}, the right side in {right}"
+        );
         assert_eq!(messages, [wanted], "{claim}");
     }
 }

@@ -53,7 +53,7 @@ impl Theory {
             Named::Uncovered(stop.into_text())
         });
         if keyword != "fn" && reader.defines_by(&name, start) {
-            self.fault.get_or_insert(format!("`{name}` is declared by itself"));
+            self.fault.get_or_insert(format!("the declaration of `{name}` uses its own name"));
         }
         self.names.insert(name, named);
         Ok(())
@@ -111,7 +111,7 @@ impl Theory {
     pub(crate) fn chart_named(&self, name: &str) -> Result<Chart, Stop> {
         match self.names.get(name) {
             Some(Named::Chart(chart)) => Ok(chart.clone()),
-            _ => Err(malformed(format!("`{name}` is no chart"))),
+            _ => Err(malformed(format!("`{name}` is not a chart"))),
         }
     }
 
@@ -127,7 +127,7 @@ impl Theory {
     pub(crate) fn variable(&self, name: &str) -> Result<usize, Stop> {
         match self.names.get(name) {
             Some(Named::Variable(number)) => Ok(*number),
-            _ => Err(malformed(format!("`{name}` is no coordinate or param"))),
+            _ => Err(malformed(format!("`{name}` is not a coordinate or param"))),
         }
     }
 

@@ -130,7 +130,7 @@ impl Metric {
         };
         let (mut result, mut known) = (Value::default(), HashMap::new());
         if self.coordinates.len() > MOST_COORDINATES {
-            return uncovered("a metric of so many coordinates");
+            return uncovered("metrics with this many coordinates");
         }
         for (blade, c) in &w.terms {
             let rest = top & !blade;
@@ -294,7 +294,7 @@ impl Theory {
                 metric.sharp(pool, &axis)
             }
             ("div", [x]) => metric.divergence(pool, x),
-            _ => Err(malformed(format!("no such metric operation as `{name}` of so many arguments"))),
+            _ => Err(malformed(format!("no metric operation `{name}` with this number of arguments"))),
         }
     }
 }

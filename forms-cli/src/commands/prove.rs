@@ -131,7 +131,7 @@ impl Report<'_> {
         for decided in &statements {
             let statement = &decided.statement;
             if let Verdict::Empty { reason } = &decided.verdict {
-                let message = format!("`{}` speaks of no point: {reason}", statement.name);
+                let message = format!("`{}` is vacuous: {reason}", statement.name);
                 errors.push(FileError::at(&source, &Diagnostic::new(statement.span, message)));
             }
             status = status.max(if decided.ok() { Status::AsStated } else { Status::NotAsStated });

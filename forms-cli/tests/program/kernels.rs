@@ -333,7 +333,11 @@ fn a_kernel_that_jumps_unsaid_is_neither_evaluated_nor_emitted() {
         let run = forms(&folder, arguments);
         assert_eq!((run.status, run.output.as_str()), (2, ""), "{arguments:?}");
         assert!(run.errors.contains("differ at the seam u = 0 of `k`"), "{}", run.errors);
-        assert!(run.errors.contains("jump.forms:1:1") && run.errors.contains("say `jump`"), "{}", run.errors);
+        assert!(
+            run.errors.contains("jump.forms:1:1") && run.errors.contains("write `if jump`"),
+            "{}",
+            run.errors
+        );
     }
 }
 

@@ -368,7 +368,9 @@ fn the_angle_form_is_closed_and_has_no_potential_around_the_origin() {
     let folder = Folder::with(&[("plane.forms", plane)]);
     let run = forms(&folder, &["show", "plane.forms", "angle", "--topology"]);
     assert_eq!((run.status, run.errors.as_str()), (0, ""));
-    for part in ["goes around x = 0, y = 0", "== 2*pi    (proved)", "let A = (atan2(y, x));"] {
+    for part in
+        ["contracts to the sphere S1 around x = 0, y = 0", "== 2*pi    (proved)", "let A = (atan2(y, x));"]
+    {
         assert!(run.output.contains(part), "{part}: {}", run.output);
     }
     let scalar = forms(&folder, &["show", "plane.forms", "f", "--topology"]);

@@ -92,7 +92,7 @@ fn a_plot_is_of_the_stable_form_and_a_false_claim_of_a_kernel_is_told() {
     assert_eq!((&drawing["least"], &drawing["greatest"]), (&json!(1e-18), &json!(1e-17)));
     let text = "kernel k(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);";
     let answer = server.post("/api/check", &json!({ "text": text })).body;
-    assert!(answer.contains("loses a point of its formula"), "{answer}");
+    assert!(answer.contains("is undefined at a point where its formula has a value"), "{answer}");
 }
 
 #[test]

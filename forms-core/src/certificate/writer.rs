@@ -100,7 +100,9 @@ impl Writer {
             Generator::HalfTangent(unit) => self.unit(tower, "tangent", &unit, declared),
             Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
             Generator::Root { base, .. } => self.base(tower, base, declared),
-            Generator::Chord { .. } => self.gap = Some("the sine or cosine of a part of a circle".into()),
+            Generator::Chord { .. } => {
+                self.gap = Some("the sine or cosine of a rational multiple of pi".into())
+            }
             Generator::Logarithm { base } => self.base(tower, base, declared),
         }
     }

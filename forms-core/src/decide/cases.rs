@@ -43,11 +43,11 @@ fn outcome_of(pool: &mut Pool, explored: Result<Outcome, Obstacle>, tower: &Towe
         Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
         Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
         Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
-        Err(Obstacle::Refine) => Outcome::Outside("its radicands could not be factored".into()),
+        Err(Obstacle::Refine) => Outcome::Outside("the radicands could not be factored".into()),
     }
 }
 
-const OUTSIDE: &str = "outside the class that is decided";
+const OUTSIDE: &str = "outside the class that Forms decides";
 
 /// Returns the cases in which the normal forms are zero, each given by its signs; `None` if they
 /// are not a proof. The steps are reported to an observer.
@@ -65,7 +65,7 @@ pub(super) fn settled_cases<'a>(
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
 
-const DIVIDES_BY_ZERO: &str = "it divides by zero everywhere";
+const DIVIDES_BY_ZERO: &str = "a divisor is zero at every point";
 
 struct Proof<'a> {
     pool: &'a Pool,

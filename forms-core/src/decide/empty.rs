@@ -14,7 +14,7 @@ use crate::normal::WORK_LIMIT;
 pub(super) fn contradiction(pool: &mut Pool, problem: &Problem) -> Option<String> {
     match Assumptions::new(pool, &problem.assumptions).contradiction(pool) {
         Some(Contradiction::Alone(condition)) => {
-            return Some(format!("nothing meets `{}`", condition.text(pool)));
+            return Some(format!("no point satisfies `{}`", condition.text(pool)));
         }
         Some(Contradiction::Together) => return Some("its conditions contradict each other".to_string()),
         None => {}

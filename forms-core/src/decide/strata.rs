@@ -85,7 +85,9 @@ fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut 
         }
         let (found, _) = goal.explored(pool, &mut stratum);
         if stratum.poles().iter().any(|unit| !tower.poles().contains(unit)) {
-            return Outcome::Outside("an angle of its own at a half turn".into());
+            return Outcome::Outside(
+                "where some angles are odd multiples of pi, a further angle can be one too".into(),
+            );
         }
         let found = with_zeros(pool, goal, given, &stratum, found);
         outcome = together(outcome, found);
@@ -139,10 +141,11 @@ fn with_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut out
 
 /// Returns the outcome where a polynomial vanishes, by solving the polynomial for a variable.
 fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &Polynomial) -> Outcome {
-    let unsolved = || Outcome::Outside("nested radicals at points that lie apart".into());
+    let unsolved =
+        || Outcome::Outside("the zeros of a divisor in the normal form could not be determined".into());
     let Some(depth) = given.depth.checked_sub(1) else { return unsolved() };
     let Some(solutions) = solutions(pool, tower, factor) else { return unsolved() };
-    let mut outcome = Outcome::Empty("nothing is zero there".into());
+    let mut outcome = Outcome::Empty("the divisor has no zeros".into());
     for values in solutions {
         let conditions: Vec<Condition> =
             given.conditions.iter().map(|condition| condition.substitute(pool, &values)).collect();

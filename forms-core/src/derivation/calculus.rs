@@ -34,7 +34,7 @@ pub(super) fn step(scribe: &mut Scribe, items: &[&ItemKind], claim: &ItemKind) -
             known.push(formula);
         }
     }
-    (!lines.is_empty()).then(|| Step::new("What the calculus gives", lines))
+    (!lines.is_empty()).then(|| Step::new("Results of the exterior calculus", lines))
 }
 
 /// Collects wedge products and calls of the calculus, innermost first.

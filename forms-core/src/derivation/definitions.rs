@@ -25,7 +25,7 @@ pub(super) fn needed<'a>(file: &'a File, claim: &ItemKind) -> Vec<&'a ItemKind> 
 /// Returns the step of the definitions, with one line for each item.
 pub(super) fn step(scribe: &Scribe, items: &[&ItemKind]) -> Option<Step> {
     let lines: Vec<Line> = items.iter().filter_map(|item| line(scribe, item)).map(Line::Formula).collect();
-    (!lines.is_empty()).then(|| Step::new("What the names stand for", lines))
+    (!lines.is_empty()).then(|| Step::new("Definitions", lines))
 }
 
 fn line(scribe: &Scribe, item: &ItemKind) -> Option<Formula> {

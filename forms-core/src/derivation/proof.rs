@@ -65,7 +65,8 @@ fn within_separation(scribe: &mut Scribe, separated: &Separated) -> Step {
     };
     let lines = vec![
         Line::Words(
-            "The difference is an algebraic number. Were it not zero, its conjugates would leave it".into(),
+            "The difference is an algebraic number. If it were not zero, its separation bound would give"
+                .into(),
         ),
         compared(">=", "\\ge"),
         Line::Words("but an enclosure with rational ends shows".into()),
@@ -90,7 +91,7 @@ fn step(scribe: &mut Scribe, case: &Case, number: Option<usize>) -> Step {
     let relations: Vec<Line> = case.generators.iter().flat_map(|bound| relation(scribe, bound)).collect();
     if !relations.is_empty() {
         lines.push(Line::Words(
-            "The computation is with polynomials in the variables and these generators:".into(),
+            "The computation uses polynomials in the variables and these generators:".into(),
         ));
         lines.extend(relations);
     }

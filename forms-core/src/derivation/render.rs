@@ -27,7 +27,7 @@ impl Derivation {
         let mut latex = String::from(
             "\\documentclass{article}\n\\usepackage{amsmath,amssymb,graphicx}\n\
              \\usepackage[margin=2cm]{geometry}\n\
-             % A formula wider than the page is made as small as it has to be.\n\
+             % A formula wider than the page is scaled down to fit.\n\
              \\newcommand{\\fitted}[1]{\\sbox0{$\\displaystyle #1$}%\n\
              \\ifdim\\wd0>\\linewidth\\resizebox{\\linewidth}{!}{\\usebox0}\\else\\usebox0\\fi}\n\
              \\begin{document}\n",

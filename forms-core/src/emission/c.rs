@@ -31,7 +31,7 @@ const WIDTH: usize = 100;
 
 /// a b + c, rounded once if there is an instruction for it.
 const MULTIPLY_ADD: &str = "\
-// a b + c, rounded once where the processor does that.
+// a b + c, rounded once if the processor has a fused multiply-add.
 SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
 #ifdef FAST_FMA
     return fmaSUFFIX(a, b, c);
@@ -63,7 +63,7 @@ SPECIFIERS NUMBER forms_difference_of_products(NUMBER a, NUMBER b, NUMBER c, NUM
 
 /// x^(n/d): with n/d = p + r and p rounded, x^p x^r = x^p (1 + r log x) to well below an ulp.
 const POWER: &str = "\
-// x^(n/d), of x >= 0 where d > 1.
+// x^(n/d); needs x >= 0 if d > 1.
 SPECIFIERS NUMBER forms_power(NUMBER x, double n, double d) {
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;

@@ -36,7 +36,7 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     }
     if !docs.statements.is_empty() {
         separate(&mut lines);
-        lines.push(format!("Rests on {}.", quoted(&docs.statements)));
+        lines.push(format!("Statements used: {}.", quoted(&docs.statements)));
     }
     if !docs.conditions.is_empty() {
         separate(&mut lines);
@@ -53,7 +53,7 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     separate(&mut lines);
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
     lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
-    lines.push(format!("Takes {}.", program.operations()));
+    lines.push(format!("Cost: {}.", program.operations()));
     lines.iter().fold(String::new(), |text, line| {
         let line = in_a_comment(line);
         text + comment + if line.is_empty() { "" } else { " " } + &line + "\n"

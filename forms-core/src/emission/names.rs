@@ -146,7 +146,7 @@ pub(super) fn renamed(
         all.chain(program.arguments.iter().zip(&arguments).map(|(old, new)| (old.as_str(), new.as_str())));
     let mut notes: Vec<String> = Vec::new();
     for (old, new) in all.filter(|(old, new)| old != new) {
-        let note = format!("`{old}` is `{new}` here");
+        let note = format!("`{old}` is renamed to `{new}`");
         // an argument can have the name of its kernel
         if !notes.contains(&note) {
             notes.push(note);
@@ -154,7 +154,7 @@ pub(super) fn renamed(
     }
     if !notes.is_empty() {
         let reason = if notes.len() == 1 { "the name is" } else { "the names are" };
-        docs.docs.push(format!("{}, as {reason} taken in {}.", notes.join(", "), target.title()));
+        docs.docs.push(format!("{}, because {reason} reserved in {}.", notes.join(", "), target.title()));
     }
     (Program { name: name.to_string(), arguments, ..program.clone() }, docs)
 }

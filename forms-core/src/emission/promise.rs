@@ -37,18 +37,19 @@ pub(super) fn promise(source: &Source, within: &Rational, target: Target, precis
             match worst {
                 Some(units) if units <= nearest_f64(within).next_down() => Promise::ByBound(units),
                 Some(units) => Promise::NotKept(format!(
-                    "rounding is known to be within {units:.1}·{} of it on the domain",
+                    "the relative rounding error is bounded only by {units:.1}·{} on the domain",
                     unit(precision)
                 )),
                 None => {
                     let absolute = bounds.iter().map(|bound| bound.absolute).fold(0.0, f64::max);
                     Promise::NotKept(format!(
-                        "rounding is known to be within {absolute:.1e} on the domain, and has no bound relative to it"
+                        "the absolute rounding error is bounded by {absolute:.1e} on the domain; no relative bound \
+                         is known"
                     ))
                 }
             }
         }
-        Err(reason) => Promise::NotKept(format!("no bound of its error is known, since {reason}")),
+        Err(reason) => Promise::NotKept(format!("no error bound is known, because {reason}")),
     };
     match promise {
         // numbers with more digits are available
@@ -75,20 +76,19 @@ impl Promise {
         let unit = unit(precision);
         match self {
             Promise::ByPrecision if precision == Precision::DoubleDouble => {
-                "Its value is within 2⁻⁹⁸ of the exact one, relative to it, or NaN where no precision that is tried tells \
-                 it so well."
+                "Its relative error is at most 2⁻⁹⁸; its value is NaN if no available precision reaches this bound."
                     .to_string()
             }
             Promise::ByPrecision => format!(
-                "Its value is within {within}·{unit} of the exact one, relative to it, or NaN where no precision that is \
-                 tried tells it so well."
+                "Its relative error is at most {within}·{unit}; its value is NaN if no available precision reaches \
+                 this bound."
             ),
             Promise::ByBound(units) => format!(
-                "Its value is within {within}·{unit} of the exact one, relative to it: rounding makes at most \
-                 {units:.1}·{unit} of it{}.",
+                "Its relative error is at most {within}·{unit}: the bound of the rounding error is \
+                 {units:.1}·{unit}{}.",
                 if target == Target::Wgsl { "" } else { assumption(precision) }
             ),
-            Promise::NotKept(reason) => format!("`within {within}` is not kept here: {reason}."),
+            Promise::NotKept(reason) => format!("`within {within}` is not guaranteed by the generated code: {reason}."),
         }
     }
 }
@@ -96,9 +96,9 @@ impl Promise {
 /// Returns the assumption of a bound about the library of a target.
 fn assumption(precision: Precision) -> &'static str {
     if precision == Precision::F32 {
-        ", where functions are within 4 ulp and nothing is computed by fast mathematics"
+        ", if library functions are within 4 ulp and fast-math optimisation is off"
     } else {
-        ", where functions are within 2 ulp and nothing is computed by fast mathematics"
+        ", if library functions are within 2 ulp and fast-math optimisation is off"
     }
 }
 
@@ -113,7 +113,7 @@ fn assumption(precision: Precision) -> &'static str {
 /// let within = kernel.within;
 /// let source = Source { program, docs: KernelDocs::default(), within };
 /// let lines = broken_promises(&[source], Target::C, Precision::F64);
-/// assert!(lines[0].starts_with("`k`: `within 2` is not kept here"));
+/// assert!(lines[0].starts_with("`k`: `within 2` is not guaranteed by the generated code"));
 /// ```
 pub fn broken_promises(kernels: &[Source], target: Target, precision: Precision) -> Vec<String> {
     let line = |source: &Source| {

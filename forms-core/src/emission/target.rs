@@ -111,7 +111,12 @@ impl fmt::Display for EmitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             EmitError::Precision(target, precision) => {
-                write!(f, "the target `{}` does not have the precision `{}`", target.name(), precision.name())
+                write!(
+                    f,
+                    "the target `{}` does not support the precision `{}`",
+                    target.name(),
+                    precision.name()
+                )
             }
             EmitError::Function { kernel, function, target } => write!(
                 f,
@@ -120,7 +125,7 @@ impl fmt::Display for EmitError {
             ),
             EmitError::Number { kernel, number, precision } => write!(
                 f,
-                "the kernel `{kernel}` contains the number {number}, which `{}` does not hold",
+                "the kernel `{kernel}` contains the number {number}, which overflows or underflows in `{}`",
                 precision.name()
             ),
         }

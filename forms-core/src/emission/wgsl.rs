@@ -27,7 +27,7 @@ fn forms_nan() -> f32 {
 
 /// a b − c d by the error of one product, after Kahan.
 const DIFFERENCE_OF_PRODUCTS: &str = "\
-// a b - c d by the error of one product (Kahan), where fma rounds once.
+// a b - c d, corrected by the rounding error of one product (Kahan); assumes that fma rounds once.
 fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let product = c * d;
     let error = fma(-c, d, product);

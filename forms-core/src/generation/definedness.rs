@@ -12,7 +12,7 @@
 
 use super::entailment::Known;
 use super::exact_point::{ExactPoint, NoValue, Point, digits, sign_of};
-use super::obligation::{self, Obligation, obligations};
+use super::obligation::{self, MOST_PATHS, Obligation, obligations};
 use super::pieces::{MOST_PIECES, negated, pieces};
 use super::special_points::SpecialPoints;
 use super::translation::{EFFORT, equality};
@@ -117,7 +117,8 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     }
     let Obligation { part, ways, .. } = &open[0];
     let conditions: Vec<String> = ways[0].iter().map(|condition| condition.text(pool)).collect();
-    let reason = format!("`{}` is not shown, which `{}` needs", conditions.join(", "), pool.text(*part));
+    let reason =
+        format!("`{}`, which `{}` requires, was not proved", conditions.join(", "), pool.text(*part));
     Definedness::Undecided { reason }
 }
 
@@ -202,7 +203,7 @@ fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obli
     for (&form, &formula) in form.iter().zip(&kernel.outputs) {
         if form != formula {
             let Some(obligations) = obligations(pool, &[form]) else {
-                return Err(format!("it has more than {MOST_PIECES} pieces"));
+                return Err(format!("the form has more than {MOST_PATHS} paths through `if`"));
             };
             let found = open_obligations(pool, &kernel.domain, formula, obligations)?;
             open.extend(

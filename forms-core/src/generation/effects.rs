@@ -72,8 +72,10 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
     let (_, domain) = replaced(pool, (variable, value), &[], &kernel.domain);
     if let Some(reason) = contradiction(pool, &domain) {
         let message = format!("`{}` is not defined at {condition}: {reason}", kernel.name);
-        return Err(Diagnostic::new(effect.span, message)
-            .with_help(format!("the effect `{}` cannot vanish on the domain behind `where`", effect.name)));
+        return Err(Diagnostic::new(effect.span, message).with_help(format!(
+            "the domain of the kernel excludes the value at which the effect `{}` vanishes",
+            effect.name
+        )));
     }
     let mut outputs = Vec::new();
     for &output in &kernel.outputs {
@@ -81,7 +83,7 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
             let message =
                 format!("`{}` is neither defined nor shown to have a limit at {condition}", kernel.name);
             return Err(Diagnostic::new(effect.span, message)
-                .with_help("an effect has to leave a formula where it vanishes"));
+                .with_help("the kernel needs a value or a limit where the effect vanishes"));
         };
         outputs.push(value);
     }

@@ -44,42 +44,42 @@ pub(super) fn fault(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
 
 fn broken(kernel: &Kernel, breach: &Breach) -> Fault {
     let name = &kernel.name;
-    let what = if breach.form.is_ok() { "differs from its formula" } else { "loses a point of its formula" };
-    let message = format!("the form that `{name}` is computed by {what}\n{}", breach.text());
+    let what = if breach.form.is_ok() {
+        "differs from its formula"
+    } else {
+        "is undefined at a point where its formula has a value"
+    };
+    let message = format!("the stable form of `{name}` {what}\n{}", breach.text());
     let help = if breach.form.is_ok() {
         EQUAL
     } else {
-        "give such points a piece of their own: `if d != 0 { … } else { … }`, or exclude them behind `where`"
+        "handle these points in a separate branch, `if d != 0 { … } else { … }`, or exclude them with `where`"
     };
     let diagnostic = Diagnostic::new(kernel.span, message).with_help(help);
     Fault::refuted(name, Claim::By, breach.witness(), diagnostic)
 }
 
 fn different(kernel: &Kernel, witness: Witness) -> Fault {
-    let message =
-        format!("the form that `{}` is computed by differs from its formula\n{witness}", kernel.name);
+    let message = format!("the stable form of `{}` differs from its formula\n{witness}", kernel.name);
     let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
     Fault::refuted(&kernel.name, Claim::By, witness, diagnostic)
 }
 
 fn undecided(kernel: &Kernel, reason: String) -> Fault {
-    let message = format!(
-        "whether the form that `{}` is computed by equals its formula is undecided: {reason}",
-        kernel.name
-    );
+    let message =
+        format!("cannot decide whether the stable form of `{}` equals its formula: {reason}", kernel.name);
     let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
     Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
 }
 
 fn undefined(kernel: &Kernel, reason: String) -> Fault {
     let message = format!(
-        "whether the form that `{}` is computed by has a value wherever its formula has one is undecided: {reason}",
+        "cannot decide whether the stable form of `{}` is defined wherever its formula is: {reason}",
         kernel.name
     );
     let diagnostic = Diagnostic::new(kernel.span, message)
-        .with_help("say so behind `where`, or compute the points in question by a piece of their own");
+        .with_help("state the condition after `where`, or handle these points in a separate branch");
     Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
 }
 
-const EQUAL: &str =
-    "what stands behind `by` has to have the value of the formula wherever the formula has one";
+const EQUAL: &str = "the form after `by` must have the value of the formula wherever the formula is defined";

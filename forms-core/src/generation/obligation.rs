@@ -13,7 +13,7 @@ use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
 
 /// Largest number of paths through the conditionals of an expression that are followed.
-const MOST_PATHS: usize = 256;
+pub(super) const MOST_PATHS: usize = 256;
 
 /// Obligation of an operation that is not defined everywhere.
 #[derive(Clone, Debug, PartialEq, Eq)]

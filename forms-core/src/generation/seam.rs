@@ -9,7 +9,7 @@
 use super::boundary::{Sheet, Solution, replaced, sheets};
 use super::fault::{Claim, Fault};
 use super::limit::{follow, limit};
-use super::pieces::{negated, pieces};
+use super::pieces::{MOST_PIECES, negated, pieces};
 use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
@@ -112,7 +112,7 @@ impl Choice {
             let agreement = self.on_sheet(pool, &sheet, assumed);
             let place = format!("the seam {} of `{}`", sheet.text(pool), kernel.name);
             let condition = self.condition.text(pool);
-            let help = "say `jump` after `if` where the branches may differ";
+            let help = "write `if jump` where the branches are allowed to differ";
             let diagnostic = |message: String| Diagnostic::new(kernel.span, message).with_help(help);
             return Some(match agreement {
                 Agreement::Agrees => continue,
@@ -126,7 +126,7 @@ impl Choice {
                 }
                 Agreement::Undecided(reason) => {
                     let message = format!(
-                        "whether the branches of `if {condition}` agree at {place} is undecided: {reason}"
+                        "cannot decide whether the branches of `if {condition}` agree at {place}: {reason}"
                     );
                     Fault::unknown(&kernel.name, Claim::Seam, reason, diagnostic(message))
                 }
@@ -149,7 +149,9 @@ impl Choice {
                 _ => {}
             }
         }
-        Agreement::Undecided(undecided.unwrap_or_else(|| "the seam could not be described".into()))
+        Agreement::Undecided(
+            undecided.unwrap_or_else(|| "the equation of the seam could not be solved completely".into()),
+        )
     }
 
     fn by_solution(
@@ -244,7 +246,7 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
     let mut expressions = vec![left, right];
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, |_, _, _| false) else {
-        return Agreement::Undecided("its branches have too many pieces".into());
+        return Agreement::Undecided(format!("the branches have more than {MOST_PIECES} pieces"));
     };
     for piece in pieces {
         let sides = piece.expressions[2..].chunks_exact(2);
@@ -276,10 +278,14 @@ fn values(witness: &Witness) -> String {
     let point: Vec<String> = witness.point.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     if witness.left == witness.right {
         // they differ beyond the digits that are shown
-        return format!("at {}, where both sides are {} to that many digits", point.join(", "), witness.left);
+        return format!(
+            "at {}: both branches print as {}, and differ in later digits",
+            point.join(", "),
+            witness.left
+        );
     }
     format!(
-        "at {}: {} from the side where it holds, {} from the other",
+        "at {}: {} in the branch where the condition holds, {} in the other",
         point.join(", "),
         witness.left,
         witness.right

@@ -150,7 +150,9 @@ fn product(
             }
         }
         if waves.len() > MOST_WAVES {
-            return Err(format!("a product of more than {MOST_WAVES} waves").into());
+            return Err(
+                format!("a product that expands into more than {MOST_WAVES} sines and cosines").into()
+            );
         }
     }
     if power > HIGHEST_POWER {

@@ -140,7 +140,10 @@ pub(crate) fn power_integral(
             .zip(&steps)
             .fold(Ratio::from_integer(1), |sum, (&exponent, step)| sum + step * i64::from(exponent));
         if power.is_zero() {
-            return Err("a part of it is homogeneous of degree minus its own degree as a form".into());
+            return Err(
+                "a term of a coefficient is homogeneous of degree -k, where k is the degree of the form"
+                    .into(),
+            );
         }
         let share = pool.ratio(*power.denom(), *power.numer());
         let coefficient = tower.raise(pool, &coefficient);

@@ -119,7 +119,7 @@ impl Region {
         for &(written, inner) in moving {
             let at_middle = pool.substitute(inner, &[(variable, middle)].into_iter().collect());
             let sign = self.order(pool, at_middle, zero).ok_or_else(|| {
-                format!("the sign of `{}` is not known all over the range", pool.text(inner))
+                format!("the sign of `{}` is not known on the whole range", pool.text(inner))
             })?;
             let image = if sign == Ordering::Less { pool.negate(inner) } else { inner };
             images.insert(written, image);
@@ -365,7 +365,7 @@ impl Region {
     }
 
     fn signs_of(&self, pool: &Pool, function: Expr) -> Failure {
-        format!("where `{}` changes its sign is not known", pool.text(function)).into()
+        format!("it is not known where `{}` changes sign", pool.text(function)).into()
     }
 }
 

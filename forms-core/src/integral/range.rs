@@ -230,7 +230,7 @@ impl Region {
         let zero = pool.integer(0);
         for part in pool.reachable(&[antiderivative]) {
             if matches!(pool.node(part), Node::Apply(Operation::Atan2, _) | Node::Select { .. }) {
-                return Err(format!("`{}` may jump", pool.text(part)).into());
+                return Err(format!("`{}` may be discontinuous", pool.text(part)).into());
             }
             if let Some(Condition { left, relation, .. }) = needs(pool, part) {
                 let sign = self.sign(pool, left);
@@ -264,7 +264,7 @@ fn not_known(pool: &Pool, left: Expr, relation: Relation, variable: Symbol) -> F
         _ => "is not zero",
     };
     let (left, name) = (pool.text(left), pool.symbol_name(variable));
-    format!("it is not known that `{left}` {claim} all over the range of `{name}`").into()
+    format!("it is not known that `{left}` {claim} on the whole range of `{name}`").into()
 }
 
 /// Whether A′ = f wherever the conditions hold.

@@ -366,9 +366,9 @@ impl Rational<'_> {
 impl From<Obstacle> for Failure {
     fn from(obstacle: Obstacle) -> Self {
         Failure(match obstacle {
-            Obstacle::DivisionByZero => "it divides by zero".to_string(),
+            Obstacle::DivisionByZero => "the integrand divides by zero".to_string(),
             Obstacle::Outside(part) | Obstacle::TooLarge(part) => part,
-            Obstacle::Refine => "its radicands could not be factored".to_string(),
+            Obstacle::Refine => "the radicands of the integrand could not be factored".to_string(),
         })
     }
 }

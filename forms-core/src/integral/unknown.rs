@@ -100,7 +100,7 @@ impl Search<'_> {
             next = Some((self.pool.add(found, part), self.pool.subtract(rest, derivative)));
             last = Some(leading.rank);
         }
-        Err(format!("it has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
+        Err(format!("the integrand has more than {MOST_REDUCTIONS} derivatives of unknown functions").into())
     }
 
     /// Returns ∫ A du⁽ⁿ⁻¹⁾ for the leading derivative u⁽ⁿ⁾, if the integrand may be a derivative.

@@ -55,11 +55,11 @@ impl fmt::Display for OperationCount {
         let kinds = [
             (self.adds, "addition", "additions"),
             (self.multiplies, "multiplication", "multiplications"),
-            (self.negations, "change of sign", "changes of sign"),
+            (self.negations, "negation", "negations"),
             (self.divisions, "division", "divisions"),
             (self.square_roots, "square root", "square roots"),
             (self.function_calls, "function call", "function calls"),
-            (self.selects, "choice", "choices"),
+            (self.selects, "conditional", "conditionals"),
         ];
         let parts: Vec<String> = kinds
             .iter()

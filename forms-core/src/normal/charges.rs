@@ -63,5 +63,5 @@ impl Tower {
 }
 
 fn steps_are_spent() -> Obstacle {
-    Obstacle::TooLarge("it takes more steps than one statement is granted".into())
+    Obstacle::TooLarge("it exceeds the step limit of one statement".into())
 }

@@ -54,7 +54,7 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
             }
         }
     }
-    Err(Obstacle::TooLarge(format!("its radicands and angles were refined {MOST_REFINEMENTS} times")))
+    Err(Obstacle::TooLarge(format!("its radicands and angles need more than {MOST_REFINEMENTS} refinements")))
 }
 
 impl Normalised {

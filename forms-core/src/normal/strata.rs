@@ -96,7 +96,7 @@ impl Tower {
             return Ok(true);
         }
         if self.exclusions.half_turns.iter().any(|known| known.quantity == unit.quantity) {
-            return Err(Obstacle::Outside("a part of an angle at a half turn".into()));
+            return Err(Obstacle::Outside("a fraction of an angle that is an odd multiple of pi".into()));
         }
         if !self.exclusions.poles.contains(unit) {
             self.exclusions.poles.push(unit.clone());

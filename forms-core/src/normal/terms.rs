@@ -88,11 +88,11 @@ impl Tower {
             let number = |&(v, _): &(u32, u32)| v == x || *self.generator(v) == Generator::Pi;
             let linear = unit.quantity.monomial.contains(&(x, 1));
             if !linear || !unit.quantity.factors.is_empty() || !unit.quantity.monomial.iter().all(number) {
-                return Err(format!("an angle is not a number times `{name}`"));
+                return Err(format!("an angle is not a constant multiple of `{name}`"));
             }
             match &found {
                 Some(known) if known != unit => {
-                    return Err(format!("angles in `{name}` without a common measure"));
+                    return Err(format!("incommensurable angles in `{name}`"));
                 }
                 _ => found = Some(unit.clone()),
             }

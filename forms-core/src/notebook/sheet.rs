@@ -134,7 +134,7 @@ impl Sheet {
         let known: Vec<&str> =
             self.theory.statements.iter().map(|statement| statement.name.as_str()).collect();
         derive(&self.source, name)
-            .ok_or_else(|| format!("no claim is named `{name}`; there are: {}", known.join(", ")))
+            .ok_or_else(|| format!("no claim is named `{name}`; the claims are: {}", known.join(", ")))
     }
 
     /// Shows in a cell of a notebook how much was declared, or the errors.

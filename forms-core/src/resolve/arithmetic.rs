@@ -159,7 +159,7 @@ impl Evaluator<'_> {
             other => {
                 return Err(Diagnostic::new(
                     base_span,
-                    format!("`**` raises scalars, and this is {}", other.kind()),
+                    format!("`**` takes a scalar base, and this is {}", other.kind()),
                 ));
             }
         };

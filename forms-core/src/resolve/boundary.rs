@@ -88,7 +88,7 @@ impl Evaluator<'_> {
                     range.name.span,
                     format!("`{}` is not a coordinate of `{}`", range.name.text, chart.name),
                 )
-                .with_help("the ranges are those of the chart that the map starts from"));
+                .with_help("the variables of the ranges must be coordinates of the map's source chart"));
             }
         }
         Ok(())

@@ -88,7 +88,7 @@ impl<'a> Evaluator<'a> {
         }
         Err(Diagnostic::new(
             span,
-            format!("the expressions of this file have more than {MOST_NODES} different parts"),
+            format!("the expressions of this file have more than {MOST_NODES} distinct subexpressions"),
         ))
     }
 

@@ -69,7 +69,7 @@ impl Evaluator<'_> {
             let unmet = region.first_unmet(&mut self.theory.pool, inner.conditions(), Strictness::Strict);
             if let Some(condition) = unmet {
                 let text = condition.text(&self.theory.pool);
-                let message = format!("it is not known that `{text}` holds all over the range");
+                let message = format!("it is not known that `{text}` holds on the whole range");
                 return Err(Diagnostic::new(integrand.span, message));
             }
         }
@@ -149,7 +149,7 @@ impl Evaluator<'_> {
         let outside = region.first_unmet(pool, &domains, Strictness::Weak);
         if let Some(condition) = outside.or_else(|| region.unmet(pool, integrand, &needed)) {
             let text = condition.text(&self.theory.pool);
-            let message = format!("cannot integrate: it is not known that `{text}` holds all over the range");
+            let message = format!("cannot integrate: it is not known that `{text}` holds on the whole range");
             return Err(Diagnostic::new(span, message));
         }
         let whole = region.clone();

@@ -147,7 +147,7 @@ impl Resolver {
         if number == MAXIMUM_COORDINATES {
             return Err(Diagnostic::new(
                 name.span,
-                format!("a file may declare {MAXIMUM_COORDINATES} coordinates, and this is one more"),
+                format!("a file can declare at most {MAXIMUM_COORDINATES} coordinates"),
             )
             .with_help("coordinates of the same name are shared between charts"));
         }

@@ -71,7 +71,8 @@ impl Resolver {
         for condition in narrowing {
             if !is_implied(&mut self.theory.pool, &condition, domain) {
                 let text = condition.text(&self.theory.pool);
-                let message = format!("an integral in `{}` is known where `{text}` only", name.text);
+                let message =
+                    format!("the value of an integral in `{}` is known only where `{text}`", name.text);
                 return Err(Diagnostic::new(name.span, message).with_help(format!("add `where {text}`")));
             }
         }
@@ -157,7 +158,7 @@ impl Resolver {
                     return Err(unusable(named, &name.text, name.span));
                 }
                 Some(other) => {
-                    let message = format!("`{}` is {} and no argument", name.text, describe(other));
+                    let message = format!("`{}` is {} and cannot be an argument", name.text, describe(other));
                     return Err(Diagnostic::new(name.span, message)
                         .with_help("an argument is a coordinate, a param or a new name"));
                 }
@@ -219,7 +220,7 @@ impl Resolver {
                 ));
             };
             if resolved.iter().any(|effect| effect.variable == symbol) {
-                let message = format!("`{}` switches another effect off already", variable.text);
+                let message = format!("`{}` already switches off another effect", variable.text);
                 return Err(Diagnostic::new(variable.span, message));
             }
             let ((value, is_own), _, _) = self.evaluate(|evaluator| {
@@ -305,5 +306,5 @@ pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span
         return Ok(());
     }
     let (wanted, found) = (outputs.len(), computed.len());
-    Err(Diagnostic::new(span, format!("`{}` has {wanted} outputs, and {found} behind `by`", name.text)))
+    Err(Diagnostic::new(span, format!("`{}` has {wanted} outputs, but `by` gives {found}", name.text)))
 }

@@ -69,7 +69,7 @@ impl Resolver {
                     written.span,
                     format!("`{foreign}` is not a coordinate of the chart `{}`", source.name),
                 )
-                .with_help("a map's components depend on the coordinates of the chart it starts from"));
+                .with_help("a map's components depend on the coordinates of its source chart"));
             }
         }
         Ok(())

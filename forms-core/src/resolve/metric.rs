@@ -91,7 +91,7 @@ impl Evaluator<'_> {
         let blocks: Vec<Expr> = metric.block_determinants().copied().collect();
         if blocks.iter().any(|&determinant| vanishes(&self.theory.pool, determinant)) {
             return Err(Diagnostic::new(span, "the metric is degenerate: its determinant is zero")
-                .with_help("every coordinate of its chart needs a direction of its own"));
+                .with_help("the 1-forms of a metric must span all coordinate directions of its chart"));
         }
         let right = self.zero();
         let factors = blocks.iter().flat_map(|&block| self.theory.pool.factors_that_may_vanish(block));
@@ -211,7 +211,7 @@ impl Evaluator<'_> {
                 argument.span,
                 format!("`curl` needs three dimensions, and the metric has {}", metric.dimension()),
             )
-            .with_help("in any dimension d(flat[g](X)) is the 2-form that the curl stands for")),
+            .with_help("in any dimension, d(flat[g](X)) is the 2-form that corresponds to the curl")),
         }
     }
 
@@ -243,7 +243,7 @@ impl Evaluator<'_> {
                     b.kind()
                 ),
             )
-            .with_help("`flat[g](X)` makes a 1-form of a field, `sharp[g](w)` a field of a 1-form")),
+            .with_help("`flat[g](X)` converts a field to a 1-form, `sharp[g](w)` a 1-form to a field")),
         }
     }
 
@@ -274,7 +274,7 @@ impl Evaluator<'_> {
             Value::Scalar(f) => Ok(Form::scalar(&self.ring(), f)),
             Value::Form(form) => Ok(form),
             Value::Field(_) => Err(Diagnostic::new(argument.span, "expected a form, found a vector field")
-                .with_help("`flat[g](X)` makes a 1-form of a field")),
+                .with_help("`flat[g](X)` converts a field to a 1-form")),
         }
     }
 

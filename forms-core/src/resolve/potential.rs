@@ -104,7 +104,7 @@ impl Evaluator<'_> {
             defined.iter().map(|condition| condition.substitute(pool, &dilated)).collect();
         if let Some(condition) = region.unmet(pool, integrand, &along) {
             return Err(format!(
-                "it is not known that `{}` holds on the way from the origin",
+                "it is not known that `{}` holds on the segment from the origin",
                 condition.text(pool)
             ));
         }

@@ -56,8 +56,8 @@ impl Resolver {
         let parameters = self.kernel_arguments(&warp.parameters, locals)?;
         let uniforms = self.uniforms(&warp.uniforms, locals)?;
         if uniforms.is_empty() {
-            return Err(Diagnostic::new(warp.name.span, "a warp has at least one uniform number")
-                .with_help("they stand behind the `;`: `warp disk(radius; u, v) = …`"));
+            return Err(Diagnostic::new(warp.name.span, "a warp needs at least one uniform random number")
+                .with_help("uniform random numbers follow the `;`: `warp disk(radius; u, v) = …`"));
         }
         let coordinates = self.theory.charts[target].coordinates.clone();
         let symbol =
@@ -65,7 +65,7 @@ impl Resolver {
         let target_symbols: Vec<Symbol> = coordinates.iter().map(|c| symbol(self, c)).collect();
         let variables = Variables { parameters, uniforms, target: target_symbols };
         if variables.target.iter().any(|symbol| variables.parameters.contains(symbol)) {
-            let message = "a coordinate of the chart a warp goes to is no parameter of it";
+            let message = "a coordinate of a warp's target chart cannot be a parameter of the warp";
             return Err(Diagnostic::new(warp.name.span, message));
         }
         self.map_of_warp(warp, target, &variables)?;
@@ -124,7 +124,7 @@ impl Resolver {
         if !warp.inverse.is_empty() && warp.inverse.len() != variables.uniforms.len() {
             let (wanted, found) = (variables.uniforms.len(), warp.inverse.len());
             let message = format!(
-                "the inverse has {}, one for each uniform number, found {found}",
+                "the inverse needs {}, one for each uniform random number, found {found}",
                 counted(wanted, "value")
             );
             return Err(Diagnostic::new(warp.name.span, message));
@@ -183,7 +183,7 @@ impl Resolver {
         let (computed, _, _) =
             self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.computed, &arguments))?;
         check_count(&map, &computed, &warp.name, item.span)?;
-        let docs = "The point that the warp takes uniform numbers to.";
+        let docs = "Maps uniform random numbers to a point of the target chart.";
         self.kernel_of_warp(item, warp, ("sample", docs), (arguments, map, computed), &on_the_square)?;
 
         let arguments = with_parameters(&variables.target);
@@ -192,7 +192,8 @@ impl Resolver {
         for output in &mut outputs {
             *output = self.zero_outside(&of_the_target, *output);
         }
-        let docs = "The density of the points that the warp takes uniform numbers to, zero elsewhere.";
+        let docs = "Density of the points that the warp maps uniform random numbers to; zero outside the domain of \
+                    the target chart.";
         self.kernel_of_warp(item, warp, ("pdf", docs), (arguments.clone(), outputs, Vec::new()), &stated)?;
 
         if warp.inverse.is_empty() {
@@ -200,7 +201,7 @@ impl Resolver {
         }
         let (outputs, _, _) =
             self.evaluate(|evaluator| evaluator.kernel_outputs(&warp.inverse, &arguments))?;
-        let docs = "The uniform numbers that the warp takes to a point.";
+        let docs = "Uniform random numbers that the warp maps to a given point.";
         self.kernel_of_warp(item, warp, ("inverse", docs), (arguments, outputs, Vec::new()), &on_the_target)
     }
 

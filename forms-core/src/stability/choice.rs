@@ -34,9 +34,9 @@ const WITHIN: u32 = 2;
 
 /// Header of every file of choices.
 const HEAD: &str = "\
-// The forms that the kernels of the file beside this one are computed by, each proved equal to its formula when it is
-// generated. Written by `forms accuracy FILE --write`. A line of documentation has the key of the formula and the mean of
-// the bits that are lost in f64, as written and by this form; with another key an entry says nothing.
+// Forms by which the kernels of the accompanying file are computed; each is proved equal to its formula when it is
+// generated. Written by `forms accuracy FILE --write`. The documentation line holds the key of the formula and the mean
+// number of bits lost in f64, as written and with this form; an entry with another key is ignored.
 ";
 
 /// Returns a hash of everything on which a choice depends, as 16 hexadecimal digits: the kernel's
@@ -149,8 +149,8 @@ impl Choices {
         let names: Vec<String> = stale.map(|entry| format!("`{}`", entry.name)).collect();
         (!names.is_empty()).then(|| {
             format!(
-                "the forms chosen for {} were chosen for other formulas, and are not used; `forms accuracy FILE --write` \
-                 chooses anew",
+                "the forms chosen for {} belong to earlier formulas and are not used; `forms accuracy FILE --write` \
+                 chooses new ones",
                 names.join(", ")
             )
         })
@@ -232,10 +232,7 @@ mod tests {
         }
         let message =
             choices.objection(&theory("kernel root(x) = sqrt(x + 2) - sqrt(x);")).expect("a stale entry");
-        assert!(
-            message.starts_with("the forms chosen for `root` were chosen for other formulas"),
-            "{message}"
-        );
+        assert!(message.starts_with("the forms chosen for `root` belong to earlier formulas"), "{message}");
         assert_eq!(choices.objection(&theory(SOURCE)), None);
     }
 

@@ -34,9 +34,9 @@ impl Warp {
             area
         };
         let docs = format!(
-            "The density of `{}` is that of its map, which {} the orientation.",
+            "The density of `{}` is the density of its map, which {} the orientation.",
             self.name.text,
-            if reverses { "reverses" } else { "keeps" }
+            if reverses { "reverses" } else { "preserves" }
         );
         self.statement(item, "density", docs, self.density_on_the_square(), right)
     }
@@ -61,7 +61,7 @@ impl Warp {
         let right = self.joined(Binary::Add, self.name.span, |uniform| {
             along(name(&uniform.text, before(uniform.span)), uniform, uniform.span)
         });
-        let docs = format!("The inverse of `{}` gives the uniform numbers back.", self.name.text);
+        let docs = format!("The inverse of `{}` returns the uniform random numbers.", self.name.text);
         Some(self.statement(item, "inverse", docs, left, right))
     }
 

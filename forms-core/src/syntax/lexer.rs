@@ -270,7 +270,7 @@ fn replacement(run: &str, first: char) -> Option<String> {
     }
     match first {
         '"' | '\'' | '`' | '“' | '”' | '„' | '‘' | '’' | '«' | '»' | '′' => {
-            Some("names and numbers stand without quotes".to_owned())
+            Some("names and numbers are written without quotes".to_owned())
         }
         '%' => Some("there is no remainder or percentage".to_owned()),
         c if c.is_alphabetic() => Some("names are made of ASCII letters, digits and `_`".to_owned()),

@@ -77,8 +77,11 @@ impl Names {
     /// items that can declare the name.
     pub(crate) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
         if FUNCTIONS.contains(&text) {
-            return Diagnostic::new(span, format!("`{text}` is a function and has no value by itself"))
-                .with_help(format!("write what it is of in brackets behind it: `{text}(…)`"));
+            return Diagnostic::new(
+                span,
+                format!("`{text}` is a function and has no value without arguments"),
+            )
+            .with_help(format!("write its arguments in brackets: `{text}(…)`"));
         }
         let diagnostic = not_declared(text, span);
         let near = if self.is_terse { None } else { self.nearest(text) };
@@ -117,9 +120,9 @@ impl Names {
 pub(crate) fn unusable(named: &Named, text: &str, span: Span) -> Diagnostic {
     if matches!(named, Named::Pending) {
         return Diagnostic::new(span, format!("the declaration of `{text}` uses its own name"))
-            .with_help("a name can be used behind its declaration; choose another name for one of the two");
+            .with_help("a name can be used only after its declaration; rename one of the two");
     }
-    Diagnostic::new(span, "this depends on a declaration with an error in it").of(Kind::Consequence)
+    Diagnostic::new(span, "this depends on a declaration that has an error").of(Kind::Consequence)
 }
 
 /// Items that declare values.

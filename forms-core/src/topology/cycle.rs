@@ -46,11 +46,11 @@ pub(super) fn period(session: &Session, study: &Study, hole: &Hole, report: &mut
     let period = match value(session, &items, &integral) {
         Ok(period) => period,
         Err(message) => {
-            report.say(format!("the period over the sphere around it was not found: {message}"));
+            report.say(format!("the period over the sphere around the hole was not found: {message}"));
             return None;
         }
     };
-    report.say("a cycle that cannot be shrunk, and the period over it:");
+    report.say("a cycle that does not contract to a point, and the period over it:");
     report.item(&chart_item);
     report.item(&map_item);
     let statement = format!("{integral} == {period}");
@@ -132,7 +132,9 @@ fn resting(session: &Session, study: &Study, symbol: Symbol) -> String {
 pub(super) fn value(session: &Session, items: &str, expression: &str) -> Result<String, String> {
     let name = session.fresh("value");
     let mut theory = session.extended(&format!("{items}\nlet {name} = {expression};"))?;
-    let Some(Named::Object(number)) = theory.named(&name) else { return Err("it has no value".into()) };
+    let Some(Named::Object(number)) = theory.named(&name) else {
+        return Err("the expression has no value".into());
+    };
     let scalar: Expr = match &theory.objects[*number].value {
         Value::Zero => return Ok("0".into()),
         Value::Scalar(scalar) => *scalar,

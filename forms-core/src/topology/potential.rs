@@ -51,7 +51,7 @@ fn logarithm(session: &Session, study: &Study, hole: &Hole) -> Option<String> {
 /// Reports a potential off a cut, for a form with a period.
 pub(super) fn off_a_cut(session: &Session, study: &Study, hole: &Hole, period: &str, report: &mut Report) {
     let Some(standard) = Standard::around(session, study, hole) else {
-        report.say("a potential off a cut was not looked for in this dimension");
+        report.say("potentials off a cut are not searched for in this dimension");
         return;
     };
     let share = format!("({period})/({})", standard.period);
@@ -59,7 +59,7 @@ pub(super) fn off_a_cut(session: &Session, study: &Study, hole: &Hole, period: &
     let times = |form: &str| if share == "1" { format!("({form})") } else { format!("({share})*({form})") };
     let rest = format!("({} - {})", study.name, times(&standard.form));
     let potential = session.fresh("A");
-    report.say(format!("off {} it has a potential:", standard.cut));
+    report.say(format!("off {} the form has a potential:", standard.cut));
     let main = times(&standard.potential);
     let with_rest = format!("{main} + {}", homotopy(session, study, &rest));
     let candidates = [main, with_rest];

@@ -70,18 +70,21 @@ pub(super) fn shape(session: &Session, conditions: &[Condition]) -> Shape {
         match distinct.iter_mut().find(|known| known.coordinates == hole.coordinates) {
             Some(known) if known.is_point() => *known = hole,
             Some(known) if hole.is_point() || known.radius == hole.radius => {}
-            Some(_) => return Shape::Unknown("it leaves out two balls around one point".into()),
+            Some(_) => return Shape::Unknown("the domain excludes two balls around one point".into()),
             None => distinct.push(hole),
         }
     }
     let Some(hole) = distinct.pop() else { return Shape::Contractible };
     if !distinct.is_empty() {
-        return Shape::Unknown("it has more than one hole".into());
+        return Shape::Unknown("the domain has more than one hole".into());
     }
     match centre_is_inside(&mut theory.pool, &convex, &hole) {
         Some(true) => Shape::Around(hole),
         Some(false) => Shape::Contractible,
-        None => Shape::Unknown(format!("it is not clear whether {} lies within its bounds", hole.place)),
+        None => Shape::Unknown(format!(
+            "it is undecided whether {} lies within the bounds of the domain",
+            hole.place
+        )),
     }
 }
 

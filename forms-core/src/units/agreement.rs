@@ -80,7 +80,7 @@ pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, 
                 (right_name, steradians)
             };
             let unit = Unit::named(table::STERADIAN).unwrap_or_default().power(&power);
-            format!("{lacking} lacks a solid angle: multiply it by one in {unit}")
+            format!("{lacking} lacks a solid angle: multiply it by a quantity in {unit}")
         }
         Difference::Size => match unit::size(&meaning) {
             Some(size) => {
@@ -89,8 +89,8 @@ pub(super) fn advice(left: &Unit, right: &Unit, (left_name, right_name): (&str, 
                     "1 {left} is {size} {right}: state both in one unit, or multiply by `let factor: {factor} = {size};`"
                 )
             }
-            None => format!("{left} and {right} are of unlike size: state both in one unit"),
+            None => format!("{left} and {right} differ in size: state both in one unit"),
         },
-        _ => format!("{left_name} over {right_name} is in {quotient}, and has to be a number"),
+        _ => format!("{left_name} divided by {right_name} is in {quotient}, but must be a pure number"),
     }
 }

@@ -90,7 +90,7 @@ impl Inference<'_> {
         let unit = self.named(variable);
         for bound in [from, to] {
             let quantity = self.quantity(bound);
-            let message = format!("the range of `{}` has another unit", variable.text);
+            let message = format!("the range of `{}` has a different unit", variable.text);
             self.alike((unit.clone(), "the variable"), (quantity, "the bound"), bound.span, &message);
         }
         unit
@@ -135,7 +135,7 @@ impl Inference<'_> {
         for (variable, argument) in variables.iter().zip(arguments) {
             let declared = self.names.get(variable).cloned().unwrap_or(Quantity::Unstated);
             let quantity = self.quantity(argument);
-            let message = format!("`{function}` takes another unit for `{variable}`");
+            let message = format!("`{function}` takes a different unit for `{variable}`");
             self.alike(
                 (declared, &format!("`{variable}`")),
                 (quantity, "the argument"),

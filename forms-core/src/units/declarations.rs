@@ -48,7 +48,7 @@ impl Inference<'_> {
     ) {
         let errors = self.errors.len();
         let quantities = (self.quantity(left), self.quantity(right));
-        let message = format!("`{}` equates unlike units", name.text);
+        let message = format!("`{}` equates different units", name.text);
         let place = left.span.to(right.span);
         self.alike((quantities.0, "the left side"), (quantities.1, "the right side"), place, &message);
         self.conditions(conditions);
@@ -132,7 +132,7 @@ impl Inference<'_> {
             let Some(coordinate) = coordinates.get(place) else { continue };
             let coordinate = theory.coordinate_name(*coordinate);
             let declared = self.names.get(coordinate).cloned().unwrap_or(Quantity::Unstated);
-            let message = format!("the component for `{coordinate}` has another unit");
+            let message = format!("the component for `{coordinate}` has a different unit");
             self.alike((declared, "the coordinate"), (quantity, "the component"), component.span, &message);
         }
     }
@@ -141,7 +141,7 @@ impl Inference<'_> {
     pub(super) fn effect(&mut self, effect: &Effect) {
         let variable = self.names.get(&effect.variable.text).cloned().unwrap_or(Quantity::Unstated);
         let value = self.quantity(&effect.value);
-        let message = format!("the effect `{}` compares unlike units", effect.name.text);
+        let message = format!("the effect `{}` compares different units", effect.name.text);
         self.alike((variable, "the variable"), (value, "the value"), effect.value.span, &message);
     }
 }

@@ -129,13 +129,13 @@ impl<'a> Inference<'a> {
                 (left, "the left side"),
                 (right, "the right side"),
                 place,
-                "cannot add unlike units",
+                "cannot add different units",
             ),
             Binary::Subtract => self.alike(
                 (left, "the left side"),
                 (right, "the right side"),
                 place,
-                "cannot subtract unlike units",
+                "cannot subtract different units",
             ),
             Binary::Divide => left.over(&right),
             Binary::Multiply | Binary::Wedge | Binary::Power => left.times(&right),
@@ -196,7 +196,7 @@ impl<'a> Inference<'a> {
                 (left, "the left side"),
                 (right.clone(), "the right side"),
                 condition.span,
-                "cannot compare unlike units",
+                "cannot compare different units",
             );
             left = right;
         }

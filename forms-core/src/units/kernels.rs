@@ -28,9 +28,9 @@ impl Inference<'_> {
             .collect();
         for (place, (computed, result)) in computed.iter().zip(&results).enumerate() {
             let quantity = self.quantity(computed);
-            let message = format!("the form behind `by` has another unit than {}", subject(place));
+            let message = format!("the form after `by` has a different unit than {}", subject(place));
             let formula = (result.clone(), "the formula");
-            self.alike(formula, (quantity, "the form behind `by`"), computed.span, &message);
+            self.alike(formula, (quantity, "the form after `by`"), computed.span, &message);
         }
         self.conditions(conditions);
         effects.iter().for_each(|effect| self.effect(effect));

@@ -56,7 +56,7 @@ fn unknown(name: &str, written: &Expr) -> Diagnostic {
             diagnostic.with_help("angles are in radians: `rad`")
         }
         Some(meant) => diagnostic.with_help(format!("did you mean `{meant}`?")),
-        None => diagnostic.with_help("units are those of the SI, as `m`, `nm`, `s`, `kg`, `W`, `sr`"),
+        None => diagnostic.with_help("use SI units such as `m`, `nm`, `s`, `kg`, `W`, `sr`"),
     }
 }
 

@@ -19,29 +19,29 @@ fn singular_integrands_are_refused() {
     let table = [
         (
             "1/x, x = -1..1",
-            "cannot integrate over `x`: it is not known that `x` is not zero all over the range of `x`",
+            "cannot integrate over `x`: it is not known that `x` is not zero on the whole range of `x`",
         ),
         (
             "1/x, x = 0..1",
-            "cannot integrate over `x`: it is not known that `x` is positive all over the range of `x`",
+            "cannot integrate over `x`: it is not known that `x` is positive on the whole range of `x`",
         ),
         (
             "1/x**2, x = -1..1",
-            "cannot integrate over `x`: it is not known that `x` is not zero all over the range of `x`",
+            "cannot integrate over `x`: it is not known that `x` is not zero on the whole range of `x`",
         ),
         (
             "1/(x - c), x = 0..1",
-            "cannot integrate over `x`: it is not known that `x - c` is not zero all over the range of `x`",
+            "cannot integrate over `x`: it is not known that `x - c` is not zero on the whole range of `x`",
         ),
-        ("sqrt(x)**2, x = -1..1", "cannot integrate: it is not known that `x >= 0` holds all over the range"),
+        ("sqrt(x)**2, x = -1..1", "cannot integrate: it is not known that `x >= 0` holds on the whole range"),
         (
             "sqrt(1 - x**2), x = 0..2",
-            "cannot integrate: it is not known that `1 - x**2 >= 0` holds all over the range",
+            "cannot integrate: it is not known that `1 - x**2 >= 0` holds on the whole range",
         ),
-        ("log(x), x = -1..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
+        ("log(x), x = -1..1", "cannot integrate: it is not known that `x > 0` holds on the whole range"),
         (
             "1/cos(x)**2, x = 0..pi",
-            "cannot integrate over `x`: it is not known that `cos(1/2*x)` is not zero all over the range of `x`",
+            "cannot integrate over `x`: it is not known that `cos(1/2*x)` is not zero on the whole range of `x`",
         ),
     ];
     for (integral, message) in table {
@@ -105,7 +105,7 @@ fn integrands_that_a_parameter_may_make_singular_are_refused() {
     for (conditions, integral, part, claim) in table {
         let text = format!("chart R1(x); param a, b, c where {conditions}; let it = integral({integral});");
         let expected = format!(
-            "cannot integrate over `x`: it is not known that `{part}` {claim} all over the range of `x`"
+            "cannot integrate over `x`: it is not known that `{part}` {claim} on the whole range of `x`"
         );
         assert_eq!(errors(&text), [expected], "{integral} where {conditions}");
     }
@@ -125,26 +125,26 @@ fn unknown_functions_are_integrated_only_where_their_conditions_hold_up_to_the_e
     let table = [
         (
             "diff(half, x), x = 0..1",
-            "cannot integrate: it is not known that `x > 0` holds all over the range",
+            "cannot integrate: it is not known that `x > 0` holds on the whole range",
         ),
         (
             "diff(holed, x), x = -1..1",
-            "cannot integrate: it is not known that `x != 0` holds all over the range",
+            "cannot integrate: it is not known that `x != 0` holds on the whole range",
         ),
         (
             "diff(left, x), x = -1..1",
-            "cannot integrate: it is not known that `x <= 0` holds all over the range",
+            "cannot integrate: it is not known that `x <= 0` holds on the whole range",
         ),
         (
             "diff(holed, x), x = 0..1",
-            "cannot integrate: it is not known that `x != 0` holds all over the range",
+            "cannot integrate: it is not known that `x != 0` holds on the whole range",
         ),
-        ("half*x, x = 0..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
-        ("holed**2, x = -1..1", "cannot integrate: it is not known that `x != 0` holds all over the range"),
-        ("f/x, x = 0..1", "cannot integrate: it is not known that `x != 0` holds all over the range"),
-        ("f*log(x), x = 0..1", "cannot integrate: it is not known that `x > 0` holds all over the range"),
-        ("f/g, x = 0..1", "cannot integrate: it is not known that `g != 0` holds all over the range"),
-        ("sqrt(f), x = 0..1", "cannot integrate: it is not known that `f >= 0` holds all over the range"),
+        ("half*x, x = 0..1", "cannot integrate: it is not known that `x > 0` holds on the whole range"),
+        ("holed**2, x = -1..1", "cannot integrate: it is not known that `x != 0` holds on the whole range"),
+        ("f/x, x = 0..1", "cannot integrate: it is not known that `x != 0` holds on the whole range"),
+        ("f*log(x), x = 0..1", "cannot integrate: it is not known that `x > 0` holds on the whole range"),
+        ("f/g, x = 0..1", "cannot integrate: it is not known that `g != 0` holds on the whole range"),
+        ("sqrt(f), x = 0..1", "cannot integrate: it is not known that `f >= 0` holds on the whole range"),
     ];
     for (integral, message) in table {
         assert_eq!(reason(integral), message, "{integral}");

@@ -199,14 +199,14 @@ fn a_kernel_reads_as_written_by_hand() {
 ///
 /// Units: `x` in `m`.
 ///
-/// Rests on `gauss`.
+/// Statements used: `gauss`.
 ///
 /// Holds where `x != 0`.
 ///
 /// Proved.
 ///
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
-/// Takes 1 addition, 5 multiplications, 1 division, 1 square root, 1 choice.
+/// Cost: 1 addition, 5 multiplications, 1 division, 1 square root, 1 conditional.
 pub fn field(x: f64, y: f64) -> [f64; 2] {
     let inside = x.partial_cmp(&0.0).is_some_and(::core::cmp::Ordering::is_ne);
     if !inside {

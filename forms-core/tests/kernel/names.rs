@@ -161,7 +161,8 @@ fn what_is_renamed_is_said_and_the_rest_keeps_its_name() {
     let names = ["printf", "forms_multiply_add", "length", "radius"].map(str::to_string);
     let programs = programs(&names);
     let text = source(&programs[..1], Target::C, Precision::F64);
-    let said = "// `printf` is `printf_` here, `forms_multiply_add` is `k_forms_multiply_add` here, as the names are taken in C.";
+    let said = "// `printf` is renamed to `printf_`, `forms_multiply_add` is renamed to `k_forms_multiply_add`, \
+                because the names are reserved in C.";
     assert!(text.contains(said), "{text}");
     assert!(text.contains("double radius"), "{text}");
 }

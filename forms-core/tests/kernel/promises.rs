@@ -38,8 +38,7 @@ fn a_bound_over_the_domain_keeps_a_promise_in_every_target() {
         let (text, lost) = emitted(BOUNDED, target, precision);
         assert!(lost.is_empty(), "{lost:?}");
         let unit = if precision == Precision::F32 { "2⁻²⁴" } else { "2⁻⁵³" };
-        let sentence =
-            format!("Its value is within 16·{unit} of the exact one, relative to it: rounding makes at most");
+        let sentence = format!("Its relative error is at most 16·{unit}: the bound of the rounding error is");
         assert!(text.contains(&sentence), "{text}");
     }
 }
@@ -48,7 +47,8 @@ fn a_bound_over_the_domain_keeps_a_promise_in_every_target() {
 fn a_promise_that_is_not_kept_is_told_in_every_target() {
     for (target, precision) in OTHERS {
         let (text, lost) = emitted(CANCELLING, target, precision);
-        let sentence = "`within 2` is not kept here: no bound of its error is known, since the domain does not bound `x`";
+        let sentence = "`within 2` is not guaranteed by the generated code: no error bound is known, because the \
+                        domain does not bound `x`";
         assert!(text.contains(sentence), "{text}");
         assert!(lost.len() == 1 && lost[0].starts_with(&format!("`k`: {sentence}")), "{lost:?}");
     }
@@ -59,7 +59,10 @@ fn a_bound_beyond_the_promise_is_told() {
     let text = "kernel k(x) = x/(1 + x) where 1 <= x <= 4 within 1;";
     for (target, precision) in OTHERS {
         let (text, lost) = emitted(text, target, precision);
-        assert!(text.contains("`within 1` is not kept here: rounding is known to be within"), "{text}");
+        assert!(
+            text.contains("`within 1` is not guaranteed by the generated code: the relative rounding error"),
+            "{text}"
+        );
         assert_eq!(lost.len(), 1);
     }
 }
@@ -67,13 +70,17 @@ fn a_bound_beyond_the_promise_is_told() {
 #[test]
 fn rust_keeps_promises_by_precision_in_every_precision() {
     for (precision, function, sentence) in [
-        (Precision::F64, "forms_math::escalate::<", "within 2·2⁻⁵³ of the exact one, relative to it, or NaN"),
+        (Precision::F64, "forms_math::escalate::<", "Its relative error is at most 2·2⁻⁵³; its value is NaN"),
         (
             Precision::F32,
             "forms_math::escalate_f32::<",
-            "within 2·2⁻²⁴ of the exact one, relative to it, or NaN",
+            "Its relative error is at most 2·2⁻²⁴; its value is NaN",
         ),
-        (Precision::DoubleDouble, "forms_math::escalate_double_double::<", "within 2⁻⁹⁸ of the exact one"),
+        (
+            Precision::DoubleDouble,
+            "forms_math::escalate_double_double::<",
+            "Its relative error is at most 2⁻⁹⁸; its value is NaN",
+        ),
     ] {
         let (text, lost) = emitted(CANCELLING, Target::Rust, precision);
         assert!(text.contains(function) && text.contains(sentence) && lost.is_empty(), "{}", &text[..800]);
@@ -81,5 +88,5 @@ fn rust_keeps_promises_by_precision_in_every_precision() {
     // a bound that the form alone keeps in `f32` needs no more precision
     let (text, lost) = emitted(BOUNDED, Target::Rust, Precision::F32);
     assert!(!text.contains("escalate_f32") && lost.is_empty());
-    assert!(text.contains("relative to it: rounding makes at most"));
+    assert!(text.contains(": the bound of the rounding error is"));
 }

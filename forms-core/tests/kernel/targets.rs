@@ -303,7 +303,10 @@ fn what_a_target_cannot_say_is_an_error_that_names_it() {
     assert!(emit(&huge, Target::C, Precision::F64).is_ok());
     let double = single(formulas.named("double").program(&[double]));
     let source = emit(&double, Target::C, Precision::F64).expect("it has another name");
-    assert!(source.contains("// `double` is `double_` here, as the name is taken in C."), "{source}");
+    assert!(
+        source.contains("// `double` is renamed to `double_`, because the name is reserved in C."),
+        "{source}"
+    );
     assert!(source.contains("double double_(double x) {"), "{source}");
     assert_eq!(
         emit(&double, Target::Wgsl, Precision::F64),

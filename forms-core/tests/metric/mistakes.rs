@@ -84,7 +84,8 @@ fn potentials_and_boundaries_say_what_they_take() {
         ("potential(@x)", "`potential` takes a form, and this is a vector field"),
         (
             "potential[R3](dx/(x**2 + y**2 + z**2)**(1/2))",
-            "cannot integrate along the rays: a part of it is homogeneous of degree minus its own degree as a form",
+            "cannot integrate along the rays: a term of a coefficient is homogeneous of degree -k, where k is the \
+             degree of the form",
         ),
         (
             "boundary_integral(F, x*y*dx, x = 0..1)",

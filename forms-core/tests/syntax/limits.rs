@@ -44,7 +44,7 @@ fn a_ladder_of_else_if_is_limited() {
 
 #[test]
 fn chains_of_operators_are_limited() {
-    let expected = format!("the expression has more than {MAXIMUM_DEPTH} operations one upon another");
+    let expected = format!("the expression is nested more than {MAXIMUM_DEPTH} operations deep");
     for operator in ["+", "-", "*", "/", "^"] {
         let chain = |operators: usize| format!("let a = x{};", format!("{operator}x").repeat(operators));
         assert_eq!(messages(&chain(MAXIMUM_DEPTH - 1)), [""; 0], "{operator}");
@@ -58,7 +58,7 @@ fn chains_of_operators_are_limited() {
 #[test]
 fn the_highest_tree_is_the_sum_of_its_chains() {
     let half = "+x".repeat(MAXIMUM_DEPTH / 2);
-    let expected = format!("the expression has more than {MAXIMUM_DEPTH} operations one upon another");
+    let expected = format!("the expression is nested more than {MAXIMUM_DEPTH} operations deep");
     assert_eq!(messages(&format!("let a = (x{half}){half};")), [expected]);
     assert_eq!(messages(&format!("let a = (x{half})*(x{half});")), [""; 0]);
 }

@@ -7,36 +7,39 @@ use forms_core::syntax::Source;
 /// Declarations or claims over the scene, each with its only message.
 const REFUSED: &[(&str, &str)] = &[
     // Sums, comparisons, equations.
-    ("let q = x + t;", "cannot add unlike units: the left side is in m, the right side in s"),
-    ("let q = x - 1;", "cannot subtract unlike units: the left side is in m, the right side in 1"),
-    ("let q = x + x**2;", "cannot add unlike units: the left side is in m, the right side in m**2"),
-    ("let q = x + lambda;", "cannot add unlike units: the left side is in m, the right side in nm"),
+    ("let q = x + t;", "cannot add different units: the left side is in m, the right side in s"),
+    ("let q = x - 1;", "cannot subtract different units: the left side is in m, the right side in 1"),
+    ("let q = x + x**2;", "cannot add different units: the left side is in m, the right side in m**2"),
+    ("let q = x + lambda;", "cannot add different units: the left side is in m, the right side in nm"),
     ("let q = f*dx + f*x;", "cannot add a 1-form and a scalar"),
-    ("let q = dx + dt;", "cannot add unlike units: the left side is in m, the right side in s"),
-    ("let q = @x + @t;", "cannot add unlike units: the left side is in 1/m, the right side in 1/s"),
-    ("let q = omega + 1;", "cannot add unlike units: the left side is in sr, the right side in 1"),
+    ("let q = dx + dt;", "cannot add different units: the left side is in m, the right side in s"),
+    ("let q = @x + @t;", "cannot add different units: the left side is in 1/m, the right side in 1/s"),
+    ("let q = omega + 1;", "cannot add different units: the left side is in sr, the right side in 1"),
     (
         "prove lambert: E == pi*L;",
-        "`lambert` equates unlike units: the left side is in W/m**2, the right side in W/m**2/sr",
+        "`lambert` equates different units: the left side is in W/m**2, the right side in W/m**2/sr",
     ),
     (
         "refute p: E == L;",
-        "`p` equates unlike units: the left side is in W/m**2, the right side in W/m**2/sr",
+        "`p` equates different units: the left side is in W/m**2, the right side in W/m**2/sr",
     ),
     (
         "prove p: x == x where x > t;",
-        "cannot compare unlike units: the left side is in m, the right side in s",
+        "cannot compare different units: the left side is in m, the right side in s",
     ),
     (
         "prove p: x == x where 0 < x < 1;",
-        "cannot compare unlike units: the left side is in m, the right side in 1",
+        "cannot compare different units: the left side is in m, the right side in 1",
     ),
-    ("chart Q(q: m) where q > 1;", "cannot compare unlike units: the left side is in m, the right side in 1"),
-    ("param q: m where q > t;", "cannot compare unlike units: the left side is in m, the right side in s"),
-    ("fn q(x): m where q > f;", "cannot compare unlike units: the left side is in m, the right side in K"),
+    (
+        "chart Q(q: m) where q > 1;",
+        "cannot compare different units: the left side is in m, the right side in 1",
+    ),
+    ("param q: m where q > t;", "cannot compare different units: the left side is in m, the right side in s"),
+    ("fn q(x): m where q > f;", "cannot compare different units: the left side is in m, the right side in K"),
     (
         "let q = if x > t { 1 } else { 2 };",
-        "cannot compare unlike units: the left side is in m, the right side in s",
+        "cannot compare different units: the left side is in m, the right side in s",
     ),
     (
         "let q = if x > y { x } else { t };",
@@ -53,15 +56,15 @@ const REFUSED: &[(&str, &str)] = &[
     ),
     ("let q = 2**x;", "an exponent is a number, and this is in m"),
     ("let q = x**n;", "only a number has powers with a variable exponent, and this is in m"),
-    ("let q = f(x, y, t);", "`f` takes another unit for `z`: `z` is in m, the argument in s"),
+    ("let q = f(x, y, t);", "`f` takes a different unit for `z`: `z` is in m, the argument in s"),
     (
         "let q = integral(x, x = 0..t);",
-        "the range of `x` has another unit: the variable is in m, the bound in s",
+        "the range of `x` has a different unit: the variable is in m, the bound in s",
     ),
     // Declarations.
     (
         "map F: Line -> Space = (s, s, 1);",
-        "the component for `z` has another unit: the coordinate is in m, the component in 1",
+        "the component for `z` has a different unit: the coordinate is in m, the component in 1",
     ),
     ("let q: s = x;", "`q` is declared in s, and its value is in m"),
     ("let q: mm = x;", "`q` is declared in mm, and its value is in m"),
@@ -80,11 +83,11 @@ const REFUSED: &[(&str, &str)] = &[
     ("kernel k(a: m): (m, m) = a;", "`k` has 1 result and 2 units"),
     (
         "kernel k(a: m) = a where a < 1;",
-        "cannot compare unlike units: the left side is in m, the right side in 1",
+        "cannot compare different units: the left side is in m, the right side in 1",
     ),
     (
         "kernel k(a: 1/m, b: m) = exp(-a*b) effects { absorption: a = 1; };",
-        "the effect `absorption` compares unlike units: the variable is in 1/m, the value in 1",
+        "the effect `absorption` compares different units: the variable is in 1/m, the value in 1",
     ),
     ("kernel k(x: s) = x;", "`x` is declared in m above, and here in s"),
     ("chart Again(x: mm);", "`x` is declared in m above, and here in mm"),
@@ -95,7 +98,7 @@ const REFUSED: &[(&str, &str)] = &[
     ("param q: krad;", "`krad` is not a unit"),
     ("param q: 2*m;", "expected a unit"),
     ("param q: m + s;", "expected a unit"),
-    ("param q: m^2;", "`^` is the wedge product, and a number stands to its right"),
+    ("param q: m^2;", "`^` is the wedge product, but its right operand is a number"),
     ("param q: m^s;", "`^` is the wedge product"),
     ("param q: m**n;", "the exponent of a unit is a number, as in `m**2`"),
     ("param q: m**(1/0);", "the exponent of a unit is a number, as in `m**2`"),
@@ -112,16 +115,19 @@ fn each_mistake_is_told_once() {
 
 /// Advice for fixing each error.
 const ADVICE: &[(&str, &str)] = &[
-    ("prove p: E == L;", "the right side lacks a solid angle: multiply it by one in sr"),
-    ("prove p: L == E;", "the left side lacks a solid angle: multiply it by one in sr"),
-    ("prove p: L == omega*E;", "the left side lacks a solid angle: multiply it by one in sr**2"),
-    ("let q = x + t;", "the left side over the right side is in m/s, and has to be a number"),
+    ("prove p: E == L;", "the right side lacks a solid angle: multiply it by a quantity in sr"),
+    ("prove p: L == E;", "the left side lacks a solid angle: multiply it by a quantity in sr"),
+    ("prove p: L == omega*E;", "the left side lacks a solid angle: multiply it by a quantity in sr**2"),
+    ("let q = x + t;", "the left side divided by the right side is in m/s, but must be a pure number"),
     (
         "let q = x + lambda;",
         "1 m is 1000000000 nm: state both in one unit, or multiply by `let factor: nm/m = 1000000000;`",
     ),
-    ("let q = sqrt(x) + sqrt(lambda);", "m**(1/2) and nm**(1/2) are of unlike size: state both in one unit"),
-    ("let q = x + lambda*omega;", "the left side over the right side is in m/nm/sr, and has to be a number"),
+    ("let q = sqrt(x) + sqrt(lambda);", "m**(1/2) and nm**(1/2) differ in size: state both in one unit"),
+    (
+        "let q = x + lambda*omega;",
+        "the left side divided by the right side is in m/nm/sr, but must be a pure number",
+    ),
     (
         "param a: h, b: min; let q = a + b;",
         "1 h is 60 min: state both in one unit, or multiply by `let factor: min/h = 60;`",
@@ -147,7 +153,7 @@ const ADVICE: &[(&str, &str)] = &[
     ("param q: meters;", "did you mean `m`?"),
     ("param q: HZ;", "did you mean `Hz`?"),
     ("param q: deg;", "angles are in radians: `rad`"),
-    ("param q: furlong;", "units are those of the SI, as `m`, `nm`, `s`, `kg`, `W`, `sr`"),
+    ("param q: furlong;", "use SI units such as `m`, `nm`, `s`, `kg`, `W`, `sr`"),
 ];
 
 #[test]
@@ -180,24 +186,24 @@ fn the_place_is_that_of_the_mistake() {
     let shown: String = errors.iter().map(|error| source.render(error)).collect();
     assert_eq!(
         shown,
-        "error: cannot add unlike units: the left side is in s, the right side in m
+        "error: cannot add different units: the left side is in s, the right side in m
   --> example.forms:2:18
    |
  2 | let q = 2*x + (t + x);
    |                  ^
-   = help: the left side over the right side is in s/m, and has to be a number
+   = help: the left side divided by the right side is in s/m, but must be a pure number
 error: `exp` takes a number, and this is in m*s
   --> example.forms:3:13
    |
  3 | let p = exp(q*t) - x;
    |             ^^^
    = help: divide it by a quantity in m*s
-error: cannot subtract unlike units: the left side is in 1, the right side in m
+error: cannot subtract different units: the left side is in 1, the right side in m
   --> example.forms:3:18
    |
  3 | let p = exp(q*t) - x;
    |                  ^
-   = help: the left side over the right side is in 1/m, and has to be a number
+   = help: the left side divided by the right side is in 1/m, but must be a pure number
 "
     );
 }

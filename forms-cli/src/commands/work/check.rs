@@ -172,7 +172,7 @@ fn verdict(theory_file: &TheoryFile, decided: &Decided, output: &mut dyn Write) 
         Verdict::Unknown { reason } | Verdict::Empty { reason } => (&[], None, Some(reason.as_str())),
     };
     if let Verdict::Empty { reason } = verdict {
-        let message = format!("`{}` speaks of no point: {reason}", statement.name);
+        let message = format!("`{}` is vacuous: {reason}", statement.name);
         let error = Diagnostic::new(statement.span, message);
         tell(&[FileError::at(&theory_file.source, &error)], output)?;
     }

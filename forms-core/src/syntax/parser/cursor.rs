@@ -203,7 +203,7 @@ impl<'a> Parser<'a> {
             Some(TokenKind::Name(text) | TokenKind::Number(text)) => format!("`{text}`"),
             Some(TokenKind::Doc(_)) => "a `///` comment".to_owned(),
             Some(TokenKind::Symbol(symbol)) => format!("`{}`", symbol.text()),
-            Some(TokenKind::Unknown) => "something unknown".to_owned(),
+            Some(TokenKind::Unknown) => "unknown text".to_owned(),
         }
     }
 
@@ -222,12 +222,14 @@ impl<'a> Parser<'a> {
 fn taken(name: &Name, word: Word) -> Diagnostic {
     let reason = match word {
         Word::Rust => "a Rust keyword",
-        Word::Item => "a word of the language",
+        Word::Item => "a reserved word of the language",
         Word::Function => "a function of the language",
     };
     let help = match word {
-        Word::Rust => "names in macros may not be Rust keywords or words of the language",
-        Word::Item | Word::Function => "names may not be words of the language",
+        Word::Rust => {
+            "names in macros cannot be Rust keywords, nor reserved words or functions of the language"
+        }
+        Word::Item | Word::Function => "names cannot be reserved words or functions of the language",
     };
     Diagnostic::new(name.span, format!("`{}` is {reason} and cannot be a name", name.text)).with_help(help)
 }

@@ -169,7 +169,7 @@ impl Parser<'_> {
             ExprKind::Name(name) => name,
             _ => "…",
         };
-        let message = "`^` is the wedge product, and a number stands to its right";
+        let message = "`^` is the wedge product, but its right operand is a number";
         let help = format!("use `**` for powers: `{base}**{sign}{digits}`");
         self.report(Diagnostic::new(place, message).with_help(help));
     }
@@ -188,8 +188,8 @@ impl Parser<'_> {
     /// Builds a tree, and reports it at `place` if it is too high.
     fn tree_at(&mut self, place: Span, kind: ExprKind, span: Span, below: usize) -> Parsed<Tree> {
         if below >= MAXIMUM_DEPTH {
-            let message = format!("the expression has more than {MAXIMUM_DEPTH} operations one upon another");
-            let help = "name a part of it with `let`, or group long sums with brackets";
+            let message = format!("the expression is nested more than {MAXIMUM_DEPTH} operations deep");
+            let help = "name a subexpression with `let`, or group long sums with brackets";
             return Err(self.report(Diagnostic::new(place, message).with_help(help)));
         }
         Ok(Tree { expr: Expr { kind: Box::new(kind), span }, height: below + 1 })

@@ -73,7 +73,7 @@ impl Parser<'_> {
     fn no_item(&mut self) -> Reported {
         let help = match self.peek() {
             Some(TokenKind::Symbol(Symbol::Semicolon)) => "remove this `;`",
-            None => "a `///` comment stands before an item; write `//` for other comments",
+            None => "a `///` comment must precede an item; use `//` for other comments",
             _ => {
                 "an item begins with `chart`, `param`, `fn`, `let`, `form`, `field`, `map`, `metric`, `prove`, \
                  `refute`, `kernel` or `warp`"
@@ -89,7 +89,7 @@ impl Parser<'_> {
             let place = self.span();
             let coordinates = self.declared_list("a coordinate")?;
             if coordinates.is_empty() {
-                let message = "a chart has at least one coordinate";
+                let message = "a chart needs at least one coordinate";
                 return Err(self.report(Diagnostic::new(self.since(place), message)));
             }
             return Ok(ItemKind::Chart { name, coordinates, conditions: self.conditions()? });
@@ -235,7 +235,7 @@ impl Parser<'_> {
         let help = match self.peek() {
             Some(TokenKind::Symbol(
                 Symbol::Less | Symbol::LessEqual | Symbol::Greater | Symbol::GreaterEqual | Symbol::NotEqual,
-            )) => Some("a statement is an equation; an inequality can only stand behind `where`"),
+            )) => Some("a statement is an equation; an inequality is allowed only after `where`"),
             _ if self.looks_like_factor() => Some("write `*` between factors"),
             _ => None,
         };

@@ -59,7 +59,7 @@ impl Parser<'_> {
                 });
             };
             if let Some(word) = repeated {
-                self.report(Diagnostic::new(place, format!("a kernel has one {word}")));
+                self.report(Diagnostic::new(place, format!("a kernel has at most one {word}")));
             }
         }
     }
@@ -126,7 +126,7 @@ impl Parser<'_> {
                 return Ok(ItemKind::Warp(Box::new(warp)));
             };
             if let Some(word) = repeated {
-                self.report(Diagnostic::new(place, format!("a warp has one {word}")));
+                self.report(Diagnostic::new(place, format!("a warp has at most one {word}")));
             }
         }
     }

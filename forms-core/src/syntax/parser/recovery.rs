@@ -32,7 +32,7 @@ impl Parser<'_> {
             TokenKind::Symbol(Symbol::Comma) => Some("several values are written in brackets: `(a, b)`"),
             TokenKind::Symbol(Symbol::Equal) => Some("an equation is claimed: `prove name: left == right;`"),
             TokenKind::Name(word) if word == "where" => {
-                Some("separate conditions with `,`, behind one `where`")
+                Some("separate conditions with `,` after a single `where`")
             }
             _ if self.looks_like_factor() => Some("write `*` between factors"),
             _ => None,

@@ -1,6 +1,6 @@
 #include <math.h>
 
-// a b + c, rounded once where the processor does that.
+// a b + c, rounded once if the processor has a fused multiply-add.
 static inline double forms_multiply_add(double a, double b, double c) {
 #ifdef FP_FAST_FMA
     return fma(a, b, c);
@@ -17,7 +17,7 @@ static inline double forms_difference_of_products(double a, double b, double c, 
     return isnan(value) ? a * b - product : value;
 }
 
-// x^(n/d), of x >= 0 where d > 1.
+// x^(n/d); needs x >= 0 if d > 1.
 static inline double forms_power(double x, double n, double d) {
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;
@@ -30,7 +30,7 @@ static inline double forms_power(double x, double n, double d) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 5 multiplications.
+// Cost: 3 additions, 5 multiplications.
 double polynomial_optimised(double x) {
     const double t0 = x * x;
     const double t1 = x * t0;
@@ -43,7 +43,7 @@ double polynomial_optimised(double x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 1 multiplication, 1 change of sign, 1 division, 2 function calls.
+// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
 double polynomial(double x) {
     const double t0 = 3.0 * forms_power(x, 5.0, 1.0) + -(forms_power(x, 3.0, 1.0) / 7.0);
     return t0 + x + -2.0;
@@ -54,7 +54,7 @@ double polynomial(double x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 4 multiplications, 1 division, 1 square root.
+// Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
 double inverse_square_optimised(double x, double y, double z) {
     const double t0 = forms_multiply_add(z, z, forms_multiply_add(y, y, x * x));
     return x / (t0 * sqrt(t0));
@@ -65,7 +65,7 @@ double inverse_square_optimised(double x, double y, double z) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 division, 4 function calls.
+// Cost: 2 additions, 1 division, 4 function calls.
 double inverse_square(double x, double y, double z) {
     const double t0 = forms_power(x, 2.0, 1.0) + forms_power(y, 2.0, 1.0);
     const double t1 = forms_power(t0 + forms_power(z, 2.0, 1.0), 3.0, 2.0);
@@ -77,7 +77,7 @@ double inverse_square(double x, double y, double z) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 4 multiplications, 1 division.
+// Cost: 1 addition, 4 multiplications, 1 division.
 void several_optimised(double u, double v, double *outputs) {
     const double t0 = 1.0 / forms_multiply_add(v, v, u * u);
     outputs[0] = u * t0;
@@ -90,7 +90,7 @@ void several_optimised(double u, double v, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 3 divisions, 2 function calls.
+// Cost: 1 addition, 3 divisions, 2 function calls.
 void several(double u, double v, double *outputs) {
     const double t0 = forms_power(u, 2.0, 1.0) + forms_power(v, 2.0, 1.0);
     outputs[0] = u / t0;
@@ -103,7 +103,7 @@ void several(double u, double v, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 1 change of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
 double functions_optimised(double t0, double x) {
     const double tt0 = forms_multiply_add(exp(-fabs(x)), tanh(t0), atan2(sin(t0), cos(x)));
     return tt0 - log(x);
@@ -114,7 +114,7 @@ double functions_optimised(double t0, double x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 2 changes of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
 double functions(double t0, double x) {
     const double tt0 = atan2(sin(t0), cos(x)) + exp(-fabs(x)) * tanh(t0);
     return tt0 + -log(x);
@@ -125,7 +125,7 @@ double functions(double t0, double x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 2 multiplications, 1 change of sign, 1 square root.
+// Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
 void constants_optimised(double x, double *outputs) {
     outputs[0] = -x;
     outputs[1] = 0.7853981633974483 * x;
@@ -140,7 +140,7 @@ void constants_optimised(double x, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 3 multiplications, 1 change of sign, 2 divisions, 1 square root.
+// Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
 void constants(double x, double *outputs) {
     const double t0 = -x;
     outputs[0] = t0;
@@ -156,7 +156,7 @@ void constants(double x, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 11 multiplications, 1 division, 1 function call.
+// Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
 void roots_optimised(double x, double *outputs) {
     const double t0 = forms_power(x, 1.0, 6.0);
     const double t1 = t0 * t0;
@@ -176,7 +176,7 @@ void roots_optimised(double x, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 5 function calls.
+// Cost: 2 additions, 1 negation, 5 function calls.
 void roots(double x, double *outputs) {
     const double t0 = forms_power(x, 1.0, 3.0) + forms_power(x, -2.0, 3.0);
     const double t1 = forms_power(x, 3.0, 2.0) + -forms_power(x, -5.0, 2.0);
@@ -190,7 +190,7 @@ void roots(double x, double *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
 double piecewise_optimised(double x, double y) {
     double t0;
     if (x < y) {
@@ -216,7 +216,7 @@ double piecewise_optimised(double x, double y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
 double piecewise(double x, double y) {
     double t0;
     if (x < y) {
@@ -242,7 +242,7 @@ double piecewise(double x, double y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 double unused_optimised(double x, double y) {
     (void)x;
     return y + 1.0;
@@ -253,7 +253,7 @@ double unused_optimised(double x, double y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 double unused(double x, double y) {
     (void)x;
     return y + 1.0;
@@ -264,7 +264,7 @@ double unused(double x, double y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications.
+// Cost: 3 additions, 4 multiplications.
 double many_optimised(
     double a,
     double b,
@@ -282,7 +282,7 @@ double many_optimised(
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications, 2 changes of sign.
+// Cost: 3 additions, 4 multiplications, 2 negations.
 double many(double a, double b, double c, double d, double e, double f, double g, double H) {
     return a * b + c * d + -(e * f + -(g * H));
 }
@@ -292,7 +292,7 @@ double many(double a, double b, double c, double d, double e, double f, double g
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 2 multiplications.
+// Cost: 1 addition, 2 multiplications.
 double products(double a, double b, double c, double d) {
     return forms_difference_of_products(a, b, c, d);
 }
@@ -302,7 +302,7 @@ double products(double a, double b, double c, double d) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 double inside(double x, double y) {
     if (!(0.0 < x)) {
         return NAN;
@@ -321,7 +321,7 @@ double inside(double x, double y) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
     if (!(0.0 < x)) {

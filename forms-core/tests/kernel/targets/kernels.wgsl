@@ -3,7 +3,7 @@ fn forms_nan() -> f32 {
     return bitcast<f32>(bits);
 }
 
-// a b - c d by the error of one product (Kahan), where fma rounds once.
+// a b - c d, corrected by the rounding error of one product (Kahan); assumes that fma rounds once.
 fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     let product = c * d;
     let error = fma(-c, d, product);
@@ -15,7 +15,7 @@ fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 5 multiplications.
+// Cost: 3 additions, 5 multiplications.
 fn polynomial_optimised(x: f32) -> f32 {
     let t0 = x * x;
     let t1 = x * t0;
@@ -27,7 +27,7 @@ fn polynomial_optimised(x: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 1 multiplication, 1 change of sign, 1 division, 2 function calls.
+// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
 fn polynomial(x: f32) -> f32 {
     let t0 = -(sign(x) * pow(abs(x), 3.0f) / 7.0f);
     let t1 = 3.0f * (sign(x) * pow(abs(x), 5.0f)) + t0;
@@ -39,7 +39,7 @@ fn polynomial(x: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 4 multiplications, 1 division, 1 square root.
+// Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
 fn inverse_square_optimised(x: f32, y: f32, z: f32) -> f32 {
     let t0 = fma(z, z, fma(y, y, x * x));
     return x / (t0 * sqrt(t0));
@@ -50,7 +50,7 @@ fn inverse_square_optimised(x: f32, y: f32, z: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 division, 4 function calls.
+// Cost: 2 additions, 1 division, 4 function calls.
 fn inverse_square(x: f32, y: f32, z: f32) -> f32 {
     let t0 = pow(abs(x), 2.0f) + pow(abs(y), 2.0f);
     let t1 = pow(t0 + pow(abs(z), 2.0f), 3.0f / 2.0f);
@@ -62,7 +62,7 @@ fn inverse_square(x: f32, y: f32, z: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 4 multiplications, 1 division.
+// Cost: 1 addition, 4 multiplications, 1 division.
 fn several_optimised(u: f32, v: f32) -> array<f32, 3> {
     let t0 = 1.0f / fma(v, v, u * u);
     return array<f32, 3>(u * t0, v * t0, t0);
@@ -73,7 +73,7 @@ fn several_optimised(u: f32, v: f32) -> array<f32, 3> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 3 divisions, 2 function calls.
+// Cost: 1 addition, 3 divisions, 2 function calls.
 fn several(u: f32, v: f32) -> array<f32, 3> {
     let t0 = pow(abs(u), 2.0f) + pow(abs(v), 2.0f);
     return array<f32, 3>(u / t0, v / t0, 1.0f / t0);
@@ -84,7 +84,7 @@ fn several(u: f32, v: f32) -> array<f32, 3> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 1 change of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
 fn functions_optimised(t0: f32, x: f32) -> f32 {
     let tt0 = fma(exp(-abs(x)), tanh(t0), atan2(sin(t0), cos(x)));
     return tt0 - log(x);
@@ -95,7 +95,7 @@ fn functions_optimised(t0: f32, x: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 2 changes of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
 fn functions(t0: f32, x: f32) -> f32 {
     let tt0 = atan2(sin(t0), cos(x)) + exp(-abs(x)) * tanh(t0);
     return tt0 + -log(x);
@@ -106,7 +106,7 @@ fn functions(t0: f32, x: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 2 multiplications, 1 change of sign, 1 square root.
+// Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
 fn constants_optimised(x: f32) -> array<f32, 6> {
     return array<f32, 6>(-x, 0.7853982f * x, 0.6666667f - x, -0.07957747f, x * sqrt(2.0f), x - 0.1f);
 }
@@ -116,7 +116,7 @@ fn constants_optimised(x: f32) -> array<f32, 6> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 3 multiplications, 1 change of sign, 2 divisions, 1 square root.
+// Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
 fn constants(x: f32) -> array<f32, 6> {
     let t0 = -x;
     return array<f32, 6>(t0, 3.1415927f * x / 4.0f, 0.6666667f + t0, -1.0f / (4.0f * 3.1415927f), sqrt(2.0f) * x, x + -0.1f);
@@ -127,7 +127,7 @@ fn constants(x: f32) -> array<f32, 6> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 11 multiplications, 1 division, 1 function call.
+// Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
 fn roots_optimised(x: f32) -> array<f32, 3> {
     let t0 = pow(x, 1.0f / 6.0f);
     let t1 = t0 * t0;
@@ -145,7 +145,7 @@ fn roots_optimised(x: f32) -> array<f32, 3> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 5 function calls.
+// Cost: 2 additions, 1 negation, 5 function calls.
 fn roots(x: f32) -> array<f32, 3> {
     let t0 = pow(x, 1.0f / 3.0f) + pow(x, -2.0f / 3.0f);
     let t1 = pow(x, 3.0f / 2.0f) + -pow(x, -5.0f / 2.0f);
@@ -157,7 +157,7 @@ fn roots(x: f32) -> array<f32, 3> {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
 fn piecewise_optimised(x: f32, y: f32) -> f32 {
     var t0: f32;
     if x < y {
@@ -183,7 +183,7 @@ fn piecewise_optimised(x: f32, y: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
 fn piecewise(x: f32, y: f32) -> f32 {
     var t0: f32;
     if x < y {
@@ -209,7 +209,7 @@ fn piecewise(x: f32, y: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 fn unused_optimised(x: f32, y: f32) -> f32 {
     return y + 1.0f;
 }
@@ -219,7 +219,7 @@ fn unused_optimised(x: f32, y: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 fn unused(x: f32, y: f32) -> f32 {
     return y + 1.0f;
 }
@@ -229,7 +229,7 @@ fn unused(x: f32, y: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications.
+// Cost: 3 additions, 4 multiplications.
 fn many_optimised(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f32 {
     return fma(c, d, a * b) - fma(-g, H, e * f);
 }
@@ -239,7 +239,7 @@ fn many_optimised(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications, 2 changes of sign.
+// Cost: 3 additions, 4 multiplications, 2 negations.
 fn many(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f32 {
     return a * b + c * d + -(e * f + -(g * H));
 }
@@ -249,7 +249,7 @@ fn many(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f32 {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 2 multiplications.
+// Cost: 1 addition, 2 multiplications.
 fn products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     return forms_difference_of_products(a, b, c, d);
 }
@@ -259,7 +259,7 @@ fn products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 fn inside(x: f32, y: f32) -> f32 {
     if !(0.0f < x) {
         return forms_nan();
@@ -278,7 +278,7 @@ fn inside(x: f32, y: f32) -> f32 {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 fn both_inside(x: f32, y: f32) -> array<f32, 2> {
     let t0 = x + y;
     if !(0.0f < x) {

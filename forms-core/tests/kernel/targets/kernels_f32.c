@@ -1,6 +1,6 @@
 #include <math.h>
 
-// a b + c, rounded once where the processor does that.
+// a b + c, rounded once if the processor has a fused multiply-add.
 static inline float forms_multiply_add(float a, float b, float c) {
 #ifdef FP_FAST_FMAF
     return fmaf(a, b, c);
@@ -17,7 +17,7 @@ static inline float forms_difference_of_products(float a, float b, float c, floa
     return isnan(value) ? a * b - product : value;
 }
 
-// x^(n/d), of x >= 0 where d > 1.
+// x^(n/d); needs x >= 0 if d > 1.
 static inline float forms_power(float x, double n, double d) {
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;
@@ -30,7 +30,7 @@ static inline float forms_power(float x, double n, double d) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 5 multiplications.
+// Cost: 3 additions, 5 multiplications.
 float polynomial_optimised(float x) {
     const float t0 = x * x;
     const float t1 = x * t0;
@@ -43,7 +43,7 @@ float polynomial_optimised(float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 1 multiplication, 1 change of sign, 1 division, 2 function calls.
+// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
 float polynomial(float x) {
     const float t0 = 3.0f * forms_power(x, 5.0, 1.0) + -(forms_power(x, 3.0, 1.0) / 7.0f);
     return t0 + x + -2.0f;
@@ -54,7 +54,7 @@ float polynomial(float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 4 multiplications, 1 division, 1 square root.
+// Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
 float inverse_square_optimised(float x, float y, float z) {
     const float t0 = forms_multiply_add(z, z, forms_multiply_add(y, y, x * x));
     return x / (t0 * sqrtf(t0));
@@ -65,7 +65,7 @@ float inverse_square_optimised(float x, float y, float z) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 division, 4 function calls.
+// Cost: 2 additions, 1 division, 4 function calls.
 float inverse_square(float x, float y, float z) {
     const float t0 = forms_power(x, 2.0, 1.0) + forms_power(y, 2.0, 1.0);
     const float t1 = forms_power(t0 + forms_power(z, 2.0, 1.0), 3.0, 2.0);
@@ -77,7 +77,7 @@ float inverse_square(float x, float y, float z) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 4 multiplications, 1 division.
+// Cost: 1 addition, 4 multiplications, 1 division.
 void several_optimised(float u, float v, float *outputs) {
     const float t0 = 1.0f / forms_multiply_add(v, v, u * u);
     outputs[0] = u * t0;
@@ -90,7 +90,7 @@ void several_optimised(float u, float v, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 3 divisions, 2 function calls.
+// Cost: 1 addition, 3 divisions, 2 function calls.
 void several(float u, float v, float *outputs) {
     const float t0 = forms_power(u, 2.0, 1.0) + forms_power(v, 2.0, 1.0);
     outputs[0] = u / t0;
@@ -103,7 +103,7 @@ void several(float u, float v, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 1 change of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
 float functions_optimised(float t0, float x) {
     const float tt0 = forms_multiply_add(expf(-fabsf(x)), tanhf(t0), atan2f(sinf(t0), cosf(x)));
     return tt0 - logf(x);
@@ -114,7 +114,7 @@ float functions_optimised(float t0, float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 2 changes of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
 float functions(float t0, float x) {
     const float tt0 = atan2f(sinf(t0), cosf(x)) + expf(-fabsf(x)) * tanhf(t0);
     return tt0 + -logf(x);
@@ -125,7 +125,7 @@ float functions(float t0, float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 2 multiplications, 1 change of sign, 1 square root.
+// Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
 void constants_optimised(float x, float *outputs) {
     outputs[0] = -x;
     outputs[1] = 0.7853982f * x;
@@ -140,7 +140,7 @@ void constants_optimised(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 3 multiplications, 1 change of sign, 2 divisions, 1 square root.
+// Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
 void constants(float x, float *outputs) {
     const float t0 = -x;
     outputs[0] = t0;
@@ -156,7 +156,7 @@ void constants(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 11 multiplications, 1 division, 1 function call.
+// Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
 void roots_optimised(float x, float *outputs) {
     const float t0 = forms_power(x, 1.0, 6.0);
     const float t1 = t0 * t0;
@@ -176,7 +176,7 @@ void roots_optimised(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 5 function calls.
+// Cost: 2 additions, 1 negation, 5 function calls.
 void roots(float x, float *outputs) {
     const float t0 = forms_power(x, 1.0, 3.0) + forms_power(x, -2.0, 3.0);
     const float t1 = forms_power(x, 3.0, 2.0) + -forms_power(x, -5.0, 2.0);
@@ -190,7 +190,7 @@ void roots(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
 float piecewise_optimised(float x, float y) {
     float t0;
     if (x < y) {
@@ -216,7 +216,7 @@ float piecewise_optimised(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
 float piecewise(float x, float y) {
     float t0;
     if (x < y) {
@@ -242,7 +242,7 @@ float piecewise(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 float unused_optimised(float x, float y) {
     (void)x;
     return y + 1.0f;
@@ -253,7 +253,7 @@ float unused_optimised(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 float unused(float x, float y) {
     (void)x;
     return y + 1.0f;
@@ -264,7 +264,7 @@ float unused(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications.
+// Cost: 3 additions, 4 multiplications.
 float many_optimised(float a, float b, float c, float d, float e, float f, float g, float H) {
     return forms_multiply_add(c, d, a * b) - forms_multiply_add(-g, H, e * f);
 }
@@ -274,7 +274,7 @@ float many_optimised(float a, float b, float c, float d, float e, float f, float
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications, 2 changes of sign.
+// Cost: 3 additions, 4 multiplications, 2 negations.
 float many(float a, float b, float c, float d, float e, float f, float g, float H) {
     return a * b + c * d + -(e * f + -(g * H));
 }
@@ -284,7 +284,7 @@ float many(float a, float b, float c, float d, float e, float f, float g, float 
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 2 multiplications.
+// Cost: 1 addition, 2 multiplications.
 float products(float a, float b, float c, float d) {
     return forms_difference_of_products(a, b, c, d);
 }
@@ -294,7 +294,7 @@ float products(float a, float b, float c, float d) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 float inside(float x, float y) {
     if (!(0.0f < x)) {
         return NAN;
@@ -313,7 +313,7 @@ float inside(float x, float y) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
     if (!(0.0f < x)) {

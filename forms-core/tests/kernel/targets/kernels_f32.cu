@@ -13,7 +13,7 @@ __host__ __device__ static inline float forms_difference_of_products(float a, fl
     return isnan(value) ? a * b - product : value;
 }
 
-// x^(n/d), of x >= 0 where d > 1.
+// x^(n/d); needs x >= 0 if d > 1.
 __host__ __device__ static inline float forms_power(float x, double n, double d) {
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;
@@ -26,7 +26,7 @@ __host__ __device__ static inline float forms_power(float x, double n, double d)
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 5 multiplications.
+// Cost: 3 additions, 5 multiplications.
 __host__ __device__ inline float polynomial_optimised(float x) {
     const float t0 = x * x;
     const float t1 = x * t0;
@@ -39,7 +39,7 @@ __host__ __device__ inline float polynomial_optimised(float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 1 multiplication, 1 change of sign, 1 division, 2 function calls.
+// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
 __host__ __device__ inline float polynomial(float x) {
     const float t0 = 3.0f * forms_power(x, 5.0, 1.0) + -(forms_power(x, 3.0, 1.0) / 7.0f);
     return t0 + x + -2.0f;
@@ -50,7 +50,7 @@ __host__ __device__ inline float polynomial(float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 4 multiplications, 1 division, 1 square root.
+// Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
 __host__ __device__ inline float inverse_square_optimised(float x, float y, float z) {
     const float t0 = forms_multiply_add(z, z, forms_multiply_add(y, y, x * x));
     return x / (t0 * sqrtf(t0));
@@ -61,7 +61,7 @@ __host__ __device__ inline float inverse_square_optimised(float x, float y, floa
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 division, 4 function calls.
+// Cost: 2 additions, 1 division, 4 function calls.
 __host__ __device__ inline float inverse_square(float x, float y, float z) {
     const float t0 = forms_power(x, 2.0, 1.0) + forms_power(y, 2.0, 1.0);
     const float t1 = forms_power(t0 + forms_power(z, 2.0, 1.0), 3.0, 2.0);
@@ -73,7 +73,7 @@ __host__ __device__ inline float inverse_square(float x, float y, float z) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 4 multiplications, 1 division.
+// Cost: 1 addition, 4 multiplications, 1 division.
 __host__ __device__ inline void several_optimised(float u, float v, float *outputs) {
     const float t0 = 1.0f / forms_multiply_add(v, v, u * u);
     outputs[0] = u * t0;
@@ -86,7 +86,7 @@ __host__ __device__ inline void several_optimised(float u, float v, float *outpu
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 3 divisions, 2 function calls.
+// Cost: 1 addition, 3 divisions, 2 function calls.
 __host__ __device__ inline void several(float u, float v, float *outputs) {
     const float t0 = forms_power(u, 2.0, 1.0) + forms_power(v, 2.0, 1.0);
     outputs[0] = u / t0;
@@ -99,7 +99,7 @@ __host__ __device__ inline void several(float u, float v, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 1 change of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
 __host__ __device__ inline float functions_optimised(float t0, float x) {
     const float tt0 = forms_multiply_add(expf(-fabsf(x)), tanhf(t0), atan2f(sinf(t0), cosf(x)));
     return tt0 - logf(x);
@@ -110,7 +110,7 @@ __host__ __device__ inline float functions_optimised(float t0, float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 multiplication, 2 changes of sign, 7 function calls.
+// Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
 __host__ __device__ inline float functions(float t0, float x) {
     const float tt0 = atan2f(sinf(t0), cosf(x)) + expf(-fabsf(x)) * tanhf(t0);
     return tt0 + -logf(x);
@@ -121,7 +121,7 @@ __host__ __device__ inline float functions(float t0, float x) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 2 multiplications, 1 change of sign, 1 square root.
+// Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
 __host__ __device__ inline void constants_optimised(float x, float *outputs) {
     outputs[0] = -x;
     outputs[1] = 0.7853982f * x;
@@ -136,7 +136,7 @@ __host__ __device__ inline void constants_optimised(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 3 multiplications, 1 change of sign, 2 divisions, 1 square root.
+// Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
 __host__ __device__ inline void constants(float x, float *outputs) {
     const float t0 = -x;
     outputs[0] = t0;
@@ -152,7 +152,7 @@ __host__ __device__ inline void constants(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 11 multiplications, 1 division, 1 function call.
+// Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
 __host__ __device__ inline void roots_optimised(float x, float *outputs) {
     const float t0 = forms_power(x, 1.0, 6.0);
     const float t1 = t0 * t0;
@@ -172,7 +172,7 @@ __host__ __device__ inline void roots_optimised(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 5 function calls.
+// Cost: 2 additions, 1 negation, 5 function calls.
 __host__ __device__ inline void roots(float x, float *outputs) {
     const float t0 = forms_power(x, 1.0, 3.0) + forms_power(x, -2.0, 3.0);
     const float t1 = forms_power(x, 3.0, 2.0) + -forms_power(x, -5.0, 2.0);
@@ -186,7 +186,7 @@ __host__ __device__ inline void roots(float x, float *outputs) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
 __host__ __device__ inline float piecewise_optimised(float x, float y) {
     float t0;
     if (x < y) {
@@ -212,7 +212,7 @@ __host__ __device__ inline float piecewise_optimised(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 2 additions, 1 change of sign, 1 square root, 1 function call, 2 choices.
+// Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
 __host__ __device__ inline float piecewise(float x, float y) {
     float t0;
     if (x < y) {
@@ -238,7 +238,7 @@ __host__ __device__ inline float piecewise(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 __host__ __device__ inline float unused_optimised(float x, float y) {
     (void)x;
     return y + 1.0f;
@@ -249,7 +249,7 @@ __host__ __device__ inline float unused_optimised(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition.
+// Cost: 1 addition.
 __host__ __device__ inline float unused(float x, float y) {
     (void)x;
     return y + 1.0f;
@@ -260,7 +260,7 @@ __host__ __device__ inline float unused(float x, float y) {
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications.
+// Cost: 3 additions, 4 multiplications.
 __host__ __device__ inline float many_optimised(
     float a,
     float b,
@@ -278,7 +278,7 @@ __host__ __device__ inline float many_optimised(
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 3 additions, 4 multiplications, 2 changes of sign.
+// Cost: 3 additions, 4 multiplications, 2 negations.
 __host__ __device__ inline float many(
     float a,
     float b,
@@ -296,7 +296,7 @@ __host__ __device__ inline float many(
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
-// Takes 1 addition, 2 multiplications.
+// Cost: 1 addition, 2 multiplications.
 __host__ __device__ inline float products(float a, float b, float c, float d) {
     return forms_difference_of_products(a, b, c, d);
 }
@@ -306,7 +306,7 @@ __host__ __device__ inline float products(float a, float b, float c, float d) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 __host__ __device__ inline float inside(float x, float y) {
     if (!(0.0f < x)) {
         return NAN;
@@ -325,7 +325,7 @@ __host__ __device__ inline float inside(float x, float y) {
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
-// Takes 1 addition, 1 division, 1 square root.
+// Cost: 1 addition, 1 division, 1 square root.
 __host__ __device__ inline void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
     if (!(0.0f < x)) {

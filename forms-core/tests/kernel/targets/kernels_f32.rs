@@ -3,7 +3,7 @@
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 3 additions, 5 multiplications.
+/// Cost: 3 additions, 5 multiplications.
 pub fn polynomial_optimised(x: f32) -> f32 {
     let t0 = x * x;
     let t1 = x * t0;
@@ -15,7 +15,7 @@ pub fn polynomial_optimised(x: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 3 additions, 1 multiplication, 1 change of sign, 1 division, 2 function calls.
+/// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
 pub fn polynomial(x: f32) -> f32 {
     let t0 = 3.0 * x.powf(5.0) + -(x.powf(3.0) / 7.0);
     t0 + x + -2.0
@@ -26,7 +26,7 @@ pub fn polynomial(x: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 4 multiplications, 1 division, 1 square root.
+/// Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
 pub fn inverse_square_optimised(x: f32, y: f32, z: f32) -> f32 {
     let t0 = x * x + y * y + z * z;
     x / (t0 * t0.sqrt())
@@ -37,7 +37,7 @@ pub fn inverse_square_optimised(x: f32, y: f32, z: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 division, 4 function calls.
+/// Cost: 2 additions, 1 division, 4 function calls.
 pub fn inverse_square(x: f32, y: f32, z: f32) -> f32 {
     let t0 = x.powf(2.0) + y.powf(2.0) + z.powf(2.0);
     let t1 = <f32 as forms_math::Real>::power(t0, 3, 2);
@@ -49,7 +49,7 @@ pub fn inverse_square(x: f32, y: f32, z: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 1 addition, 4 multiplications, 1 division.
+/// Cost: 1 addition, 4 multiplications, 1 division.
 pub fn several_optimised(u: f32, v: f32) -> [f32; 3] {
     let t0 = 1.0 / (u * u + v * v);
     [u * t0, v * t0, t0]
@@ -60,7 +60,7 @@ pub fn several_optimised(u: f32, v: f32) -> [f32; 3] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 1 addition, 3 divisions, 2 function calls.
+/// Cost: 1 addition, 3 divisions, 2 function calls.
 pub fn several(u: f32, v: f32) -> [f32; 3] {
     let t0 = u.powf(2.0) + v.powf(2.0);
     [u / t0, v / t0, 1.0 / t0]
@@ -71,7 +71,7 @@ pub fn several(u: f32, v: f32) -> [f32; 3] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 multiplication, 1 change of sign, 7 function calls.
+/// Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
 pub fn functions_optimised(t0: f32, x: f32) -> f32 {
     let tt0 = t0.sin().atan2(x.cos()) + (-x.abs()).exp() * t0.tanh();
     tt0 - x.ln()
@@ -82,7 +82,7 @@ pub fn functions_optimised(t0: f32, x: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 multiplication, 2 changes of sign, 7 function calls.
+/// Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
 pub fn functions(t0: f32, x: f32) -> f32 {
     let tt0 = t0.sin().atan2(x.cos()) + (-x.abs()).exp() * t0.tanh();
     tt0 + -x.ln()
@@ -93,7 +93,7 @@ pub fn functions(t0: f32, x: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 2 multiplications, 1 change of sign, 1 square root.
+/// Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
 pub fn constants_optimised(x: f32) -> [f32; 6] {
     [
         -x,
@@ -110,7 +110,7 @@ pub fn constants_optimised(x: f32) -> [f32; 6] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 3 multiplications, 1 change of sign, 2 divisions, 1 square root.
+/// Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
 pub fn constants(x: f32) -> [f32; 6] {
     let t0 = -x;
     let t1 = -1.0 / (4.0 * ::core::f32::consts::PI);
@@ -129,7 +129,7 @@ pub fn constants(x: f32) -> [f32; 6] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 11 multiplications, 1 division, 1 function call.
+/// Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
 pub fn roots_optimised(x: f32) -> [f32; 3] {
     let t0 = <f32 as forms_math::Real>::power(x, 1, 6);
     let t1 = t0 * t0;
@@ -147,7 +147,7 @@ pub fn roots_optimised(x: f32) -> [f32; 3] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 change of sign, 5 function calls.
+/// Cost: 2 additions, 1 negation, 5 function calls.
 pub fn roots(x: f32) -> [f32; 3] {
     let t0 = <f32 as forms_math::Real>::power(x, 1, 3);
     let t1 = <f32 as forms_math::Real>::power(x, -2, 3);
@@ -161,7 +161,7 @@ pub fn roots(x: f32) -> [f32; 3] {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 square root, 1 function call, 2 choices.
+/// Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
 pub fn piecewise_optimised(x: f32, y: f32) -> f32 {
     let t0 = if x < y {
         (y - x).sqrt()
@@ -184,7 +184,7 @@ pub fn piecewise_optimised(x: f32, y: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 2 additions, 1 change of sign, 1 square root, 1 function call, 2 choices.
+/// Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
 pub fn piecewise(x: f32, y: f32) -> f32 {
     let t0 = if x < y {
         (y + -x).sqrt()
@@ -207,7 +207,7 @@ pub fn piecewise(x: f32, y: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 1 addition.
+/// Cost: 1 addition.
 pub fn unused_optimised(_x: f32, y: f32) -> f32 {
     y + 1.0
 }
@@ -217,7 +217,7 @@ pub fn unused_optimised(_x: f32, y: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 1 addition.
+/// Cost: 1 addition.
 pub fn unused(_x: f32, y: f32) -> f32 {
     y + 1.0
 }
@@ -227,7 +227,7 @@ pub fn unused(_x: f32, y: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 3 additions, 4 multiplications.
+/// Cost: 3 additions, 4 multiplications.
 #[allow(clippy::too_many_arguments, reason = "one for each variable")]
 #[allow(non_snake_case, reason = "the names of the formula")]
 pub fn many_optimised(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f32 {
@@ -239,7 +239,7 @@ pub fn many_optimised(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H:
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 3 additions, 4 multiplications, 2 changes of sign.
+/// Cost: 3 additions, 4 multiplications, 2 negations.
 #[allow(clippy::too_many_arguments, reason = "one for each variable")]
 #[allow(non_snake_case, reason = "the names of the formula")]
 pub fn many(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f32 {
@@ -251,7 +251,7 @@ pub fn many(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, H: f32) -> f
 /// ```
 ///
 /// Its value is NaN where an argument it depends on is NaN.
-/// Takes 1 addition, 2 multiplications.
+/// Cost: 1 addition, 2 multiplications.
 pub fn products(a: f32, b: f32, c: f32, d: f32) -> f32 {
     <f32 as forms_math::Real>::difference_of_products(a, b, c, d)
 }
@@ -261,7 +261,7 @@ pub fn products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
-/// Takes 1 addition, 1 division, 1 square root.
+/// Cost: 1 addition, 1 division, 1 square root.
 pub fn inside(x: f32, y: f32) -> f32 {
     let inside = 0.0 < x;
     if !inside {
@@ -283,7 +283,7 @@ pub fn inside(x: f32, y: f32) -> f32 {
 /// ```
 ///
 /// Its value is NaN outside its domain and where an argument it depends on is NaN.
-/// Takes 1 addition, 1 division, 1 square root.
+/// Cost: 1 addition, 1 division, 1 square root.
 pub fn both_inside(x: f32, y: f32) -> [f32; 2] {
     let t0 = x + y;
     let inside = 0.0 < x;
