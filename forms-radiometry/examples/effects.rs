@@ -23,7 +23,9 @@ use run::{Run, forced};
 use std::fmt::Write;
 use std::path::Path;
 
-const HEAD: &str = "| scene | simulated | dropped | bound of what is dropped | turned on | as planned | with it on | on / planned | largest difference, relative | errors said, relative |\n\
+const HEAD: &str = "| scene | simulated | omitted | bound on omitted effects | \
+                    forced on | time as planned | time forced on | forced on / planned | \
+                    largest relative difference | sum of reported relative errors |\n\
                     |---|---|---|---|---|---|---|---|---|---|\n";
 
 fn main() -> Result<(), Problem> {

@@ -106,7 +106,8 @@ impl ViewFactors {
         let is_above_one = |&row: &usize| self.sum(row) > 1.0 + self.sum_error(row);
         let error = |row: usize| {
             let message = format!(
-                "the view factors of `{}` have the sum {:.6}, above 1 by more than their error of {:.1e}: {}",
+                "the view factors of `{}` sum to {:.6}, above 1 by more than the error of \
+                 the sum, {:.1e}: {}",
                 self.names[row],
                 self.sum(row),
                 self.sum_error(row),
@@ -127,7 +128,7 @@ impl ViewFactors {
         let named = factors.iter().take(NAMED).map(|(value, name)| format!("{value:.4} to `{name}`"));
         let mut parts: Vec<String> = named.collect();
         if others > 0 {
-            parts.push(format!("the rest to {others} others"));
+            parts.push(format!("the rest to {others} more"));
         }
         parts.join(", ")
     }

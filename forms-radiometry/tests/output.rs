@@ -182,6 +182,6 @@ fn a_cell_is_a_square_of_one_colour_the_brightest_the_greatest_and_none_where_th
     assert!((greatest - 3.866_666_7).abs() < 1e-7);
     assert_eq!(
         text,
-        format!("irradiance of {NAME}, all bands together, from 0 (dark) to 3.8666667 W/m² (bright)")
+        format!("irradiance of {NAME}, sum of all bands, from 0 (dark) to 3.8666667 W/m² (bright)")
     );
 }

@@ -120,7 +120,7 @@ fn what_the_plan_drops_changes_less_than_its_bound() {
     let planned = plan(&scene(&text)).expect("it is simulated");
     let dropped: Vec<&str> =
         planned.effects.iter().filter(|planned| !planned.on).map(|planned| planned.why.as_str()).collect();
-    assert!(dropped.iter().any(|why| why.contains("matters less than the tolerance")), "{dropped:?}");
+    assert!(dropped.iter().any(|why| why.contains("its bound is within the tolerance")), "{dropped:?}");
     let bound: f64 =
         planned.effects.iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound).sum();
     let (with_plan, _) = answer(&answers(&text), "here", Quantity::Irradiance);

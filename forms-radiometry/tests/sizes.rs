@@ -343,7 +343,11 @@ fn lengths_that_differ_by_too_much_are_refused_with_the_smallest_surface() {
         surface("small", "black", "polygon = [[0, 0, 0], [1e-60, 0, 0], [0, 1e-60, 0]]"),
     ];
     let errors = read(&text.concat(), "test.toml").expect_err("lengths that are too far apart");
-    assert!(errors[0].message.starts_with("a part of `small` is 1e-60 across"), "{}", errors[0]);
+    assert!(
+        errors[0].message.starts_with("the smallest extent of `small`, 1e-60, is too small"),
+        "{}",
+        errors[0]
+    );
 }
 
 #[test]

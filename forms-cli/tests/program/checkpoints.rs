@@ -93,17 +93,23 @@ fn a_checkpoint_of_other_work_or_of_none_is_refused_and_stays() {
     folder.write("cut", &state[..state.len() - 1]);
     folder.write("empty", b"");
     let cases: [(&[&str], &str); 8] = [
-        (&["other.toml", "--checkpoint", "state"], "`state` is not of this work, it is of another scene"),
+        (
+            &["other.toml", "--checkpoint", "state"],
+            "`state` is not of this work, it belongs to another scene",
+        ),
         (
             &["hall.toml", "--checkpoint", "state", "--samples", "64"],
-            "as many samples as the tolerance asks for",
+            "the number of samples that the tolerance requires",
+        ),
+        (&["hall.toml", "--checkpoint", "state", "--shard", "1/2", "--out", "p"], "it is shard 1/1, not 1/2"),
+        (
+            &["hall.toml", "--checkpoint", "text"],
+            "`text` was written by another program or for another purpose",
         ),
         (
-            &["hall.toml", "--checkpoint", "state", "--shard", "1/2", "--out", "p"],
-            "it is of share 1/1, not of 1/2",
+            &["hall.toml", "--checkpoint", "empty"],
+            "`empty` was written by another program or for another purpose",
         ),
-        (&["hall.toml", "--checkpoint", "text"], "`text` was not written by this program as such"),
-        (&["hall.toml", "--checkpoint", "empty"], "`empty` was not written by this program as such"),
         (&["hall.toml", "--checkpoint", "damaged"], "`damaged` is damaged"),
         (&["hall.toml", "--checkpoint", "cut"], "`cut` is damaged"),
         (&["hall.toml", "--checkpoint", "no/where"], "`no/where` cannot be written"),
@@ -137,6 +143,7 @@ fn a_checkpoint_of_another_version_is_refused() {
     let check = blake3::hash(&title);
     folder.write("old", &[title.as_slice(), check.as_bytes()].concat());
     let run = forms(&folder, &["simulate", "hall.toml", "--checkpoint", "old"]);
-    let message = format!("`old` was written by version 0.0.1, and this is {}", env!("CARGO_PKG_VERSION"));
+    let message =
+        format!("`old` was written by version 0.0.1; this program is version {}", env!("CARGO_PKG_VERSION"));
     assert!(run.status == 2 && run.errors.contains(&message), "{}", run.errors);
 }

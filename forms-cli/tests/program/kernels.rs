@@ -273,7 +273,7 @@ fn a_row_of_view_factors_above_one_is_an_error_that_names_what_it_sums_up() {
     let folder = Folder::with(&[("scene.toml", scene), ("lamp.obj", &twice)]);
     let run = forms(&folder, &["view-factors", "scene.toml"]);
     assert_eq!((run.status, run.output.as_str()), (2, ""), "{}", run.errors);
-    let expected = "scene.toml:9:11: the view factors of `floor` have the sum 1.65";
+    let expected = "scene.toml:9:11: the view factors of `floor` sum to 1.65";
     assert!(run.errors.contains(expected) && run.errors.contains(" to `lamp`"), "{}", run.errors);
     let folder = Folder::with(&[("scene.toml", scene), ("lamp.obj", lamp)]);
     let run = forms(&folder, &["view-factors", "scene.toml"]);

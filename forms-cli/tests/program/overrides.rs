@@ -95,17 +95,17 @@ fn wrong_values_are_named_with_what_to_write() {
     let cases: [(&[&str], &str); 10] = [
         (&["--tolerance", "0"], "'0' for '--tolerance <X>': expected a number above 0 and below 1"),
         (&["--tolerance", "-1"], "expected a number above 0 and below 1"),
-        (&["--seed", "-1"], "expected a whole number from 0 to 2^53"),
-        (&["--seed", "1.5"], "expected a whole number from 0 to 2^53"),
+        (&["--seed", "-1"], "expected an integer from 0 to 2^53"),
+        (&["--seed", "1.5"], "expected an integer from 0 to 2^53"),
         (&["--threads", "0"], "expected a whole number from 1 to 4096"),
         (&["--threads", "many"], "expected a whole number from 1 to 4096"),
-        (&["--effects", "occlusion"], "`occlusion` has no value: expected effects with values, for example"),
+        (&["--effects", "occlusion"], "`occlusion` has no value: expected effect=value, for example"),
         (
             &["--effects", "shade=on"],
             "unknown key `shade` in a list of effects: expected `direct`, `occlusion`",
         ),
         (&["--effects", "occlusion=2"], "the effect `occlusion` has no orders: expected \"on\" or \"off\""),
-        (&["--effects", "mirror=on,mirror=off"], "the effect `mirror` is named twice"),
+        (&["--effects", "mirror=on,mirror=off"], "the effect `mirror` is given twice"),
     ];
     for (options, message) in cases {
         let run = forms(&folder, &[&["simulate", "room.toml"], options].concat());
@@ -116,7 +116,7 @@ fn wrong_values_are_named_with_what_to_write() {
     let run = forms(&folder, &["simulate", "hall.toml", "--effects", "mirror=on,occlusion=off"]);
     assert_eq!((run.status, run.output.as_str()), (2, ""));
     assert!(
-        run.errors.starts_with("error: --effects:1:21: light that is followed along paths"),
+        run.errors.starts_with("error: --effects:1:21: path tracing cannot ignore occlusion"),
         "{}",
         run.errors
     );
@@ -137,8 +137,8 @@ fn checkpoints_and_shares_are_of_the_values_that_were_given() {
     assert_eq!(simulate(&kept).status, 0);
     assert!(simulate(&kept).errors.contains("the work goes on from `state`"));
     let cases: [(&[&str], &str); 3] = [
-        (&["--seed", "9"], "it is of the tolerance 0.1, not of 0.01"),
-        (&["--tolerance", "0.1"], "it is of the seed 9, not of 1"),
+        (&["--seed", "9"], "it was computed with tolerance 0.1, not 0.01"),
+        (&["--tolerance", "0.1"], "it was computed with seed 9, not 1"),
         (&["--tolerance", "0.1", "--seed", "9", "--effects", "interreflection=1"], "with other effects"),
     ];
     for (options, message) in cases {
@@ -159,7 +159,7 @@ fn checkpoints_and_shares_are_of_the_values_that_were_given() {
     assert_eq!(simulate(&["--seed", "9", "--tolerance", "0.1", "--shard", "2/2", "--out", "c"]).status, 0);
     let run = forms(&folder, &["merge", "a", "c"]);
     assert!(
-        run.status == 2 && run.errors.contains("does not go with `a`: it is of the same scene"),
+        run.status == 2 && run.errors.contains("does not go with `a`: it belongs to the same scene"),
         "{}",
         run.errors
     );

@@ -103,7 +103,7 @@ mod linux {
             assert_eq!(run.status, 2, "{arguments:?}: {}", run.errors);
             assert!(run.errors.contains(reason), "{arguments:?}: {}", run.errors);
         };
-        let not_a_file = "it is a device, pipe or socket, and no file";
+        let not_a_file = "it is a device, pipe or socket, not a regular file";
         symlink("/dev/zero", &mesh).expect("a link");
         refused(&["view-factors", "scene.toml"], not_a_file);
         std::fs::remove_file(&mesh).expect("removed");

@@ -100,11 +100,11 @@ fn a_part_that_is_missing_damaged_of_other_work_or_repeated_is_named() {
         (&["counted"], &["share 1/2 is missing", "--shard 1/2 --samples 64 --out PART"]),
         (&["a", "damaged"], &["the part `damaged` is damaged", "share 2/2 is missing"]),
         (&["a", "cut"], &["the part `cut` is damaged"]),
-        (&["a", "hall.toml"], &["the part `hall.toml` was not written by this program"]),
-        (&["a", "checkpoint"], &["the part `checkpoint` was not written by this program"]),
+        (&["a", "hall.toml"], &["the part `hall.toml` was written by another program"]),
+        (&["a", "checkpoint"], &["the part `checkpoint` was written by another program"]),
         (&["a", "nowhere"], &["the part `nowhere` cannot be read"]),
         (&["a", "of three"], &["the part `of three` does not go with `a`", "it is share 2/3"]),
-        (&["a", "counted"], &["the part `counted` does not go with `a`", "64 samples of each"]),
+        (&["a", "counted"], &["the part `counted` does not go with `a`", "64 samples per value"]),
         (&["a", "other"], &["the part `other` does not go with `a`", "another scene"]),
     ];
     for (parts, messages) in cases {
@@ -166,10 +166,10 @@ fn the_call_is_checked_before_the_work() {
         (&["hall.toml", "--shard", "1/2"], "--out"),
         (
             &["hall.toml", "--shard", "3/2", "--out", "a"],
-            "`3/2` is no share: expected i/n with i from 1 to n",
+            "`3/2` is not a shard: expected i/n with i from 1 to n",
         ),
-        (&["hall.toml", "--shard", "0/0", "--out", "a"], "`0/0` is no share"),
-        (&["hall.toml", "--samples", "0"], "0 samples cannot be had"),
+        (&["hall.toml", "--shard", "0/0", "--out", "a"], "`0/0` is not a shard"),
+        (&["hall.toml", "--samples", "0"], "0 is not a valid number of samples"),
         (&["hall.toml", "--isa", "abacus"], "this processor has baseline"),
         (&["hall.toml", "--shard", "1/2", "--out", "no/where"], "the part `no/where` cannot be written"),
         (&["lamp.toml", "--samples", "64"], "has no samples that --samples could count"),

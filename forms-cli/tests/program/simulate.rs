@@ -319,9 +319,5 @@ fn a_time_that_is_none_and_light_that_is_not_steady_have_no_exposure() {
     }
     let run = forms(&folder, &["simulate", "timed.toml", "--exposure", "1"]);
     assert_eq!((run.status, run.output.as_str()), (2, ""));
-    assert!(
-        run.errors.contains("timed.toml:20:8: the receiver `here` is resolved in time"),
-        "{}",
-        run.errors
-    );
+    assert!(run.errors.contains("timed.toml:20:8: the receiver `here` is time-resolved"), "{}", run.errors);
 }

@@ -58,7 +58,7 @@ pub(crate) fn svg(rows: &[Row]) -> String {
 
 /// Returns the background, the title and the legend.
 fn opening(height: f64) -> String {
-    let title = "Time of a value";
+    let title = "Time per value";
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" \
          role=\"img\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" font-size=\"12.5\">\n<title>{title}</title>\n\

@@ -28,7 +28,8 @@ pub(crate) fn told(simulations: &[Simulation], known: f64) -> String {
     let means: Vec<String> =
         means.map(|answer| format!("{:.1}", deviations(answer.value, answer.error, known))).collect();
     format!(
-        "{far} of {} pixels beyond {FAR} σ, the farthest at {most:.1}, the brightest {brightest:.2} times what is right; means are off by {} σ",
+        "{far} of {} pixels beyond {FAR} σ, largest deviation {most:.1} σ, \
+         brightest pixel {brightest:.2} times the true value; means deviate by {} σ",
         all.len(),
         means.join(", "),
     )

@@ -23,9 +23,9 @@ pub(crate) fn markdown(
 
 const HEADS: [&str; 9] = [
     "work",
-    "error asked for",
+    "target error",
     "Forms",
-    "its error",
+    "Forms error",
     "Mitsuba, default",
     "Mitsuba / Forms",
     "Mitsuba, best",

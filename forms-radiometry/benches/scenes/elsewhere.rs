@@ -28,7 +28,10 @@ pub(crate) fn run_all(bench: &str, scripts: &[Script], folder: &Path) -> io::Res
     for (script, modules) in scripts {
         let missing: Vec<&str> = modules.iter().copied().filter(|module| !is_installed(module)).collect();
         if !missing.is_empty() {
-            println!("{script} is left out: `pip install {}` installs what it needs", missing.join(" "));
+            println!(
+                "{script} is skipped: install its missing modules with `pip install {}`",
+                missing.join(" ")
+            );
             continue;
         }
         lines.extend(run(&of_scripts.join(script), folder)?);
@@ -54,7 +57,7 @@ fn run(script: &Path, folder: &Path) -> io::Result<Vec<Line>> {
     }
     let status = running.wait()?;
     if !status.success() {
-        println!("{} ended with {status}: what it had not printed by then is left out", script.display());
+        println!("{} failed with {status}: its remaining results are missing", script.display());
     }
     Ok(lines)
 }

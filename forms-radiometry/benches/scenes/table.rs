@@ -17,10 +17,10 @@ pub(crate) fn markdown(maps: &[work::Measured], factors: &squares::Measured, oth
 
 const HEADS: [&str; 11] = [
     "work",
-    "error asked for",
+    "target error",
     "Forms",
-    "its error",
-    "its tolerance",
+    "Forms error",
+    "Forms tolerance",
     "numpy",
     "numpy / Forms",
     "Mitsuba, default sampler",
@@ -80,8 +80,10 @@ fn of_remarks(maps: &[work::Measured], others: &[Line]) -> String {
 }
 
 fn of_factors(factors: &squares::Measured, others: &[Line]) -> String {
-    let mut text = "| view factor of unit squares | Forms | its error | pyviewfactor | its error |\n|---|---|---|---|---|\n"
-        .to_string();
+    let mut text =
+        "| view factor of unit squares | Forms | Forms error | pyviewfactor | pyviewfactor error |\n\
+         |---|---|---|---|---|\n"
+            .to_string();
     for (number, (title, error)) in factors.errors.iter().enumerate() {
         let other =
             others.iter().find(|line| line.program.starts_with("pyviewfactor") && line.work == *title);

@@ -96,10 +96,12 @@ fn main() -> Result<ExitCode, Problem> {
     let medians = [of(&gallery), of(&reference)];
     let mut all: Vec<Bounded> = gallery.into_iter().chain(reference).collect();
     all.sort_by(|one, other| one.ratio().total_cmp(&other.ratio()));
-    let mut table = "| answer | found | off by | said | said over true |\n|---|---|---|---|---|\n".to_owned();
+    let mut table = "| answer | computed | true error | reported error | reported / true error |\n\
+                     |---|---|---|---|---|\n"
+        .to_owned();
     table.extend(all.iter().map(Bounded::row));
     table += &format!(
-        "\nThe median of what is said over what is true is {:.1}: {:.1} over the gallery, {:.1} over the reference.\n",
+        "\nMedian of reported / true error: {:.1}; gallery {:.1}, reference {:.1}.\n",
         of(&all),
         medians[0],
         medians[1]

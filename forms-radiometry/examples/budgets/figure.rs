@@ -87,7 +87,7 @@ impl Axes {
             [(left + right) / 2.0, bottom + 38.0],
             "middle",
             "ink",
-            "time of plan and answers, as the tolerance falls",
+            "time of plan and answers, for decreasing tolerance",
         );
     }
 }
@@ -136,12 +136,12 @@ fn errors(svg: &mut String, measured: &Measured) {
     let said: Vec<_> = rungs.iter().map(|rung| axes.place(rung.seconds, rung.said)).collect();
     let off = || rungs.iter().filter_map(|rung| rung.off.map(|off| axes.place(rung.seconds, off)));
     let (below, within): (Vec<_>, Vec<_>) = off().partition(|place| place[1] > bottom);
-    let what = if last.is_sampled { "said, mostly of samples" } else { "said" };
+    let what = if last.is_sampled { "reported error, mostly sampling" } else { "reported error" };
     legend(svg, left, 0, what);
     line(svg, [0, 0], &said);
     if off().next().is_some() {
         let hollow = if below.is_empty() { "" } else { " (hollow: below)" };
-        legend(svg, (left + right) / 2.0, 1, &format!("true, where known{hollow}"));
+        legend(svg, (left + right) / 2.0, 1, &format!("true error, where known{hollow}"));
         line(svg, [1, 1], &within);
         below.iter().for_each(|&[x, _]| line(svg, [1, 2], &[[x, bottom]]));
     }
@@ -209,7 +209,7 @@ fn costs(svg: &mut String, costs: &Costs, plan: &Plan) -> f64 {
 /// Returns lines with the operations of each kernel that runs, next to its operations with every
 /// effect.
 fn operations(plan: &Plan) -> Vec<String> {
-    let mut lines = vec!["operations of a value:".to_owned()];
+    let mut lines = vec!["operations per value:".to_owned()];
     for (number, kernel) in plan.kernels.iter().enumerate() {
         let of_all = if kernel.without.is_empty() {
             String::new()

@@ -171,13 +171,13 @@ fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
             (parts.quadrature, "finer quadrature"),
             (parts.orders, "more orders"),
             (parts.sampling, "more samples"),
-            (parts.effects, "fewer effects dropped"),
+            (parts.effects, "fewer omitted effects"),
         ];
         let largest = more.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
         let what = largest.map_or("", |(_, what)| what);
         let mut alone = with_tolerance(scene, tolerance);
         alone.receivers.retain(|receiver| receiver.name == worst.receiver);
-        run(format!("{what}, of it alone to {tolerance:.1e}"), &alone)?;
+        run(format!("{what}, this receiver alone with tolerance {tolerance:.1e}"), &alone)?;
     }
     Ok(tried)
 }

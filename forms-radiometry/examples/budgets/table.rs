@@ -4,7 +4,9 @@ use super::gallery::Problem;
 use super::measured::Measured;
 use forms_radiometry::simulation::{ErrorKind, ErrorParts};
 
-pub(crate) const HEAD: &str = "| scene | worst answer | value | error | rounding | quadrature | truncated orders | dropped effects | sampling | time | the cheapest half |\n\
+pub(crate) const HEAD: &str = "| scene | worst answer | value | error | rounding | quadrature | \
+                               truncated orders | omitted effects | sampling | \
+                               time | cheapest way to halve the error |\n\
                                |---|---|---|---|---|---|---|---|---|---|---|\n";
 
 /// Returns the row of a scene.
@@ -41,9 +43,9 @@ fn half(measured: &Measured, parts: &ErrorParts) -> String {
     match tried {
         Some(tried) => {
             let left = tried.error / measured.planned.error();
-            format!("none: {} leaves {left:.2} of it, in {:.2e} s", tried.what, tried.seconds)
+            format!("none: {} leaves {left:.2} of the error, in {:.2e} s", tried.what, tried.seconds)
         }
-        None if parts.rounding > 0.0 => "none: it is rounding".to_owned(),
+        None if parts.rounding > 0.0 => "none: the error is rounding".to_owned(),
         None => "none".to_owned(),
     }
 }

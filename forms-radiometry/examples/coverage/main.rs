@@ -25,7 +25,9 @@ fn main() -> ExitCode {
     let numbers: Vec<f64> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
     let seeds = numbers.first().map_or(SEEDS, |&seeds| seeds as u64);
     let tolerances = if numbers.len() > 1 { &numbers[1..] } else { &TOLERANCES };
-    println!("| scene | tolerance | answers | within 1 σ | within 2 σ | farthest, σ | exact | ms a run |");
+    println!(
+        "| scene | tolerance | answers | within 1 σ | within 2 σ | largest deviation, σ | exact | ms per run |"
+    );
     println!("|---|---|---|---|---|---|---|---|");
     let mut pooled = Coverage::default();
     let part = std::env::args().skip(1).find(|word| word.parse::<f64>().is_err()).unwrap_or_default();

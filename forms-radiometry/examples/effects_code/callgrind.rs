@@ -51,7 +51,7 @@ pub(crate) fn counted(program: &Path, arguments: &[&str], variables: &[(&str, &s
         .stdout(Stdio::null())
         .status()?;
     if !status.success() {
-        return Err(Error::other(format!("valgrind ends with {status}")));
+        return Err(Error::other(format!("valgrind failed: {status}")));
     }
     let text = std::fs::read_to_string(&file)?;
     std::fs::remove_file(&file)?;

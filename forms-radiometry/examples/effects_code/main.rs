@@ -31,7 +31,8 @@ const COUNTED: &str = "--counted";
 /// of cells of a map along each side. Under Valgrind everything takes fifty times as long.
 const TOLERANCE: f64 = 0.3;
 const CELLS: usize = 8;
-const HEAD: &str = "| scene | effect | by the plan | instructions, as planned | instructions, all on |\n|---|---|---|---|---|\n";
+const HEAD: &str =
+    "| scene | effect | plan | instructions, as planned | instructions, all on |\n|---|---|---|---|---|\n";
 
 fn main() -> Result<(), Problem> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -78,7 +79,7 @@ fn run(file: &Path, on: &str) -> Result<(), Problem> {
         Plan { effects: Effect::ALL.into_iter().map(planned).collect(), kernels: Vec::new(), dropped: 0.0 };
     let found = simulate(&scene, &plan, &Unwatched);
     let are_numbers = found.answers.iter().all(|answer| answer.value.is_finite());
-    if are_numbers { Ok(()) } else { Err("an answer is no number".into()) }
+    if are_numbers { Ok(()) } else { Err("an answer is not finite".into()) }
 }
 
 fn coarse(file: &Path) -> Result<Scene, Problem> {
@@ -103,14 +104,14 @@ fn rows(file: &Path) -> Result<String, Problem> {
     let all: Vec<String> = Effect::ALL.iter().map(|(name, _)| format!("{name}=")).collect();
     let all = counted(file, &all.join(","))?;
     if !parts::has_lines(&all) {
-        return Err("this program does not tell its lines: build it with --profile counted".into());
+        return Err("this program has no line information: build it with --profile counted".into());
     }
     let mut rows = String::new();
     for effect in parts::effects(is_by_paths) {
         let counts = [&planned, &all].map(|counts| parts::of_effect(counts, effect));
         if !is_on(effect) && counts[0] > 0 {
             return Err(
-                format!("{name}: {} is off, and takes {} instructions", effect.name(), counts[0]).into()
+                format!("{name}: {} is off but executes {} instructions", effect.name(), counts[0]).into()
             );
         }
         let state = if is_on(effect) { "on" } else { "off" };
@@ -122,7 +123,7 @@ fn rows(file: &Path) -> Result<String, Problem> {
         writeln!(rows, "| {name} | along rays | | {rays} | {rays_all} |")?;
     }
     let [solver, solver_all] = [&planned, &all].map(|counts| grouped(parts::of_solver(counts)));
-    writeln!(rows, "| {name} | the whole solver | | {solver} | {solver_all} |")?;
+    writeln!(rows, "| {name} | whole solver | | {solver} | {solver_all} |")?;
     let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();
     let files: Vec<&str> = names.iter().filter_map(|name| parts::file_of(name)).collect();
     let unlisted = parts::kernels(&planned).into_iter().find(|name| !names.contains(&name.as_str()));
@@ -130,7 +131,7 @@ fn rows(file: &Path) -> Result<String, Problem> {
         .or(parts::kernel_files(&planned).into_iter().find(|file| !files.contains(file)).map(str::to_owned));
     match unlisted {
         Some(kernel) => {
-            Err(format!("{name}: `{kernel}` runs and is not in the plan’s list of kernels").into())
+            Err(format!("{name}: `{kernel}` runs but is not in the plan’s list of kernels").into())
         }
         None => Ok(rows),
     }
@@ -154,6 +155,6 @@ fn words<'p>(on: impl Iterator<Item = &'p PlannedEffect>) -> String {
 
 /// Counts the instructions that this program executes for a scene with these effects.
 fn counted(file: &Path, on: &str) -> Result<Counts, Problem> {
-    let file = file.to_str().ok_or("a path that is no text")?;
+    let file = file.to_str().ok_or("the path is not valid UTF-8")?;
     Ok(callgrind::counted(&std::env::current_exe()?, &[COUNTED, file, on], &[])?)
 }

@@ -42,7 +42,7 @@ pub(crate) fn elsewhere(kind: &str, count: usize, threads: usize) -> io::Result<
     command.args([ONE, kind, &count.to_string()]).env("RAYON_NUM_THREADS", threads.to_string());
     let output = command.stderr(std::process::Stdio::inherit()).output()?;
     let text = String::from_utf8_lossy(&output.stdout);
-    let unreadable = || io::Error::other(format!("no figures for {count} of {kind}: {text}"));
+    let unreadable = || io::Error::other(format!("no measurements of `{kind}` of size {count}: {text}"));
     text.lines().last().and_then(Measured::of_line).ok_or_else(unreadable)
 }
 

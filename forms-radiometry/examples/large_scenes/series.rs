@@ -116,7 +116,7 @@ impl Series {
     fn head(&self) -> String {
         let [kind, rule] = if self.has_kinds() { ["| scene ", "|---"] } else { ["", ""] };
         format!(
-            "{kind}| {} | threads | reading | plan | answers | memory | error, largest |\n\
+            "{kind}| {} | threads | reading | plan | answers | memory | largest error |\n\
              {rule}|---|---|---|---|---|---|---|\n",
             self.name
         )

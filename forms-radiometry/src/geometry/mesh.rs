@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(shown.len(), 4);
         assert_eq!(shown[0], "face 1: there is no vertex 9");
         assert!(shown[1].starts_with("face 3: the polygon is not planar: vertex "), "{}", shown[1]);
-        assert_eq!(shown[2], "face 4: a polygon needs three vertices or more, found 2");
-        assert_eq!(shown[3], "face 5: vertex 2 and the one after it coincide");
+        assert_eq!(shown[2], "face 4: a polygon needs at least three vertices, found 2");
+        assert_eq!(shown[3], "face 5: vertex 2 and the next vertex coincide");
     }
 }

@@ -57,13 +57,18 @@ pub enum PolygonError {
 impl fmt::Display for PolygonError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::TooFewVertices(count) => write!(f, "a polygon needs three vertices or more, found {count}"),
+            Self::TooFewVertices(count) => {
+                write!(f, "a polygon needs at least three vertices, found {count}")
+            }
             Self::OutOfRange => write!(f, "the polygon's coordinates are too large or too small"),
-            Self::RepeatedVertex(vertex) => write!(f, "vertex {vertex} and the one after it coincide"),
+            Self::RepeatedVertex(vertex) => write!(f, "vertex {vertex} and the next vertex coincide"),
             Self::NoArea => write!(f, "the polygon encloses no area"),
             Self::NotPlanar { vertex, distance, accepted } => {
-                write!(f, "the polygon is not planar: vertex {vertex} lies {distance:.3e} off its plane ")?;
-                write!(f, "(accepted: {accepted:.1e})")
+                write!(
+                    f,
+                    "the polygon is not planar: vertex {vertex} is {distance:.3e} away from its plane "
+                )?;
+                write!(f, "(tolerance: {accepted:.1e})")
             }
             Self::Crossing(a, b) => write!(f, "the edges from vertex {a} and from vertex {b} cross"),
         }

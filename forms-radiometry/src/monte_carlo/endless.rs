@@ -48,7 +48,8 @@ pub(crate) fn endless(
     (0..PATHS).into_par_iter().any(gets_out).then(|| {
         let medium = &scene.media[scene.ambient.medium.expect("a conservative medium is around the scene")];
         let message = format!(
-            "the medium `{}` has no end and absorbs nothing: light that gets out is scattered for ever",
+            "the medium `{}` is unbounded and absorbs nothing: light that escapes into it \
+             is scattered forever",
             medium.name
         );
         let expected =

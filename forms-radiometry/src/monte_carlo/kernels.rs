@@ -39,33 +39,37 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
         };
     }
     let table = [
-        row!(planes, cosine_hemisphere_sample, "directions from surfaces"),
+        row!(planes, cosine_hemisphere_sample, "cosine-weighted directions from surfaces and receivers"),
         row!(planes, cosine_hemisphere_pdf, "their density"),
-        row!(spheres || balls, uniform_sphere_sample, "directions to all sides, and points of spheres"),
+        row!(spheres || balls, uniform_sphere_sample, "uniform directions, and points on spheres"),
         row!(spheres, uniform_sphere_pdf, "their density"),
-        row!(triangles, spherical_triangle_sample, "directions to luminaires"),
+        row!(triangles, spherical_triangle_sample, "directions to flat emitters"),
         row!(triangles, spherical_triangle_pdf, "their density"),
-        row!(disks, uniform_disk_sample, "points of round luminaires"),
-        row!(balls, uniform_cone_sample, "directions to spheres that shine"),
+        row!(disks, uniform_disk_sample, "points on disk emitters"),
+        row!(balls, uniform_cone_sample, "directions to spherical emitters"),
         row!(balls, uniform_cone_pdf, "their density"),
-        row!(disks || balls, measure_solid_angle_to_area, "densities of points of round luminaires"),
-        row!(disks || balls, measure_area_to_solid_angle, "the same of directions that were found otherwise"),
+        row!(
+            disks || balls,
+            measure_solid_angle_to_area,
+            "densities of directions to disk and spherical emitters"
+        ),
+        row!(disks || balls, measure_area_to_solid_angle, "the same for directions of another technique"),
         row!(
             (computes && emits(is_flat)) || scatters_once,
             measure_area_to_solid_angle,
-            "light of flat luminaires, or of points on a ray"
+            "direct light of flat emitters, or of point lights on a ray"
         ),
-        row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points of flat surfaces"),
-        row!(absorption || scattering, transmittance, "what media leave of light"),
-        row!(samples && scattering, free_flight_sample, "where light is scattered"),
-        row!(samples && scattering, free_flight_pdf, "the density of that"),
-        row!(samples && scattering, equiangular_sample, "where light of a luminaire is scattered"),
-        row!(samples && scattering, equiangular_pdf, "the density of that"),
-        row!(scattering, henyey_greenstein, "how much is scattered into a direction"),
+        row!(surfaces || (triangles && scattering), uniform_triangle_sample, "points on flat surfaces"),
+        row!(absorption || scattering, transmittance, "transmittance of media"),
+        row!(samples && scattering, free_flight_sample, "free-flight distances"),
+        row!(samples && scattering, free_flight_pdf, "their density"),
+        row!(samples && scattering, equiangular_sample, "equiangular distances about an emitter"),
+        row!(samples && scattering, equiangular_pdf, "their density"),
+        row!(scattering, henyey_greenstein, "phase function"),
         row!(samples && scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
-        row!(refraction, fresnel_dielectric, "what boundaries reflect"),
+        row!(refraction, fresnel_dielectric, "reflectance of boundaries"),
         row!(refraction, basic_radiance, "radiance in another index"),
-        row!(metals, fresnel_conductor, "what metals reflect"),
+        row!(metals, fresnel_conductor, "reflectance of metals"),
     ];
     table.into_iter().flatten().collect()
 }

@@ -44,10 +44,10 @@ pub(crate) fn trap(world: &World) -> Option<SceneError> {
     })?;
     let surface = &scene.surfaces[surface];
     let message = format!(
-        "light that meets the surface `{}` is caught there: it never leaves and nothing absorbs it",
+        "light that reaches the surface `{}` is trapped: it never leaves and nothing absorbs it",
         surface.name
     );
-    let expected = "a reflectance below 1, a medium that absorbs, or a way out";
+    let expected = "a reflectance below 1, an absorbing medium, or an opening";
     Some(SceneError::new(&surface.place, message, expected))
 }
 

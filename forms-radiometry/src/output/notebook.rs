@@ -13,13 +13,13 @@ impl Plan {
         let extent = |planned: &PlannedEffect| match (planned.on, planned.orders) {
             (false, _) => "off".to_owned(),
             (true, None) => "on".to_owned(),
-            (true, Some(orders)) => format!("on, order {orders} at most"),
+            (true, Some(orders)) => format!("on, up to order {orders}"),
         };
         let row = |planned: &PlannedEffect| {
             let bound = planned.bound.map_or_else(|| "unknown".to_owned(), rough);
             [planned.effect.name().to_owned(), extent(planned), bound, planned.why.clone()]
         };
-        Table::new(["effect", "simulated", "can change", "why"], self.effects.iter().map(row))
+        Table::new(["effect", "simulated", "bound on omitted part", "why"], self.effects.iter().map(row))
     }
 
     /// Displays the plan in a notebook cell.

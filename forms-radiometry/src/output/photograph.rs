@@ -37,6 +37,6 @@ pub fn photograph(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
     let pixels: Vec<u8> = from_above(map, &colours).into_iter().flatten().copied().flat_map(shown).collect();
     let (quantity, unit) = (map.quantity.name(), map.quantity.unit());
     let description =
-        format!("{quantity} that {} sees, in {unit}, as an eye adapted to the lamps", map.receiver);
+        format!("{quantity} seen by {} in {unit}, with colours adapted to the lamps", map.receiver);
     encoded(map.size, &pixels, description)
 }

@@ -70,7 +70,7 @@ pub fn viridis(share: f64) -> [u8; 3] {
 }
 
 fn description(map: &Map, greatest: f64) -> String {
-    let bands = if map.values.len() == 1 { "" } else { ", all bands together" };
+    let bands = if map.values.len() == 1 { "" } else { ", sum of all bands" };
     let (quantity, unit) = (map.quantity.name(), map.quantity.unit());
     let [greatest, _] = measured(greatest, SHOWN * greatest);
     format!("{quantity} of {}{bands}, from 0 (dark) to {greatest} {unit} (bright)", map.receiver)

@@ -121,9 +121,9 @@ pub(crate) fn kernels(
     let Computed { gathered, straight, views, spheres, reflections, whole, exchange, rays, triangles } =
         Computed::of(scene, faces, question, (hiding, is_precise));
     let [whole_spheres, whole_disks] = whole;
-    let all_light = gathered.map(|kinds| member(kinds, "what a receiver gathers"));
+    let all_light = gathered.map(|kinds| member(kinds, "light gathered by a receiver"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);
-    let direct_light = is_another.map(|kinds| member(kinds, "what comes straight to points of surfaces"));
+    let direct_light = is_another.map(|kinds| member(kinds, "direct light at points of surfaces"));
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
             ($is_used).then(|| UsedKernel::whole(stringify!($name), $name::OPERATIONS, $what))
@@ -132,19 +132,19 @@ pub(crate) fn kernels(
     let table = [
         all_light,
         direct_light,
-        row!(views, edge_form_factor, "what is seen of a face, edge by edge"),
-        row!(views && spheres, solid_angle_triangle, "what is seen of a face from all sides"),
-        row!(whole_spheres, form_factor_point_sphere, "what is seen of a whole sphere"),
-        row!(whole_spheres && spheres, solid_angle_sphere, "what is seen of a whole sphere from all sides"),
-        row!(whole_disks, form_factor_point_disk, "what is seen of a whole disk, along its axis"),
-        row!(whole_disks, form_factor_beside_disk, "what is seen of a whole disk, across its axis"),
-        row!(whole_disks && spheres, solid_angle_disk, "what is seen of a whole disk from all sides"),
-        row!(reflections || exchange, exchange_density, "light from point to point of two surfaces"),
+        row!(views, edge_form_factor, "form factor of the visible part of a face, edge by edge"),
+        row!(views && spheres, solid_angle_triangle, "solid angle of the visible part of a face"),
+        row!(whole_spheres, form_factor_point_sphere, "form factor of a whole sphere"),
+        row!(whole_spheres && spheres, solid_angle_sphere, "solid angle of a whole sphere"),
+        row!(whole_disks, form_factor_point_disk, "form factor of a whole disk, along its axis"),
+        row!(whole_disks, form_factor_beside_disk, "form factor of a whole disk, across its axis"),
+        row!(whole_disks && spheres, solid_angle_disk, "solid angle of a whole disk"),
+        row!(reflections || exchange, exchange_density, "light exchanged between points of two surfaces"),
         row!(exchange, edge_potential, "light from surface to surface, edge by edge"),
-        row!(exchange || rays, irradiance, "light of a luminaire by its form factor"),
+        row!(exchange || rays, irradiance, "irradiance from an emitter by its form factor"),
         row!(rays, cosine_hemisphere_sample, "rays from surfaces"),
-        row!(rays && spheres, uniform_sphere_sample, "rays into all directions"),
-        row!(triangles, uniform_triangle_sample, "points of triangles from which paths begin"),
+        row!(rays && spheres, uniform_sphere_sample, "rays in all directions"),
+        row!(triangles, uniform_triangle_sample, "starting points of paths on triangles"),
     ];
     table.into_iter().flatten().collect()
 }

@@ -110,7 +110,7 @@ impl<'a, 't> Element<'a, 't> {
         domain: &Domain,
         bands: Option<usize>,
     ) -> Option<Vec<f64>> {
-        let value = self.required(report, key, &format!("{}, or one a band", domain.expected))?;
+        let value = self.required(report, key, &format!("{}, or one per band", domain.expected))?;
         spectrum(report, value, &format!("`{key}`"), domain, bands)
     }
 
@@ -177,7 +177,7 @@ impl Indices {
             let mut known: Vec<&str> = self.indices.keys().map(String::as_str).collect();
             known.sort_unstable();
             let expected = match known[..] {
-                [] => format!("a {what} of the scene, which has none"),
+                [] => format!("the name of a {what} (the scene defines none)"),
                 _ => one_of(known.into_iter()),
             };
             report.error(place, format!("no {what} is named `{name}`"), expected);
@@ -209,8 +209,8 @@ impl Names {
     ) -> Option<String> {
         if let Some(&first) = self.given.get(name) {
             let line = report.line(first);
-            let message = format!("the {kind} `{name}` has the name of an earlier one, in line {line}");
-            report.error(place, message, "a name of its own");
+            let message = format!("the {kind} `{name}` is already defined in line {line}");
+            report.error(place, message, "a unique name");
             return None;
         }
         self.given.insert(name.to_owned(), place.start);

@@ -37,7 +37,7 @@ fn check(metadata: &std::fs::Metadata) -> io::Result<()> {
     if metadata.is_file() {
         Ok(())
     } else {
-        Err(io::Error::other("it is a device, pipe or socket, and no file"))
+        Err(io::Error::other("it is a device, pipe or socket, not a regular file"))
     }
 }
 

@@ -64,8 +64,8 @@ impl<'f> MeshFiles<'f> {
             Some("obj") => obj::read,
             Some("ply") => ply::read,
             _ => {
-                let message = format!("`{name}` is not known to be a mesh");
-                report.error(place, message, "a file whose name ends in .obj or .ply");
+                let message = format!("`{name}` is not a supported mesh file");
+                report.error(place, message, "a file with the extension .obj or .ply");
                 return None;
             }
         };
@@ -75,7 +75,7 @@ impl<'f> MeshFiles<'f> {
                 report.error(
                     place,
                     format!("there is no file `{name}`"),
-                    "a path from the folder of the scene",
+                    "a path relative to the folder of the scene file",
                 );
                 return None;
             }
@@ -119,7 +119,7 @@ impl Parts {
     /// Returns the mesh, if there were no faults so far and its faces are valid polygons.
     fn mesh(mut self, source: &Arc<Source>) -> Result<MeshFile, Vec<SceneError>> {
         if self.faults.is_empty() && self.faces.is_empty() {
-            let expected = "faces, each of three vertices or more";
+            let expected = "faces with at least three vertices each";
             self.fault(Fault::new(0..0, "the mesh has no faces", expected));
         }
         if self.faults.is_empty() {
@@ -153,7 +153,7 @@ fn expected(reason: &FaceError, vertices: usize) -> String {
     match reason {
         FaceError::NoVertex(_) => format!("one of the {vertices} vertices"),
         FaceError::Polygon(PolygonError::NotPlanar { .. }) => {
-            "a planar polygon, or the triangles it is made of".to_owned()
+            "a planar polygon, or triangles in its place".to_owned()
         }
         FaceError::Polygon(_) => "a simple planar polygon".to_owned(),
     }

@@ -122,7 +122,7 @@ impl<'a> Reader<'a, '_, '_> {
             let place = root.attribute_node("version").map_or(root.range(), |version| version.range_value());
             self.report.error(
                 place,
-                format!("the scene is of version `{version}`"),
+                format!("scene version `{version}` is not supported"),
                 "version=\"3.0.0\", or 3.x",
             );
         }
@@ -149,7 +149,7 @@ impl<'a> Reader<'a, '_, '_> {
             "integrator" => self.integrator(node),
             other => {
                 let expected = "`default`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
-                self.error(node, format!("`{other}` cannot be said of a scene"), expected);
+                self.error(node, format!("the element `{other}` is not supported in a scene"), expected);
             }
         }
     }
@@ -159,7 +159,7 @@ impl<'a> Reader<'a, '_, '_> {
             self.attributes(node, &["name", "value"]);
             let name = node.attribute("name").unwrap_or_default();
             if name.is_empty() || name.contains(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
-                self.error(node, "the default has no name", "name=\"…\" of letters, digits and _");
+                self.error(node, "this `default` has no valid `name`", "name=\"…\" of letters, digits and _");
                 continue;
             }
             let value = self.attribute(node, "value").map_or(String::new(), |(value, _)| value);

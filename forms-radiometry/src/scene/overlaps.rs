@@ -165,7 +165,7 @@ impl Pair {
             let [first, second] =
                 [self.surfaces[0].min(self.surfaces[1]), self.surfaces[0].max(self.surfaces[1])];
             let [earlier, later] = [first, second].map(|index| &scene.surfaces[index].name);
-            let message = format!("`{later}` lies upon `{earlier}`");
+            let message = format!("`{later}` overlaps `{earlier}` in one plane");
             return (second, message, "one surface between two media".to_owned());
         }
         let line = other.place.position().map_or(String::new(), |(_, line, _)| format!(" (line {line})"));
@@ -180,7 +180,7 @@ impl Pair {
         let can_lie =
             matches!((&own.shape, &other.shape), (Shape::Polygon(_) | Shape::Disk(_), Shape::Polygon(_)));
         let expected = if is_subsurface && can_lie {
-            format!("on = {:?}, with which `{}` replaces that part of `{}`", other.name, own.name, other.name)
+            format!("on = {:?}, so that `{}` replaces this part of `{}`", other.name, own.name, other.name)
         } else {
             "surfaces that do not overlap".to_owned()
         };

@@ -18,7 +18,7 @@ use toml::de::{DeTable, DeValue};
 /// The option that forces effects, as it appears in errors.
 const OPTION: &str = "--effects";
 /// An example value of that option.
-const EXAMPLE: &str = "effects with values, for example interreflection=2,occlusion=off";
+const EXAMPLE: &str = "effect=value, for example interreflection=2,occlusion=off";
 
 /// Settings that replace those of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -127,7 +127,7 @@ fn table<'t>(report: &mut Report, text: &'t str) -> DeTable<'t> {
         let name = Cow::Borrowed(name.trim());
         let value: Value = Spanned::new(middle + 1..range.end, of_word(value.trim()));
         if table.contains_key(name.as_ref()) {
-            report.error(range, format!("the effect `{name}` is named twice"), "each effect once");
+            report.error(range, format!("the effect `{name}` is given twice"), "each effect once");
         } else {
             table.insert(Spanned::new(range.start..middle, name), value);
         }
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn wrong_values_are_named_with_what_was_expected() {
         let cases = [
-            ("occlusion", "`occlusion` has no value: expected effects with values, for example"),
+            ("occlusion", "`occlusion` has no value: expected effect=value, for example"),
             ("", "`` has no value"),
             ("occlusion=maybe", "the effect `occlusion` cannot be `maybe`: expected \"on\" or \"off\""),
             ("occlusion=2", "the effect `occlusion` has no orders: expected \"on\" or \"off\""),
@@ -197,7 +197,7 @@ mod tests {
             ),
             ("interreflection=0.5", "the effect `interreflection` is out of range"),
             ("shade=on", "unknown key `shade` in a list of effects: expected `direct`, `occlusion`"),
-            ("direct=on,direct=off", "the effect `direct` is named twice: expected each effect once"),
+            ("direct=on,direct=off", "the effect `direct` is given twice: expected each effect once"),
         ];
         for (text, message) in cases {
             let found = text.parse::<EffectList>().expect_err(text);
@@ -207,7 +207,7 @@ mod tests {
             assert_eq!(Overrides::tolerance(text), Err("expected a number above 0 and below 1".to_owned()));
         }
         for text in ["-1", "0.5", "1e16", "9007199254740994", "one", ""] {
-            let expected = Err("expected a whole number from 0 to 2^53".to_owned());
+            let expected = Err("expected an integer from 0 to 2^53".to_owned());
             assert_eq!(Overrides::seed(text), expected, "{text}");
         }
         assert_eq!(

@@ -40,14 +40,14 @@ pub(super) fn text_of(path: &Path) -> Result<String, Vec<SceneError>> {
     String::from_utf8(bytes).map_err(|error| {
         let line =
             error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count();
-        whole(format!("the file is not text in UTF-8, from line {} on", line + 1))
+        whole(format!("the file is not valid UTF-8 from line {} on", line + 1))
     })
 }
 
 /// Parses a scene that names no files. `file_name` appears in the errors; nothing is opened.
 pub fn read(text: &str, file_name: &str) -> Result<Scene, Vec<SceneError>> {
     read_with_files(text, file_name, &|_| {
-        Err(io::Error::other("a scene that is read from a text has no folder"))
+        Err(io::Error::other("a scene that is read from text cannot refer to files"))
     })
 }
 
@@ -194,7 +194,7 @@ fn unit(report: &mut Report, value: &Value) -> Option<LengthUnit> {
 fn bands(report: &mut Report, value: &Value) -> Option<Vec<Band>> {
     const EXPECTED: &str = "a list of bands [low, high] in nm";
     let Some(list) = value.get_ref().as_array().filter(|list| !list.is_empty()) else {
-        report.error(value.span(), "`bands` is not a list of bands", EXPECTED);
+        report.error(value.span(), "`bands` is not a non-empty list", EXPECTED);
         return None;
     };
     let bands: Vec<Option<Band>> = list.iter().map(|value| band(report, value)).collect();

@@ -8,7 +8,7 @@ use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels};
 use crate::camera::Camera;
 
 const BINS: Domain = Domain {
-    expected: "a whole number from 1 to 1000000",
+    expected: "an integer from 1 to 1000000",
     contains: |x| x.fract() == 0.0 && (1.0..=1e6).contains(&x),
 };
 
@@ -89,8 +89,9 @@ fn camera(report: &mut Report, element: &Element) -> Option<Camera> {
     let camera = Camera::new(origin?, target?, up?, fov?, resolution?);
     if camera.is_none() {
         let place = element.optional("up").map_or(element.place.clone(), |value| value.span());
-        let expected = "a target apart from the origin, and an `up` across the line of sight";
-        report.error(place, "the camera has no direction or no upright", expected);
+        let expected =
+            "a target other than the origin, and an `up` that is not parallel to the viewing direction";
+        report.error(place, "the orientation of the camera is undefined", expected);
     }
     camera
 }

@@ -113,7 +113,7 @@ fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]
         let [first, second] = [&scene.surfaces[a.min(b)], &scene.surfaces[a.max(b)]];
         let concerns_media = inside(scene, first).is_some() || inside(scene, second).is_some();
         if concerns_media && !std::mem::replace(&mut told[a.max(b)], true) {
-            let message = format!("`{}` lies upon `{}`", second.name, first.name);
+            let message = format!("`{}` overlaps `{}` in one plane", second.name, first.name);
             report.error_at(&second.place, message, "one surface between two media");
         }
     }
@@ -129,7 +129,7 @@ fn open_boundaries(
     regions: &mut Regions,
 ) -> bool {
     const EXPECTED: &str =
-        "surfaces that meet edge to edge around the medium, split where another one ends on them";
+        "a closed boundary: surfaces that meet edge to edge, split where another surface ends on them";
     let scene = working.scene.as_ref();
     let (mut of_surfaces, mut of_regions) = (HashMap::new(), HashMap::new());
     for edge in edges.iter().filter(|edge| edge.is_free()) {
@@ -155,7 +155,7 @@ fn open_boundaries(
             format!(": the edge of `{of}` from {a} to {b} meets no other surface")
         });
         let medium = &scene.media[medium].name;
-        let message = format!("`{medium}` is entered through `{}` and never left{gap}", surface.name);
+        let message = format!("the boundary of `{medium}` at `{}` is not closed{gap}", surface.name);
         report.error_at(&surface.place, message, EXPECTED);
     }
     told.contains(&true)
@@ -164,7 +164,8 @@ fn open_boundaries(
 /// Fills every region, and reports regions with two media and boundaries between a medium and
 /// itself. A region without boundaries of media is filled by the ambient medium.
 fn fill(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) -> Vec<Front> {
-    const EXPECTED: &str = "faces that run counter-clockwise seen from outside of the medium behind them";
+    const EXPECTED: &str =
+        "faces whose vertices are counter-clockwise seen from outside the medium behind them";
     let mut fillings: HashMap<usize, (Filling, String)> = HashMap::new();
     fillings.insert(regions.of(Side::Outside), (scene.ambient.medium, "around the scene".to_owned()));
     let boundaries = || {
@@ -180,7 +181,7 @@ fn fill(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regi
         let (filling, from) = fillings.entry(regions.of(Side::Back(index))).or_insert(own);
         if *filling != Some(medium) && !std::mem::replace(&mut told[surface], true) {
             let (own, other) = (named(scene, Some(medium)), named(scene, *filling));
-            let message = format!("{own} behind `{name}` would fill the same space as {other} {from}");
+            let message = format!("{own} behind `{name}` fills the same region as {other} {from}");
             report.error_at(&scene.surfaces[surface].place, message, EXPECTED);
         }
     }

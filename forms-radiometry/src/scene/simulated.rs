@@ -79,7 +79,7 @@ struct Refusals {
 
 impl Refusals {
     fn refuse(&mut self, place: &Place, what: &str, simulated: &str) {
-        let message = format!("{what} is not simulated yet");
+        let message = format!("{what} is not supported");
         self.errors.push((place.start(), SceneError::new(place, message, simulated)));
     }
 
@@ -122,7 +122,7 @@ impl Refusals {
             self.refuse(&light.place, kind, "a surface with a radiance");
         }
         if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
-            self.refuse(&scene.ambient.place, "light from outside", "radiance = 0");
+            self.refuse(&scene.ambient.place, "ambient radiance", "radiance = 0");
         }
     }
 
@@ -148,8 +148,8 @@ impl Refusals {
         if let Some(time) = receiver.time.as_ref().filter(|_| is_raster) {
             self.refuse(
                 &time.place,
-                "the time that light takes to each pixel",
-                "a receiver without `time`, or no pixels",
+                "the time resolution of pixels and map cells",
+                "a receiver without `time`, or one without pixels or `grid`",
             );
         }
     }
@@ -176,20 +176,16 @@ impl Refusals {
             let is_curved = matches!(surface.shape, Shape::Sphere(_));
             if is_curved && mirrors {
                 let what = format!(
-                    "light of a point or from far away that the curved surface `{}` turns",
+                    "light from point or distant lights that the curved surface `{}` reflects or refracts",
                     surface.name
                 );
-                self.refuse(
-                    &surface.place,
-                    &what,
-                    "flat surfaces, or lights with an extent: surfaces with a radiance",
-                );
+                self.refuse(&surface.place, &what, "flat surfaces, or area lights: surfaces with a radiance");
             } else if bends && has_point {
-                let what = format!("light of a point that is bent at `{}`", surface.name);
+                let what = format!("light from point lights that is refracted at `{}`", surface.name);
                 self.refuse(
                     &surface.place,
                     &what,
-                    "a distant light, or one with an extent: a surface with a radiance",
+                    "a distant light, or an area light: a surface with a radiance",
                 );
             }
         }

@@ -9,11 +9,11 @@ use toml::de::{DeTable, DeValue};
 pub(super) const TOLERANCE: Domain =
     Domain { expected: "a number above 0 and below 1", contains: |x| x > 0.0 && x < 1.0 };
 pub(super) const SEED: Domain = Domain {
-    expected: "a whole number from 0 to 2^53",
+    expected: "an integer from 0 to 2^53",
     contains: |x| x.fract() == 0.0 && (0.0..=LARGEST_WHOLE).contains(&x),
 };
 const ORDERS: Domain = Domain {
-    expected: "\"on\", \"off\", or a whole number of orders",
+    expected: "\"on\", \"off\", or an integer number of orders",
     contains: |x| x.fract() == 0.0 && (0.0..=1e9).contains(&x),
 };
 

@@ -98,7 +98,7 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
             Ok(shape) => shapes.push((base, shape.scaled(working.factor.recip()))),
             Err(message) => {
                 let message = format!("{message} of `{}`", scene.surfaces[base].name);
-                report.error(openings[0].place.clone(), message, "surfaces that leave a part of it");
+                report.error(openings[0].place.clone(), message, "surfaces that do not cover it completely");
             }
         }
     }
@@ -127,7 +127,7 @@ impl Opening {
         let plane = &bases[0];
         if let Some(height) = shapes.iter().filter_map(|shape| off_plane(shape, plane)).reduce(f64::max) {
             let height = height / factor;
-            let message = format!("`{}` lies {height:.1e} off the plane of `{}`", own.name, base.name);
+            let message = format!("`{}` is {height:.1e} away from the plane of `{}`", own.name, base.name);
             return Err((message, format!("a surface in the plane of `{}`", base.name)));
         }
         if shapes.iter().any(|shape| shape.normal().dot(plane.normal()) < 0.0) {
@@ -145,9 +145,8 @@ impl Opening {
             (outside > resolution * shape.extent()).then(|| 100.0 * outside / shape.area())
         };
         if let Some(part) = shapes.iter().find_map(outside) {
-            let message =
-                format!("`{}` reaches beyond `{}`, by {part:.2} % of its area", own.name, base.name);
-            return Err((message, format!("a surface inside of `{}`", base.name)));
+            let message = format!("{part:.2} % of the area of `{}` lies outside `{}`", own.name, base.name);
+            return Err((message, format!("a surface inside `{}`", base.name)));
         }
         Ok(Self { shapes, resolution, place: subsurface.place.clone() })
     }

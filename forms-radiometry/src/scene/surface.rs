@@ -82,7 +82,7 @@ fn two_sided(report: &mut Report, element: &Element, known: &Known, material: Op
     let Some(value) = element.optional("two_sided") else { return Some(false) };
     let two_sided = boolean(report, value, "`two_sided`")?;
     if two_sided && material.is_some_and(|material| known.dielectrics.contains(&material)) {
-        let message = "a dielectric has a medium behind it, so its sides are not alike";
+        let message = "a dielectric cannot be two-sided: it has a medium behind it";
         report.error(value.span(), message, "two_sided = false");
         return None;
     }

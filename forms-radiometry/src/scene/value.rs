@@ -43,7 +43,7 @@ pub(super) const MEAN_COSINE: Domain =
 pub(super) const FIELD_OF_VIEW: Domain =
     Domain { expected: "an angle in degrees, above 0 and below 180", contains: |x| x > 0.0 && x < 180.0 };
 pub(super) const PIXELS: Domain = Domain {
-    expected: "a whole number of pixels from 1 to 8192",
+    expected: "an integer from 1 to 8192",
     contains: |x| x.fract() == 0.0 && (1.0..=MAXIMAL_RESOLUTION as f64).contains(&x),
 };
 
@@ -52,17 +52,13 @@ pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
 fn wrong_kind(report: &mut Report, value: &Value, what: &str, expected: &str) {
     let found = value.get_ref().type_str();
-    report.error(
-        value.span(),
-        format!("{what} is of the wrong kind: found a value of type {found}"),
-        expected,
-    );
+    report.error(value.span(), format!("{what} has the wrong type: found {found}"), expected);
 }
 
 pub(super) fn text<'a>(report: &mut Report, value: &'a Value, what: &str) -> Option<&'a str> {
     let found = value.get_ref().as_str();
     if found.is_none() {
-        wrong_kind(report, value, what, "a text in quotes");
+        wrong_kind(report, value, what, "a string");
     }
     found
 }
@@ -175,7 +171,7 @@ pub(super) fn spectrum(
     };
     if bands.is_some_and(|bands| bands != array.len()) {
         let expected = match bands {
-            Some(bands) if bands > 1 => format!("one number, or {bands} (one a band)"),
+            Some(bands) if bands > 1 => format!("one number, or {bands} (one per band)"),
             _ => "one number".to_owned(),
         };
         report.error(value.span(), format!("{what} has {}", values(array.len())), expected);

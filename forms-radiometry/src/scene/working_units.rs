@@ -143,8 +143,10 @@ impl Scene {
         let Lengths { largest, least, least_surface } = Lengths::of(self);
         let widest = self.surfaces.get(least_surface).filter(|_| least < largest / WIDEST).map(|surface| {
             let name = &surface.name;
-            let message =
-                format!("a part of `{name}` is {least:.0e} across beside coordinates of {largest:.0e}");
+            let message = format!(
+                "the smallest extent of `{name}`, {least:.0e}, is too small compared with coordinates \
+                 of {largest:.0e}"
+            );
             let expected = format!("lengths in one scene that differ by no more than a factor of {WIDEST:e}");
             (&surface.place, message, expected)
         });
@@ -156,10 +158,11 @@ impl Scene {
                 Shape::Polygon(_) | Shape::Mesh(_) => return None,
             };
             let message = format!(
-                "the radius {radius:e} of `{}` is lost beside coordinates of {center:.0e}",
+                "the radius {radius:e} of `{}` is lost to rounding at coordinates of {center:.0e}",
                 surface.name
             );
-            let expected = format!("a radius of {LEAST_RADIUS:e} of the coordinates of the centre, or more");
+            let expected =
+                format!("a radius of at least {LEAST_RADIUS:e} times the coordinates of the centre");
             (radius < LEAST_RADIUS * center).then_some((&surface.place, message, expected))
         });
         widest.into_iter().chain(lost).collect()

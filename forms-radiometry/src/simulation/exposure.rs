@@ -29,7 +29,7 @@ impl fmt::Display for NoTime {
         let [least, most] = TIMES;
         write!(
             f,
-            "{:?} is no time of exposure: expected a number of seconds from {least:e} to {most:e}",
+            "{:?} is not an exposure time: expected a number of seconds from {least:e} to {most:e}",
             self.0
         )
     }
@@ -57,7 +57,8 @@ impl Exposure {
         let error = |receiver: &crate::scene::Receiver| {
             let time = receiver.time.as_ref()?;
             let message = format!(
-                "the receiver `{}` is resolved in time: what lights send then is a pulse, which has no exposure over {} s",
+                "the receiver `{}` is time-resolved: lights then emit a pulse, whose exposure \
+                 over {} s is undefined",
                 receiver.name, self.seconds
             );
             Some(SceneError::new(&time.place, message, "a receiver without `time`, or no exposure"))

@@ -59,9 +59,11 @@ pub enum NoState {
 impl fmt::Display for NoState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign => write!(f, "was not written by this program as such"),
-            Self::Damaged => write!(f, "is damaged: its check sum is not that of its content"),
-            Self::Version(version) => write!(f, "was written by version {version}, and this is {VERSION}"),
+            Self::Foreign => write!(f, "was written by another program or for another purpose"),
+            Self::Damaged => write!(f, "is damaged: its checksum does not match its content"),
+            Self::Version(version) => {
+                write!(f, "was written by version {version}; this program is version {VERSION}")
+            }
         }
     }
 }
@@ -97,34 +99,40 @@ impl Identity {
     /// one's.
     pub fn difference(&self, other: &Self) -> Option<String> {
         let samples = |budget: Option<Budget>| {
-            budget.map_or("as many samples as the tolerance asks for".to_owned(), |budget| {
-                format!("{} samples of each number, cell and pixel", budget.samples())
+            budget.map_or("the number of samples that the tolerance requires".to_owned(), |budget| {
+                format!("{} samples per value, cell and pixel", budget.samples())
             })
         };
         if self.scene != other.scene {
             return Some(
-                "it is of another scene, or the scene or a file that it names was changed".to_owned(),
+                "it belongs to another scene, or the scene or a file it refers to has changed".to_owned(),
             );
         }
         if self.tolerance != other.tolerance {
             let [found, wanted] = [other, self].map(|identity| f64::from_bits(identity.tolerance));
-            return Some(format!("it is of the tolerance {found:?}, not of {wanted:?}"));
+            return Some(format!("it was computed with tolerance {found:?}, not {wanted:?}"));
         }
         if self.seed != other.seed {
-            return Some(format!("it is of the seed {}, not of {}", other.seed, self.seed));
+            return Some(format!("it was computed with seed {}, not {}", other.seed, self.seed));
         }
         if self.plan != other.plan {
-            return Some("it is of the same scene with other effects".to_owned());
+            return Some("it belongs to the same scene with other effects".to_owned());
         }
         if self.budget != other.budget {
-            return Some(format!("it is of {}, not of {}", samples(other.budget), samples(self.budget)));
+            return Some(format!(
+                "it was computed with {}, not with {}",
+                samples(other.budget),
+                samples(self.budget)
+            ));
         }
         if self.arithmetic != other.arithmetic {
             let (found, here) = (&other.arithmetic, &self.arithmetic);
-            return Some(format!("it was computed with other instructions: {found}; not {here}"));
+            return Some(format!(
+                "it was computed with other instructions or math functions: {found}; not {here}"
+            ));
         }
         let (found, wanted) = (other.share, self.share);
-        (found != wanted).then(|| format!("it is of share {found}, not of {wanted}"))
+        (found != wanted).then(|| format!("it is shard {found}, not {wanted}"))
     }
 
     /// Returns the same identity for another shard.

@@ -32,7 +32,8 @@ impl fmt::Display for NoShare {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "`{}` is no share: expected i/n with i from 1 to n, or from 0 to n - 1, for example 2/7; n is at most {}",
+            "`{}` is not a shard: expected i/n with i from 1 to n, or from 0 to n - 1, \
+             for example 2/7; n is at most {}",
             self.0,
             u32::MAX
         )
@@ -107,7 +108,8 @@ impl fmt::Display for NoBudget {
         let most = Budget::most();
         write!(
             f,
-            "{} samples cannot be had: expected a multiple of {REPLICATES} from {REPLICATES} to {most}",
+            "{} is not a valid number of samples: expected a multiple of {REPLICATES} \
+             from {REPLICATES} to {most}",
             self.0
         )
     }

@@ -35,7 +35,7 @@ pub struct ErrorParts {
 impl ErrorParts {
     /// Names of the parts, in words.
     pub const NAMES: [&str; 5] =
-        ["rounding", "quadrature", "truncated orders", "dropped effects", "sampling"];
+        ["rounding", "quadrature", "truncated orders", "omitted effects", "sampling"];
 
     /// Returns the parts in the order of their names.
     pub fn all(&self) -> [f64; 5] {

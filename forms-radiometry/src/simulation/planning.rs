@@ -37,7 +37,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if let Some(surface) = survey.trap(scene) {
         let surface = &scene.surfaces[surface];
         let message =
-            format!("light that meets the surface `{}` never leaves and is never absorbed", surface.name);
+            format!("light that reaches the surface `{}` never leaves and is never absorbed", surface.name);
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
@@ -51,7 +51,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     let is_pervious =
         |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
     if let Some(forced) = scene.solve.forced.iter().find(is_pervious) {
-        let message = "light that is followed along paths cannot pass through surfaces";
+        let message = "path tracing cannot ignore occlusion";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
     let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
@@ -66,9 +66,8 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![endless]);
     }
     if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
-        let message = "flat surfaces have too many images of lights without extent";
-        let expected =
-            "fewer surfaces that mirror or bend light, or lights with an extent: surfaces with a radiance";
+        let message = "flat surfaces have too many image sources of point or distant lights";
+        let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
     let kernels = Effects::of(&effects).kernels_of_paths(&left);
@@ -138,14 +137,14 @@ impl Planning<'_> {
             Some(Force::On) => planned(true, None, format!("{who} turns it on; {why}"), Some(0.0)),
             Some(Force::Orders(count)) => {
                 let rest = self.survey.after_orders(count);
-                planned(true, Some(count), format!("{who} asks for {count}; {why}"), rest)
+                planned(true, Some(count), format!("{who} limits it to order {count}; {why}"), rest)
             }
             None if !present => planned(false, None, why, Some(0.0)),
             None => match bound {
                 Some([absolute, relative]) if relative <= self.left => {
                     self.left -= relative;
                     self.dropped += relative;
-                    planned(false, None, format!("it matters less than the tolerance; {why}"), Some(absolute))
+                    planned(false, None, format!("its bound is within the tolerance; {why}"), Some(absolute))
                 }
                 _ => planned(true, None, why, Some(0.0)),
             },
@@ -161,14 +160,14 @@ impl Planning<'_> {
             Effect::Direct => absent("nothing emits light"),
             Effect::Occlusion => match &survey.in_between {
                 Some(why) => present(why.clone(), survey.occlusion),
-                None => absent("nothing stands between surfaces or receivers"),
+                None => absent("there are no occluders between surfaces or receivers"),
             },
             Effect::Interreflection if !survey.reflects => absent("no surface reflects"),
             Effect::Interreflection => present(self.interreflection(), survey.interreflection),
             Effect::Bands if self.scene.band_count() == 1 => absent("there is a single band"),
             Effect::Bands => match survey.band_spread {
-                None => absent("every optical number is the same in all bands"),
-                Some(bound) => present("optical numbers differ between bands".to_string(), Some(bound)),
+                None => absent("all optical properties are the same in every band"),
+                Some(bound) => present("optical properties differ between bands".to_string(), Some(bound)),
             },
             Effect::Mirror if self.contains.mirror => {
                 present("there are mirrors or metals".to_string(), None)
@@ -186,8 +185,8 @@ impl Planning<'_> {
                 present("a refractive index differs between bands".to_string(), None)
             }
             Effect::Dispersion => absent("no refractive index differs between bands"),
-            Effect::Time if self.contains.time => present("a receiver asks for it".to_string(), None),
-            Effect::Time => absent("no receiver asks for it"),
+            Effect::Time if self.contains.time => present("a receiver is time-resolved".to_string(), None),
+            Effect::Time => absent("no receiver is time-resolved"),
         }
     }
 
@@ -198,11 +197,13 @@ impl Planning<'_> {
         let k = self.survey.contraction;
         let tolerance = self.scene.solve.tolerance;
         let Some(count) = orders(k, tolerance) else {
-            return "surfaces that reflect see each other, and hardly any light is lost".to_string();
+            return "reflecting surfaces see each other, and hardly any light is lost".to_string();
         };
         let plural = if count == 1 { "reflection" } else { "reflections" };
         let most = at_most(k);
-        format!("a reflection leaves at most {most} of the light: {count} {plural} to {tolerance:e}")
+        format!(
+            "each reflection keeps at most {most} of the light: {count} {plural} for tolerance {tolerance:e}"
+        )
     }
 }
 

@@ -45,7 +45,7 @@ pub struct Misfit;
 
 impl fmt::Display for Misfit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "what was kept is of another simulation")
+        write!(f, "the checkpoint belongs to another simulation")
     }
 }
 

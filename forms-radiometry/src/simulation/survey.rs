@@ -105,7 +105,8 @@ impl Survey {
             emits: !scene.lights.is_empty() || outside || scene.surfaces.iter().any(Surface::emits),
             reflects: largest_albedo > 0.0,
             contraction: 1.0,
-            in_between: (!scene.surfaces.is_empty()).then(|| "rays meet what is there".to_string()),
+            in_between: (!scene.surfaces.is_empty())
+                .then(|| "surfaces can occlude each other along rays".to_string()),
             occlusion: None,
             interreflection: None,
             band_spread: differs.then_some([f64::INFINITY; 2]),
@@ -325,7 +326,7 @@ fn bulge_before(scene: &Scene, faces: &[Face]) -> Option<String> {
         };
         faces.iter().filter(is_source).find(|face| may_be_behind(face, point, horizon))
     })?;
-    Some(format!("something may stand before the surface `{}`", scene.surfaces[behind.surface].name))
+    Some(format!("an occluder may be in front of the surface `{}`", scene.surfaces[behind.surface].name))
 }
 
 /// Describes an occluder between two faces, or between a receiver and a face, if there can be any.
@@ -337,16 +338,16 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     };
     let sources: Vec<usize> = (0..faces.len()).filter(|&index| counts(index)).collect();
     if faces.len() > MANY {
-        return Some(format!("among {} faces some may hide others", faces.len()));
+        return Some(format!("some of the {} faces may occlude others", faces.len()));
     }
     if is_convex_room(scene, faces, transport.screens.resolution()) {
         return None;
     }
     if !scene.lights.is_empty() && !faces.is_empty() {
-        return Some("surfaces may hide lights that are points or far away".to_string());
+        return Some("surfaces may occlude point lights or distant lights".to_string());
     }
     if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) && !faces.is_empty() {
-        return Some("surfaces hide light from outside".to_string());
+        return Some("surfaces occlude ambient light".to_string());
     }
     let stands_before = |outline: &[Vector], normal: Option<Vector>| {
         let mut found = Vec::new();
@@ -356,7 +357,10 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
             matches!(between, Between::Nothing)
         };
         let &source = sources.iter().find(|source| !is_free(source))?;
-        Some(format!("something stands before the surface `{}`", scene.surfaces[faces[source].surface].name))
+        Some(format!(
+            "an occluder is in front of the surface `{}`",
+            scene.surfaces[faces[source].surface].name
+        ))
     };
     let of_receiver = |receiver: &Receiver| match receiver.kind {
         ReceiverKind::Point { position, normal } => stands_before(&[position], Some(normal)),

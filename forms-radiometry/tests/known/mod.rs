@@ -183,7 +183,7 @@ pub(crate) const GALLERY: [Exhibit; 17] = [
         tolerance: Some(0.5),
         straight: false,
         long: false,
-        known: &[known(&[(1.0, "beside the cloud", Radiance)], 0.5)],
+        known: &[known(&[(1.0, "next to the cloud", Radiance)], 0.5)],
     },
     Exhibit {
         file: "round_the_corner.toml",

@@ -165,7 +165,7 @@ fn a_medium_in_which_paths_never_end_is_refused_with_its_place() {
     for (what, tables) in endless {
         let Err(message) = planned(&tables) else { panic!("{what} is refused") };
         assert!(
-            message.contains("trap.toml:") && message.contains("the medium `mist` has no end"),
+            message.contains("trap.toml:") && message.contains("the medium `mist` is unbounded"),
             "{what}: {message}"
         );
     }

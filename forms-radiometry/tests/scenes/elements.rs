@@ -123,8 +123,10 @@ fn every_element_knows_where_it_was_said() {
 }
 
 /// Elements that are not simulated, each with its line.
-const REFUSED: &[(usize, &str)] =
-    &[(47, "light of a point or from far away that the curved surface `ball` turns is not simulated yet")];
+const REFUSED: &[(usize, &str)] = &[(
+    47,
+    "light from point or distant lights that the curved surface `ball` reflects or refracts is not supported",
+)];
 
 /// Lines of the elements that pictures do not support.
 const NOT_PICTURED: &[usize] = &[22, 26, 30, 43, 47, 51, 56, 61, 94, 94, 101];

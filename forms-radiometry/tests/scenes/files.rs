@@ -61,7 +61,7 @@ fn an_error_names_the_path_as_it_was_given_and_that_of_a_mesh_beside_it() {
 fn a_file_that_is_no_text_is_refused_with_the_line_from_which_it_is_none() {
     let folder = folder("no_text", &[("box.toml", b"name = \"Box\"\nunit = \"\xff\"\n")]);
     let found = refused(&folder.join("box.toml"));
-    assert_eq!(found[0].message, "the file is not text in UTF-8, from line 2 on");
+    assert_eq!(found[0].message, "the file is not valid UTF-8 from line 2 on");
     let found = refused(&folder);
     assert!(found[0].message.starts_with("the file cannot be read: "), "{}", found[0]);
 }

@@ -140,14 +140,14 @@ fn what_is_opaque_closes_a_medium_too() {
         "a basin without a floor",
         &[without(basin(1.0), 0), surface()],
         "",
-        &[&format!("`water` is entered through `pool` and never left: {gap}")],
+        &[&format!("the boundary of `water` at `pool` is not closed: {gap}")],
     );
     let gap = "the edge of `pool` from [0, 0, 1] to [1, 0, 1] meets no other surface";
     refused(
         "a basin whose walls go on above the water",
         &[basin(2.0), surface()],
         "",
-        &[&format!("`water` is entered through `pool` and never left: {gap}")],
+        &[&format!("the boundary of `water` at `pool` is not closed: {gap}")],
     );
 }
 
@@ -155,7 +155,8 @@ fn what_is_opaque_closes_a_medium_too() {
 fn an_opening_is_named_by_an_edge_of_it() {
     let message = |face: &str| {
         format!(
-            "`glass` is entered through `cube_{face}` and never left: the edge of `cube_0` from [0, 1, 0] to [1, 1, 0] \
+            "the boundary of `glass` at `cube_{face}` is not closed: the edge of `cube_0` \
+             from [0, 1, 0] to [1, 1, 0] \
              meets no other surface"
         )
     };
@@ -166,20 +167,20 @@ fn an_opening_is_named_by_an_edge_of_it() {
     assert_eq!(errors(&text(&[single], ""), "media.toml").len(), 1);
     let disk = "[[surface]]\nname = \"lens\"\nmaterial = \"glass\"\n\
                 disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 1 }\n";
-    refused("a disk", &[], disk, &["`glass` is entered through `lens` and never left"]);
+    refused("a disk", &[], disk, &["the boundary of `glass` at `lens` is not closed"]);
 }
 
 #[test]
 fn a_body_that_is_turned_inside_out_would_fill_the_scene() {
     let found = errors(&text(&[reversed(unit("glass"))], ""), "media.toml");
     assert_eq!(found.len(), 6);
-    let message = "`glass` behind `cube_0` would fill the same space as vacuum around the scene";
+    let message = "`glass` behind `cube_0` fills the same region as vacuum around the scene";
     assert_eq!(found[0].message, message);
     refused(
         "an inward sphere",
         &[],
         &sphere("ball", "glass", 1.0, true),
-        &["`glass` behind `ball` would fill the same space as vacuum around the scene"],
+        &["`glass` behind `ball` fills the same region as vacuum around the scene"],
     );
 }
 
@@ -188,7 +189,7 @@ fn a_face_that_is_turned_has_its_medium_on_both_sides() {
     let mut cube = unit("glass");
     cube[1].2.reverse();
     let found = errors(&text(&[cube], ""), "media.toml");
-    let message = "`glass` behind `cube_1` would fill the same space as vacuum around the scene";
+    let message = "`glass` behind `cube_1` fills the same region as vacuum around the scene";
     assert_eq!(found[0].message, message, "{}", shown(&found));
 }
 
@@ -198,7 +199,7 @@ fn a_space_is_filled_once() {
         "a shell that says water outside and glass inside of it",
         &[],
         &(sphere("outside", "glass", 1.0, false) + &sphere("inside", "water", 0.5, true)),
-        &["`water` behind `inside` would fill the same space as `glass` behind `outside`"],
+        &["`water` behind `inside` fills the same region as `glass` behind `outside`"],
     );
     refused(
         "glass in glass",
@@ -227,5 +228,5 @@ fn boundaries_that_lie_upon_each_other_have_no_order() {
         "m.toml",
     );
     let messages: Vec<&str> = found.iter().map(|error| &*error.message).collect();
-    assert_eq!(messages, ["`next_4` lies upon `cube_5`"]);
+    assert_eq!(messages, ["`next_4` overlaps `cube_5` in one plane"]);
 }

@@ -129,18 +129,18 @@ const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 /// Text that is replaced in the OBJ file, its replacement, the place of the error, and the message.
 const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
     ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 values"),
-    ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is no number"),
+    ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is not a number"),
     ("v 1 1 0", "v 1 1 nan", (3, 7), "a coordinate is not finite"),
     ("v 1 1 0", "v 1 1 1e153", (3, 7), "a coordinate is out of range"),
-    ("v 1 1 0", "v 1 1 0 2", (3, 9), "the vertex has a weight"),
-    ("v 1 1 0", "p 1", (3, 1), "`p` is not a vertex or a face of a mesh"),
+    ("v 1 1 0", "v 1 1 0 2", (3, 9), "a vertex weight other than 1 is not supported"),
+    ("v 1 1 0", "p 1", (3, 1), "the statement `p` is not supported"),
     ("f 1 2 3 4", "f 1 2 3 5", (5, 1), "face 1: there is no vertex 5"),
     ("f 1 2 3 4", "f 1 2 3 -5", (5, 9), "there is no vertex -5"),
     ("f 1 2 3 4", "f 0 1 2 3", (5, 3), "there is no vertex 0"),
-    ("f 1 2 3 4", "f 1 2 3/x 4", (5, 7), "`3/x` is no corner of a face"),
-    ("f 1 2 3 4", "f 1 2 3/1/1/1 4", (5, 7), "`3/1/1/1` is no corner of a face"),
-    ("f 1 2 3 4", "f 1 2", (5, 1), "face 1: a polygon needs three vertices or more, found 2"),
-    ("f 1 2 3 4", "f 1 2 2 4", (5, 1), "face 1: vertex 2 and the one after it coincide"),
+    ("f 1 2 3 4", "f 1 2 3/x 4", (5, 7), "`3/x` is not a vertex reference"),
+    ("f 1 2 3 4", "f 1 2 3/1/1/1 4", (5, 7), "`3/1/1/1` is not a vertex reference"),
+    ("f 1 2 3 4", "f 1 2", (5, 1), "face 1: a polygon needs at least three vertices, found 2"),
+    ("f 1 2 3 4", "f 1 2 2 4", (5, 1), "face 1: vertex 2 and the next vertex coincide"),
     ("f 1 2 3 4", "f 1 3 2 4", (5, 1), "face 1: the polygon encloses no area"),
     (
         "v 0 1 0\nf 1 2 3 4",
@@ -153,7 +153,7 @@ const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
         "v 1 1 0",
         "v 1 1 0.5",
         (5, 1),
-        "face 1: the polygon is not planar: vertex 4 lies 1.179e-1 off its plane (accepted: 1.0e-6)",
+        "face 1: the polygon is not planar: vertex 4 is 1.179e-1 away from its plane (tolerance: 1.0e-6)",
     ),
     ("f 1 2 3 4", "", (1, 1), "the mesh has no faces"),
 ];
@@ -164,29 +164,29 @@ const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\npr
 /// The same for the PLY file.
 const OF_PLY: &[(&str, &str, (usize, usize), &str)] = &[
     ("ply\n", "plx\n", (1, 1), "the file does not begin with `ply`"),
-    ("format ascii 1.0", "format ascii 2.0", (2, 1), "this is no line of a PLY header"),
+    ("format ascii 1.0", "format ascii 2.0", (2, 1), "this line is not valid in a PLY header"),
     ("format ascii 1.0", "format text 1.0", (2, 8), "`text` is unknown"),
-    ("format ascii 1.0", "", (9, 1), "the header names no format"),
-    ("element vertex 3", "element vertex three", (3, 16), "`three` is no whole number"),
-    ("element vertex 3", "element vertex -3", (3, 16), "a number of rows is negative"),
-    ("element vertex 3\n", "", (3, 1), "the property belongs to no element"),
+    ("format ascii 1.0", "", (9, 1), "the header has no `format` line"),
+    ("element vertex 3", "element vertex three", (3, 16), "`three` is not an integer"),
+    ("element vertex 3", "element vertex -3", (3, 16), "the number of rows is negative"),
+    ("element vertex 3\n", "", (3, 1), "the property is declared before any element"),
     ("property float z", "property float w", (3, 1), "the vertices have no `z`"),
     ("property float z", "property half z", (6, 10), "`half` is unknown"),
-    ("property float z", "property float", (6, 1), "this is no property"),
-    ("list uchar int", "list float int", (8, 15), "the length of a list is no whole number"),
+    ("property float z", "property float", (6, 1), "invalid property declaration"),
+    ("list uchar int", "list float int", (8, 15), "the length of a list does not have an integer type"),
     ("vertex_indices", "corners", (7, 1), "the faces have no vertices"),
     ("element face 1", "element faces 1", (9, 11), "there is no element `face`"),
     ("element face 1", "element edge 1\nelement face 1", (7, 1), "the element `edge` has no properties"),
-    ("end_header\n", "", (9, 1), "this is no line of a PLY header"),
-    ("1 0 0", "1 0", (11, 4), "the line ends too early"),
-    ("1 0 0", "1 0 0 0", (11, 7), "the line should have ended here"),
-    ("1 0 0", "1 0 zero", (11, 5), "`zero` is no number"),
+    ("end_header\n", "", (9, 1), "this line is not valid in a PLY header"),
+    ("1 0 0", "1 0", (11, 4), "the line has too few numbers"),
+    ("1 0 0", "1 0 0 0", (11, 7), "the line has too many numbers"),
+    ("1 0 0", "1 0 zero", (11, 5), "`zero` is not a number"),
     ("1 0 0", "1 0 inf", (11, 5), "a coordinate is not finite"),
     ("3 0 1 2", "3 0 1 3", (13, 1), "face 1: there is no vertex 4"),
     ("3 0 1 2", "3 0 1 -2", (13, 7), "there is no vertex -2"),
-    ("3 0 1 2", "3 0 1 2.5", (13, 7), "`2.5` is no whole number"),
-    ("3 0 1 2", "300 0 1 2", (13, 1), "300 is out of the range of its type"),
-    ("3 0 1 2", "3 0 1 1", (13, 1), "face 1: vertex 2 and the one after it coincide"),
+    ("3 0 1 2", "3 0 1 2.5", (13, 7), "`2.5` is not an integer"),
+    ("3 0 1 2", "300 0 1 2", (13, 1), "300 is out of range for its type"),
+    ("3 0 1 2", "3 0 1 1", (13, 1), "face 1: vertex 2 and the next vertex coincide"),
     ("3 0 1 2\n", "", (13, 1), "the file ends before face 1 of 1"),
 ];
 
@@ -212,7 +212,8 @@ fn an_error_among_bytes_names_the_row_and_the_byte_and_quotes_the_header() {
     let file = ply_bytes(&cube(), false);
     let found = read("part.ply", &file[..file.len() - 1]).unwrap_err();
     let expected = format!(
-        "rooms/part.ply:8:1: face 9 (byte {}): the file ends within it\n  |\n8 | element face 9\n  | ^^^^^^^^^^^^^^",
+        "rooms/part.ply:8:1: face 9 (byte {}): the file ends within this row\n  |\n\
+         8 | element face 9\n  | ^^^^^^^^^^^^^^",
         file.len() - 14
     );
     assert_eq!(shown(&found), expected);

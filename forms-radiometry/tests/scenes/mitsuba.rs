@@ -279,7 +279,8 @@ fn a_limit_of_depth_is_a_limit_of_interreflection() {
     assert_eq!(forced(&path(5), METER), [(Effect::Interreflection, Force::Orders(4))]);
     assert_eq!(forced("<integrator type=\"direct\"/>", CAMERA), [(Effect::Interreflection, Force::Off)]);
     let found = errors(&text(&path(5), &format!("{CAMERA}{METER}")), FILE);
-    let message = "a limit of depth means one reflection less to a camera than to an irradiance meter";
+    let message = "a limit on path depth (`max_depth`) means one reflection fewer for a camera \
+                   than for an irradiance meter";
     assert_eq!(found[0].message, message);
 }
 

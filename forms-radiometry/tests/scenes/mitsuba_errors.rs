@@ -7,18 +7,18 @@ const FILE: &str = "box.xml";
 
 /// Text that is replaced, its replacement, and the message that follows.
 const CASES: &[(&str, &str, &str)] = &[
-    ("version=\"3.5.0\"", "version=\"2.0.0\"", "the scene is of version `2.0.0`"),
+    ("version=\"3.5.0\"", "version=\"2.0.0\"", "scene version `2.0.0` is not supported"),
     (
         "<default name=\"width\" value=\"8\"/>",
         "<default name=\"\" value=\"8\"/><default name=\"width\" value=\"8\"/>",
-        "the default has no name",
+        "this `default` has no valid `name`",
     ),
     ("value=\"$n\"", "value=\"$m\"", "there is no parameter `m`"),
-    ("    <bsdf type=\"twosided\"", "text <bsdf type=\"twosided\"", "text has no meaning here"),
+    ("    <bsdf type=\"twosided\"", "text <bsdf type=\"twosided\"", "unexpected text"),
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
         "<bsdf type=\"conductor\" id=\"mirror\"/><texture type=\"bitmap\"/>",
-        "`texture` cannot be said of a scene",
+        "the element `texture` is not supported in a scene",
     ),
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
@@ -26,22 +26,22 @@ const CASES: &[(&str, &str, &str)] = &[
         "unknown attribute `x` of `bsdf`",
     ),
     ("type=\"volpath\"", "type=\"bdpt\"", "an integrator of type `bdpt` is not supported"),
-    ("type=\"volpath\"", "type=\"path\"", "this integrator leaves the media of the scene out"),
+    ("type=\"volpath\"", "type=\"path\"", "this integrator ignores the participating media of the scene"),
     ("value=\"-1\"", "value=\"1\"", "`max_depth` is out of range"),
     (
         "value=\"-1\"",
         "value=\"4\"",
-        "a limit of depth that counts more than diffuse reflections cannot be said",
+        "a limit on path depth (`max_depth`) is only supported for diffuse surfaces without media",
     ),
     (
         "<integer name=\"rr_depth\" value=\"10\"/>",
         "<boolean name=\"hide_emitters\" value=\"true\"/>",
-        "lamps that light but are not seen cannot be said",
+        "emitters hidden from the camera are not supported",
     ),
     (
         "<integer name=\"rr_depth\" value=\"10\"/>",
         "<integer name=\"samples\" value=\"1\"/>",
-        "`integer` named `samples` cannot be said of an integrator of type `volpath`",
+        "`integer` named `samples` is not supported in an integrator of type `volpath`",
     ),
     ("<bsdf type=\"diffuse\">", "<bsdf type=\"plastic\">", "a bsdf of type `plastic` cannot be two-sided"),
     (
@@ -51,33 +51,33 @@ const CASES: &[(&str, &str, &str)] = &[
     ),
     ("0.7, 0.6, 0.5", "0.7, 0.6, 1.5", "`reflectance` is out of range"),
     ("0.7, 0.6, 0.5", "0.7, 0.6", "`reflectance` has 2 values"),
-    ("0.7, 0.6, 0.5", "0.7, 0.6, red", "`red` is no number"),
+    ("0.7, 0.6, 0.5", "0.7, 0.6, red", "`red` is not a number"),
     ("0.7, 0.6, 0.5", "", "`reflectance` is empty"),
     (
         "<spectrum name=\"k\" value=\"2\"/>",
         "<spectrum name=\"k\" value=\"400:2, 700:3\"/>",
-        "`k`, a spectrum by wavelengths, cannot be said",
+        "`k` is a spectrum tabulated by wavelength, which is not supported",
     ),
     (
         "<spectrum name=\"k\" value=\"2\"/>",
         "<spectrum name=\"k\" filename=\"k.spd\"/>",
         "unknown attribute `filename` of `spectrum`",
     ),
-    ("<spectrum name=\"k\" value=\"2\"/>", "", "this conductor has `eta` and no `k`"),
+    ("<spectrum name=\"k\" value=\"2\"/>", "", "this conductor has `eta` but no `k`"),
     (
         "id=\"mirror\"/>",
         "id=\"mirror\"><string name=\"material\" value=\"Au\"/></bsdf>",
-        "the index of the metal `Au` is not known here",
+        "the refractive index of the metal `Au` is not known",
     ),
     (
         "<float name=\"int_ior\" value=\"$n\"/>",
         "<string name=\"int_ior\" value=\"glas\"/>",
-        "the index of `glas` is not known",
+        "the refractive index of `glas` is not known",
     ),
     (
         "<float name=\"int_ior\" value=\"$n\"/>",
         "<float name=\"roughness\" value=\"$n\"/>",
-        "`float` named `roughness` cannot be said of a bsdf of type `dielectric`",
+        "`float` named `roughness` is not supported in a bsdf of type `dielectric`",
     ),
     (
         "type=\"dielectric\" id=\"glass\"",
@@ -88,22 +88,18 @@ const CASES: &[(&str, &str, &str)] = &[
     ("0.5, 0.75, 1", "0.5, 0.75, 1.25", "`albedo` is out of range"),
     ("type=\"hg\"", "type=\"rayleigh\"", "a phase of type `rayleigh` is not supported"),
     ("value=\"-0.25\"", "value=\"-1\"", "`g` is out of range"),
-    ("id=\"lamp\"", "id=\"floor\"", "the id `floor` has the name of an earlier one, in line 31"),
-    ("<ref id=\"gold\"/>", "<ref id=\"silver\"/>", "nothing has the id `silver`"),
+    ("id=\"lamp\"", "id=\"floor\"", "the id `floor` is already defined in line 31"),
+    ("<ref id=\"gold\"/>", "<ref id=\"silver\"/>", "no element has the id `silver`"),
     ("type=\"cube\"", "type=\"cylinder\"", "a shape of type `cylinder` is not supported"),
     ("<scale x=\"2\" y=\"3\"/>", "<scale x=\"2\" y=\"0\"/>", "the transform has no inverse"),
-    ("<scale x=\"2\" y=\"3\"/>", "<shear x=\"2\"/>", "`shear` cannot be said of a transform"),
+    ("<scale x=\"2\" y=\"3\"/>", "<shear x=\"2\"/>", "`shear` is not supported in a transform"),
     ("<rotate x=\"1\" angle=\"180\"/>", "<rotate x=\"1\"/>", "this rotate has no `angle`"),
     ("<rotate x=\"1\" angle=\"180\"/>", "<rotate angle=\"180\"/>", "the axis has length zero"),
     ("value=\"0, 0, 10\"", "value=\"0, 10\"", "`value` has 2 values"),
     ("0 0 0 1\"", "0 0 1 1\"", "the matrix is not affine"),
     ("0 0 0 1\"", "\"", "the matrix has 12 values"),
-    ("0 0 2 0", "0 0 -2 0", "a transform that mirrors would turn the faces of this shape inside out"),
-    (
-        "<scale value=\"2\"/>",
-        "<scale x=\"2\"/>",
-        "a sphere that is scaled differently along its axes cannot be said",
-    ),
+    ("0 0 2 0", "0 0 -2 0", "a transform with reflection would turn this shape inside out"),
+    ("<scale value=\"2\"/>", "<scale x=\"2\"/>", "non-uniform scaling of a sphere is not supported"),
     (
         "<float name=\"radius\" value=\"0.5\"/>",
         "<float name=\"radius\" value=\"0\"/>",
@@ -112,15 +108,15 @@ const CASES: &[(&str, &str, &str)] = &[
     (
         "<lookat origin=\"0, 9, 0\" target=\"0, 8, 0\" up=\"1, 0, 0\"/>",
         "<scale x=\"2\"/>",
-        "a disk that is scaled differently along its axes cannot be said",
+        "non-uniform scaling of a disk is not supported",
     ),
-    ("up=\"1, 0, 0\"", "up=\"0, 1, 0\"", "the lookat has no direction or no upright"),
+    ("up=\"1, 0, 0\"", "up=\"0, 1, 0\"", "the orientation of the lookat is undefined"),
     ("up=\"1, 0, 0\"", "", "this lookat has no `up`"),
-    ("<bsdf type=\"null\"/>", "", "a medium beside an opaque surface cannot be said"),
+    ("<bsdf type=\"null\"/>", "", "an interior or exterior medium of an opaque surface is not supported"),
     (
         "<boolean name=\"face_normals\" value=\"true\"/>",
         "",
-        "`part.obj` would be shaded with normals that vary over its faces",
+        "`part.obj` would be shaded with interpolated normals, which are not supported",
     ),
     (
         "<boolean name=\"face_normals\" value=\"true\"/>",
@@ -128,7 +124,11 @@ const CASES: &[(&str, &str, &str)] = &[
         "`face_normals` cannot be `yes`",
     ),
     ("value=\"part.obj\"", "value=\"parts.obj\"", "there is no file `parts.obj`"),
-    ("value=\"part.obj\"", "value=\"part.ply\"", "`part.ply` is not of the type `obj`"),
+    (
+        "value=\"part.obj\"",
+        "value=\"part.ply\"",
+        "`part.ply` does not have the extension `.obj` of the shape type",
+    ),
     (
         "<emitter type=\"area\">",
         "<emitter type=\"directionalarea\">",
@@ -145,13 +145,13 @@ const CASES: &[(&str, &str, &str)] = &[
     (
         "<emitter type=\"constant\">",
         "<emitter type=\"constant\"><float name=\"radiance\" value=\"1\"/></emitter><emitter type=\"constant\">",
-        "there is a second emitter of type `constant`",
+        "more than one emitter of type `constant`",
     ),
     ("type=\"perspective\"", "type=\"thinlens\"", "a sensor of type `thinlens` is not supported"),
     (
         "<float name=\"fov\" value=\"90\"/>",
         "<float name=\"fov\" value=\"90\"/><float name=\"fov\" value=\"90\"/>",
-        "`fov` is said twice of a sensor of type `perspective`",
+        "`fov` occurs twice in a sensor of type `perspective`",
     ),
     ("<float name=\"fov\" value=\"90\"/>", "", "this sensor has no `fov`"),
     ("<float name=\"fov\" value=\"90\"/>", "<float name=\"fov\" value=\"180\"/>", "`fov` is out of range"),
@@ -159,13 +159,13 @@ const CASES: &[(&str, &str, &str)] = &[
     (
         "<float name=\"near_clip\" value=\"0.1\"/>",
         "<float name=\"focal_length\" value=\"50\"/>",
-        "`float` named `focal_length` cannot be said of a sensor of type `perspective`",
+        "`float` named `focal_length` is not supported in a sensor of type `perspective`",
     ),
     ("value=\"$width\"", "value=\"0\"", "`width` is out of range"),
     (
         "<integer name=\"height\" value=\"1\"/>",
         "<integer name=\"height\" value=\"2\"/>",
-        "an irradiance meter of more than one pixel cannot be said",
+        "an irradiance meter with more than one pixel is not supported",
     ),
     (
         "type=\"irradiancemeter\"",
@@ -184,7 +184,7 @@ fn what_cannot_be_said_is_named_with_its_line() {
 fn a_two_sided_lamp_cannot_be_said() {
     let text = EVERYTHING.replace("<emitter type=\"area\">", "<ref id=\"white\"/><emitter type=\"area\">");
     let found = errors(&text, FILE);
-    assert_eq!(found[0].message, "a surface that reflects from two sides and emits from one cannot be said");
+    assert_eq!(found[0].message, "a two-sided surface that emits from one side only is not supported");
 }
 
 #[test]
@@ -194,7 +194,11 @@ fn boundaries_with_different_surroundings_cannot_be_said() {
         "<shape type=\"sphere\"><point name=\"center\" value=\"0, 50, 0\"/><bsdf type=\"dielectric\"/></shape><shape type=\"disk\"",
     );
     let found = errors(&text, FILE);
-    assert_eq!(found[0].message, "the index 1.000277 outside is not 1, as of the first boundary there");
+    assert_eq!(
+        found[0].message,
+        "the exterior index 1.000277 differs from the exterior index 1 of the first boundary \
+         in the ambient medium"
+    );
 }
 
 #[test]
@@ -222,7 +226,7 @@ fn parameters_that_double_each_other_end_in_an_error() {
         text += &format!("<default name=\"p{}\" value=\"$p{i}, $p{i}\"/>", i + 1);
     }
     let found = errors(&(text + "</scene>"), FILE);
-    assert_eq!(found[0].message, "with its parameters the value is too long");
+    assert_eq!(found[0].message, "the value is too long after substitution of parameters");
 }
 
 #[test]

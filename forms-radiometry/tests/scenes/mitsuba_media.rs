@@ -52,7 +52,10 @@ fn what_is_outside_of_every_boundary_and_around_the_sensors_fills_the_scene() {
     assert_eq!((&*ambient.name, &ambient.index), ("haze", &vec![1.0]));
     assert!((ambient.scattering[0] - 0.075).abs() < 1e-16 && (ambient.absorption[0] - 0.025).abs() < 1e-16);
     let found = errors(&text.replace("<ref id=\"haze\"/></sensor>", "</sensor>"), FILE);
-    assert_eq!(found[0].message, "what `shape 1` has outside is not `ambient medium`, which is there");
+    assert_eq!(
+        found[0].message,
+        "the exterior medium of `shape 1` is not `ambient medium`, the medium in front of it"
+    );
 }
 
 /// A glass ball, and a cloud, in a cube of water.
@@ -92,22 +95,22 @@ fn media_may_lie_in_each_other_if_each_boundary_says_what_is_outside_of_it() {
         (
             "value=\"1.33\"/></bsdf>",
             "value=\"1.3\"/></bsdf>",
-            "the index 1.3 outside of `ball` is not that of `water`",
+            "the exterior index 1.3 of `ball` is not the index of `water`",
         ),
         (
             "<ref name=\"exterior\" id=\"water\"/>",
             "",
-            "what `ball` has outside is not `water`, which is there",
+            "the exterior medium of `ball` is not `water`, the medium in front of it",
         ),
         (
             "<bsdf type=\"null\"/>\n        <ref name=\"interior\" id=\"ink\"/>\n        <ref name=\"exterior\" id=\"water\"/>",
             "<bsdf type=\"null\"/>\n        <ref name=\"interior\" id=\"ink\"/>\n        <ref name=\"exterior\" id=\"ink\"/>",
-            "what `cloud` has outside is not `water`, which is there",
+            "the exterior medium of `cloud` is not `water`, the medium in front of it",
         ),
         (
             "<sensor type=\"perspective\" id=\"eye\">",
             "<sensor type=\"perspective\"><float name=\"fov\" value=\"9\"/></sensor><sensor type=\"perspective\" id=\"eye\"><ref id=\"ink\"/>",
-            "this sensor is not in `ambient medium`, which fills the scene",
+            "this sensor is not in the ambient medium `ambient medium`",
         ),
     ];
     check_each(AQUARIUM, FILE, &cases, 6);

@@ -74,13 +74,13 @@ fn surfaces_that_overlap_and_face_the_same_way_are_reported_with_both_names() {
             "one in the other",
             square(0.0, 3.0),
             square(0.0, 1.0),
-            Some((b_overlaps_a(same_way), "on = \"a\", with which `b` replaces that part of `a`".into())),
+            Some((b_overlaps_a(same_way), "on = \"a\", so that `b` replaces this part of `a`".into())),
         ),
         (
             "a disk in a polygon",
             floor.clone(),
             disk(1.0, 0.25),
-            Some((b_overlaps_a(same_way), "on = \"a\", with which `b` replaces that part of `a`".into())),
+            Some((b_overlaps_a(same_way), "on = \"a\", so that `b` replaces this part of `a`".into())),
         ),
         ("a polygon in a disk", floor.clone(), disk(1.0, 2.0), Some((a_overlaps_b(same_way), APART.into()))),
         ("a disk in a disk", disk(1.0, 2.0), disk(1.0, 1.0), Some((b_overlaps_a(same_way), APART.into()))),
@@ -116,7 +116,7 @@ fn surfaces_that_overlap_and_face_the_same_way_are_reported_with_both_names() {
 
 #[test]
 fn a_boundary_of_a_medium_lies_upon_nothing() {
-    let expected = Some(("`b` lies upon `a`", "one surface between two media"));
+    let expected = Some(("`b` overlaps `a` in one plane", "one surface between two media"));
     let pane = ("b", "pane", square(0.25, 0.5));
     check("facing the same way", &[grey("a", square(0.0, 1.0)), pane], expected);
     let pane = ("b", "pane", "polygon = [[0,0,0], [0,0.5,0], [0.5,0.5,0], [0.5,0,0]]".into());

@@ -67,7 +67,7 @@ fn a_surface_that_cannot_lie_on_another_one_is_reported_with_the_reason() {
     let ball = "sphere = { center = [2,0,1], radius = 0.5 }";
     let bases = "the name of a surface that is a polygon or a planar mesh";
     let shapes = "a polygon, a disk or a planar mesh";
-    let inside = "a surface inside of `wall`";
+    let inside = "a surface inside `wall`";
     let circle = "a surface that does not lie on this one";
     let cases: Vec<(&str, Vec<Surface>, &str, &str)> = vec![
         (
@@ -133,7 +133,7 @@ fn a_surface_that_cannot_lie_on_another_one_is_reported_with_the_reason() {
         (
             "off the plane",
             vec![wall(), grey("a", on(&WINDOW.replace(",0,", ",0.03,"), "wall"))],
-            "`a` lies 3.0e-2 off the plane of `wall`",
+            "`a` is 3.0e-2 away from the plane of `wall`",
             "a surface in the plane of `wall`",
         ),
         (
@@ -151,26 +151,26 @@ fn a_surface_that_cannot_lie_on_another_one_is_reported_with_the_reason() {
         (
             "outside in part",
             vec![wall(), grey("a", on("polygon = [[3,0,1], [3,0,2], [5,0,2], [5,0,1]]", "wall"))],
-            "`a` reaches beyond `wall`, by 50.00 % of its area",
+            "50.00 % of the area of `a` lies outside `wall`",
             inside,
         ),
         (
             "outside",
             vec![wall(), grey("a", on("polygon = [[5,0,1], [5,0,2], [6,0,2], [6,0,1]]", "wall"))],
-            "`a` reaches beyond `wall`, by 100.00 % of its area",
+            "100.00 % of the area of `a` lies outside `wall`",
             inside,
         ),
         (
             "a disk outside in part",
             vec![wall(), grey("a", on(&disk.replace("[2,0,1.5]", "[2,0,3]"), "wall"))],
-            "`a` reaches beyond `wall`, by 50.00 % of its area",
+            "50.00 % of the area of `a` lies outside `wall`",
             inside,
         ),
         (
             "a window as large as its wall",
             vec![wall(), grey("a", on(WALL, "wall"))],
             "nothing is left of `wall`",
-            "surfaces that leave a part of it",
+            "surfaces that do not cover it completely",
         ),
         (
             "two that overlap",
@@ -190,7 +190,7 @@ fn a_surface_that_cannot_lie_on_another_one_is_reported_with_the_reason() {
                 grey("b", on("polygon = [[2,0,2], [2,0,2.3], [2.4,0,2.3], [2.4,0,2]]", "wall")),
             ],
             "`b` overlaps `a` (line 19): both lie in one plane and face the same way",
-            "on = \"a\", with which `b` replaces that part of `a`",
+            "on = \"a\", so that `b` replaces this part of `a`",
         ),
     ];
     for (name, surfaces, message, expected) in &cases {
@@ -245,6 +245,6 @@ fn a_window_is_a_part_of_the_wall_around_a_medium() {
         scene(name, &[body(), panes.clone()].concat());
         let without_floor: Vec<Surface> = [body()[1..].to_vec(), panes].concat();
         let found = read(&without_floor).expect_err("an open body");
-        assert!(found[0].message.contains("is entered through"), "{name}: {}", shown(&found));
+        assert!(found[0].message.contains("is not closed"), "{name}: {}", shown(&found));
     }
 }

@@ -44,7 +44,7 @@ fn run(argument: &str, folder: &Path) -> Result<()> {
         .arg(std::env::current_exe()?)
         .arg(argument)
         .status()?;
-    if status.success() { Ok(()) } else { Err(Error::other(format!("valgrind ends with {status}"))) }
+    if status.success() { Ok(()) } else { Err(Error::other(format!("valgrind failed: {status}"))) }
 }
 
 /// Returns the totals in Callgrind's files, which are numbered from 1 in the order of the calls.
@@ -58,5 +58,5 @@ fn totals(folder: &Path) -> Result<Vec<u64>> {
 fn total(file: &str) -> Result<u64> {
     let line = file.lines().find_map(|line| line.strip_prefix("totals: "));
     line.and_then(|number| number.trim().parse().ok())
-        .ok_or_else(|| Error::new(ErrorKind::InvalidData, "a file of callgrind’s has no total"))
+        .ok_or_else(|| Error::new(ErrorKind::InvalidData, "a Callgrind file has no line `totals:`"))
 }

@@ -41,7 +41,11 @@ pub(crate) fn check(writes: bool) -> Result<ExitCode> {
     let counts = callgrind::counted(COUNTED)?;
     let works = work::all();
     if counts.len() != works.len() {
-        return Err(Error::other(format!("valgrind counted {} calls of {}", counts.len(), works.len())));
+        return Err(Error::other(format!(
+            "valgrind counted {} calls, expected {}",
+            counts.len(),
+            works.len()
+        )));
     }
     let counts: BTreeMap<String, u64> = works.into_iter().map(|work| work.name).zip(counts).collect();
     if writes {
@@ -54,7 +58,10 @@ pub(crate) fn check(writes: bool) -> Result<ExitCode> {
 fn compare(record: &Record, counts: BTreeMap<String, u64>) -> ExitCode {
     let compiler = compiler();
     if record.compiler != compiler {
-        println!("the record is of {}: these counts of {compiler} are not compared with it", record.compiler);
+        println!(
+            "the record was made with {}: counts of {compiler} are not compared with it",
+            record.compiler
+        );
         print!("{}", Record { compiler, counts }.text());
         return ExitCode::SUCCESS;
     }
@@ -64,7 +71,7 @@ fn compare(record: &Record, counts: BTreeMap<String, u64>) -> ExitCode {
     if complaints.is_empty() {
         return ExitCode::SUCCESS;
     }
-    println!("if that is meant: cargo bench --bench kernels -- --instructions --write");
+    println!("to accept the new counts, run: cargo bench --bench kernels -- --instructions --write");
     ExitCode::FAILURE
 }
 

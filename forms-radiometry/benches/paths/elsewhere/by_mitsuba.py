@@ -156,8 +156,8 @@ def outliers(run, known):
     deviations = np.abs(means - known) / errors
     pixels = deviations[:-1]
     return (
-        f"{(pixels > FAR).sum()} of {len(pixels)} pixels beyond {FAR:.0f} σ, the farthest at {pixels.max():.1f}, "
-        f"the brightest {means[:-1].max() / known:.2f} times what is right; means are off by {deviations[-1]:.1f} σ"
+        f"{(pixels > FAR).sum()} of {len(pixels)} pixels beyond {FAR:.0f} σ, largest deviation {pixels.max():.1f} σ, "
+        f"brightest pixel {means[:-1].max() / known:.2f} times the true value; means deviate by {deviations[-1]:.1f} σ"
     )
 
 

@@ -76,9 +76,9 @@ def time_to(run, exact, target, first=16):
                 # between the last two runs, on a line through both in logarithms
                 share = math.log(before[1] / target) / math.log(before[1] / error)
                 taken, error = before[0] * (taken / before[0]) ** share, target
-            return taken, error, f"at most {samples} samples a receiver", found
+            return taken, error, f"at most {samples} samples per receiver", found
         if taken > LONGEST or samples >= first << 18:
-            how = f"extrapolated from {error:.1e} after {samples} samples a receiver"
+            how = f"extrapolated from {error:.1e} after {samples} samples per receiver"
             return taken * (error / target) ** 2, target, how, found
         # powers of four: no sampler rounds them
         samples, before = samples * 4, (taken, error)

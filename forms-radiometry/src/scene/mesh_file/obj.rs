@@ -48,8 +48,12 @@ impl Parts {
             }
             word if WITHOUT_SHAPE.contains(&word) => Ok(()),
             word => {
-                let message = format!("`{word}` is not a vertex or a face of a mesh");
-                Err(Fault::new(keyword.range.clone(), message, "a mesh of `v` and `f`"))
+                let message = format!("the statement `{word}` is not supported");
+                Err(Fault::new(
+                    keyword.range.clone(),
+                    message,
+                    "`v` (vertex), `f` (face), or an ignored statement such as `vn` or `usemtl`",
+                ))
             }
         };
         if let Err(fault) = added {
@@ -64,7 +68,11 @@ fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
     let numbers: Vec<f64> = arguments.iter().enumerate().map(number).collect::<Result<_, _>>()?;
     match numbers[..] {
         [x, y, z] | [x, y, z, 1.0] | [x, y, z, _, _, _] => Ok(Vector::new(x, y, z)),
-        [_, _, _, _] => Err(Fault::new(arguments[3].range.clone(), "the vertex has a weight", "x y z")),
+        [_, _, _, _] => Err(Fault::new(
+            arguments[3].range.clone(),
+            "a vertex weight other than 1 is not supported",
+            "x y z",
+        )),
         _ => {
             let message = format!("a vertex has {}", values(numbers.len()));
             Err(Fault::new(keyword.range.clone(), message, "x y z"))
@@ -89,7 +97,7 @@ fn corner(word: &Word, vertices: usize) -> Result<u32, Fault> {
     let Some(index) = index.filter(|_| others.len() <= 2 && are_numbers) else {
         return Err(Fault::new(
             word.range.clone(),
-            format!("`{}` is no corner of a face", word.text),
+            format!("`{}` is not a vertex reference", word.text),
             EXPECTED,
         ));
     };

@@ -127,7 +127,7 @@ fn corner(number: f64, rows: &impl Rows) -> Result<u32, Stop> {
         return Ok(number as u32);
     }
     let fault =
-        Fault::new(rows.place(), format!("there is no vertex {number}"), "vertices are counted from 0");
+        Fault::new(rows.place(), format!("there is no vertex {number}"), "a vertex index, counted from 0");
     Err(passing(fault, rows))
 }
 

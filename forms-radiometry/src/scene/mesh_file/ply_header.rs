@@ -90,24 +90,24 @@ impl Header {
                 ["element", name, _] => {
                     let rows = line_words[2].whole()?;
                     let rows = u64::try_from(rows).map_err(|_| {
-                        Fault::new(line_words[2].range.clone(), "a number of rows is negative", "")
+                        Fault::new(line_words[2].range.clone(), "the number of rows is negative", "")
                     })?;
                     elements.push(Element { name: name.to_owned(), rows, properties: Vec::new(), place });
                 }
                 ["property", ..] => property(&mut elements, &line_words)?,
                 ["end_header"] => {
                     let format = format.ok_or_else(|| {
-                        Fault::new(place, "the header names no format", "format ascii 1.0, or binary")
+                        Fault::new(place, "the header has no `format` line", "format ascii 1.0, or binary")
                     })?;
                     return Self { format, elements, end: start + line.len() }.checked();
                 }
                 _ => {
                     let expected = "`format … 1.0`, `element`, `property`, `comment` or `end_header`";
-                    return Err(Fault::new(place, "this is no line of a PLY header", expected));
+                    return Err(Fault::new(place, "this line is not valid in a PLY header", expected));
                 }
             }
         }
-        Err(Fault::new(text.len()..text.len(), "the header does not end", "`end_header`"))
+        Err(Fault::new(text.len()..text.len(), "the end of the header is missing", "`end_header`"))
     }
 
     fn checked(self) -> Result<Self, Fault> {
@@ -130,18 +130,22 @@ fn property(elements: &mut [Element], line: &[Word]) -> Result<(), Fault> {
         [_, scalar, name] => (None, scalar, name),
         _ => {
             let expected = "property TYPE NAME, or property list TYPE TYPE NAME";
-            return Err(Fault::new(extent(line), "this is no property", expected));
+            return Err(Fault::new(extent(line), "invalid property declaration", expected));
         }
     };
     if matches!(count, Some(Scalar::F32 | Scalar::F64)) {
-        let expected = "a type of whole numbers";
-        return Err(Fault::new(line[2].range.clone(), "the length of a list is no whole number", expected));
+        let expected = "an integer type";
+        return Err(Fault::new(
+            line[2].range.clone(),
+            "the length of a list does not have an integer type",
+            expected,
+        ));
     }
     let scalar = one_of(&SCALARS, scalar.text, scalar)?;
     let Some(element) = elements.last_mut() else {
         return Err(Fault::new(
             extent(line),
-            "the property belongs to no element",
+            "the property is declared before any element",
             "`element NAME ROWS` before it",
         ));
     };

@@ -63,7 +63,7 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
             let place = self.row_place();
             return Err(passing(Fault::new(
                 place.end..place.end,
-                "the line ends too early",
+                "the line has too few numbers",
                 "another number",
             )));
         };
@@ -74,8 +74,8 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
         let whole = word.whole().map_err(passing)?;
         let (low, high) = scalar.range();
         if !(low..=high).contains(&whole) {
-            let message = format!("{whole} is out of the range of its type");
-            let expected = format!("a whole number from {low} to {high}");
+            let message = format!("{whole} is out of range for its type");
+            let expected = format!("an integer from {low} to {high}");
             return Err(passing(Fault::new(word.range.clone(), message, expected)));
         }
         Ok(whole as f64)
@@ -84,7 +84,7 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
     fn end(&mut self) -> Result<(), Stop> {
         match self.row.get(self.next) {
             None => Ok(()),
-            Some(word) => Err(passing(Fault::new(word.range.clone(), "the line should have ended here", ""))),
+            Some(word) => Err(passing(Fault::new(word.range.clone(), "the line has too many numbers", ""))),
         }
     }
 
@@ -148,7 +148,7 @@ impl Rows for ByteRows<'_> {
             Scalar::F64 => self.take().map(f64::from_le_bytes),
         };
         number.ok_or_else(|| {
-            let message = format!("{}the file ends within it", self.row);
+            let message = format!("{}the file ends within this row", self.row);
             Stop { fault: Fault::new(self.place.clone(), message, ""), for_good: true }
         })
     }

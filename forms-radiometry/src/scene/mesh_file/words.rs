@@ -46,15 +46,15 @@ impl Word<'_> {
 
     /// Parses any number.
     pub(super) fn float(&self) -> Result<f64, Fault> {
-        let wrong = |_| Fault::new(self.range.clone(), format!("`{}` is no number", self.text), "a number");
+        let wrong =
+            |_| Fault::new(self.range.clone(), format!("`{}` is not a number", self.text), "a number");
         self.text.parse().map_err(wrong)
     }
 
     /// Parses an integer.
     pub(super) fn whole(&self) -> Result<i64, Fault> {
-        let wrong = |_| {
-            Fault::new(self.range.clone(), format!("`{}` is no whole number", self.text), "a whole number")
-        };
+        let wrong =
+            |_| Fault::new(self.range.clone(), format!("`{}` is not an integer", self.text), "an integer");
         self.text.parse().map_err(wrong)
     }
 }

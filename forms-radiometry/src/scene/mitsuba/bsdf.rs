@@ -119,7 +119,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let inner = reader.take_object(&mut object, "bsdf");
     reader.finish(object, &["bsdf"]);
     let Some(inner) = inner else {
-        reader.error(node, "this bsdf of type `twosided` has no bsdf inside", "one bsdf");
+        reader.error(node, "this bsdf of type `twosided` contains no bsdf", "one bsdf");
         return Law::Wrong;
     };
     let kind = inner.attribute("type").unwrap_or_default();
@@ -164,7 +164,11 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
         && name != "none"
     {
         let expected = "`eta` and `k`, or the material `none`";
-        reader.report.error(place, format!("the index of the metal `{name}` is not known here"), expected);
+        reader.report.error(
+            place,
+            format!("the refractive index of the metal `{name}` is not known"),
+            expected,
+        );
     }
     let eta = reader.colour(&mut object, "eta", &POSITIVE);
     let k = reader.colour(&mut object, "k", &NOT_NEGATIVE);
@@ -178,14 +182,15 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
         }
         (Some(eta), Some(k), reflectance) => {
             if reflectance.is_some_and(|reflectance| reflectance.iter().any(|&r| r != 1.0)) {
-                let message = "a metal whose reflectance is not that of its index cannot be said";
+                let message = "a `specular_reflectance` other than 1 is not supported for a conductor \
+                               with `eta` and `k`";
                 reader.error(node, message, "no `specular_reflectance`");
             }
             Law::Opaque(MaterialKind::Conductor { eta, k })
         }
         (eta, _, _) => {
             let (given, missing) = if eta.is_some() { ("eta", "k") } else { ("k", "eta") };
-            reader.error(node, format!("this conductor has `{given}` and no `{missing}`"), "both or neither");
+            reader.error(node, format!("this conductor has `{given}` but no `{missing}`"), "both or neither");
             Law::Opaque(MaterialKind::Mirror { reflectance: vec![1.0; reader.bands] })
         }
     }
@@ -208,7 +213,11 @@ fn index<'a>(
     let n = named(&name);
     if n.is_none() {
         let expected = one_of(INDICES.iter().map(|(name, _)| *name));
-        reader.report.error(place.clone(), format!("the index of `{name}` is not known"), expected);
+        reader.report.error(
+            place.clone(),
+            format!("the refractive index of `{name}` is not known"),
+            expected,
+        );
     }
     (n.unwrap_or(1.0), place)
 }

@@ -59,7 +59,7 @@ impl<'a> Reader<'a, '_, '_> {
     fn constant(&mut self, object: &mut Object<'a>) {
         let radiance = self.required_colour(object, "radiance", &NOT_NEGATIVE);
         if self.ambient_radiance.replace(radiance).is_some() {
-            self.error(object.node, "there is a second emitter of type `constant`", "one");
+            self.error(object.node, "more than one emitter of type `constant`", "one");
         }
         self.ambient_place = object.node.range();
     }

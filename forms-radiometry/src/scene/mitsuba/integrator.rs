@@ -9,7 +9,7 @@ const KINDS: [&str; 4] = ["path", "direct", "volpath", "volpathmis"];
 /// Properties that only affect the run time of the integrator.
 const IGNORED: [&str; 4] = ["rr_depth", "shading_samples", "emitter_samples", "bsdf_samples"];
 const DEPTH: Domain = Domain {
-    expected: "-1 for no limit, or a whole number of at least 2",
+    expected: "-1 for no limit, or an integer of at least 2",
     contains: |x| x.fract() == 0.0 && (x == -1.0 || (2.0..=1e9).contains(&x)),
 };
 
@@ -29,12 +29,12 @@ impl<'a> Reader<'a, '_, '_> {
             return;
         }
         if self.integrator.is_some() {
-            self.error(node, "there is a second integrator", "one");
+            self.error(node, "more than one integrator", "one");
         }
         let default = if object.kind == "direct" { 2.0 } else { -1.0 };
         let depth = self.float(&mut object, "max_depth", default, &DEPTH);
         if self.boolean(&mut object, "hide_emitters", false, false) {
-            self.error(node, "lamps that light but are not seen cannot be said", "hide_emitters = false");
+            self.error(node, "emitters hidden from the camera are not supported", "hide_emitters = false");
         }
         object.ignore(&IGNORED);
         let follows_media = object.kind.starts_with("volpath");
@@ -51,21 +51,22 @@ impl<'a> Reader<'a, '_, '_> {
             return Vec::new();
         };
         if self.has_media() && !follows_media {
-            let message = "this integrator leaves the media of the scene out";
+            let message = "this integrator ignores the participating media of the scene";
             self.report.error(place.clone(), message, "an integrator of type `volpath`");
         }
         let Some(depth) = depth else { return Vec::new() };
         let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
         if self.has_media() || !self.materials.iter().all(|material| is_diffuse(&material.kind)) {
-            let message = "a limit of depth that counts more than diffuse reflections cannot be said";
+            let message =
+                "a limit on path depth (`max_depth`) is only supported for diffuse surfaces without media";
             self.report.error(place, message, "max_depth = -1");
             return Vec::new();
         }
         let is_camera = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
         let cameras = self.receivers.iter().filter(|receiver| is_camera(receiver)).count();
         if 0 < cameras && cameras < self.receivers.len() {
-            let message =
-                "a limit of depth means one reflection less to a camera than to an irradiance meter";
+            let message = "a limit on path depth (`max_depth`) means one reflection fewer for a camera \
+                           than for an irradiance meter";
             self.report.error(place, message, "max_depth = -1, or sensors of one kind");
             return Vec::new();
         }

@@ -74,7 +74,7 @@ impl<'a> Reader<'a, '_, '_> {
             let tag = node.tag_name().name();
             if let Some(name) = node.attribute("name").filter(|name| known.contains(name)) {
                 if is_asked(name) {
-                    self.error(node, format!("`{name}` is said twice of {whole}"), "one of them");
+                    self.error(node, format!("`{name}` occurs twice in {whole}"), "one of them");
                     continue;
                 }
                 if is_in_error {
@@ -88,7 +88,7 @@ impl<'a> Reader<'a, '_, '_> {
             };
             let own_name = node.attribute("name").unwrap_or_default();
             let others = known.iter().copied().filter(|known| *known != own_name);
-            self.error(node, format!("{found} cannot be said of {whole}"), one_of(others));
+            self.error(node, format!("{found} is not supported in {whole}"), one_of(others));
         }
     }
 
@@ -106,7 +106,7 @@ impl<'a> Reader<'a, '_, '_> {
             let text = child.text().unwrap_or_default();
             if !text.trim().is_empty() {
                 let start = child.range().start + text.len() - text.trim_start().len();
-                self.report.error(start..child.range().end, "text has no meaning here", "elements");
+                self.report.error(start..child.range().end, "unexpected text", "elements");
             }
         }
         node.children().filter(Node::is_element).collect()
@@ -143,7 +143,7 @@ impl<'a> Reader<'a, '_, '_> {
                 let expected = format!("at most {LONGEST_VALUE} characters");
                 self.report.error(
                     attribute.range_value(),
-                    "with its parameters the value is too long",
+                    "the value is too long after substitution of parameters",
                     expected,
                 );
                 return None;
@@ -163,7 +163,7 @@ impl<'a> Reader<'a, '_, '_> {
         if target.is_none() {
             self.report.error(
                 place,
-                format!("nothing has the id `{id}`"),
+                format!("no element has the id `{id}`"),
                 "the id of an element of the scene",
             );
         }

@@ -41,8 +41,8 @@ impl<'a> Reader<'a, '_, '_> {
         let node = object.node;
         let to_world = self.transform(object);
         if to_world.scale(3).is_none() || to_world.mirrors() {
-            let message = "a camera that is scaled differently along its axes, or mirrored, cannot be said";
-            self.error(node, message, "a rotation, a translation and one scale");
+            let message = "non-uniform scaling or reflection of a camera is not supported";
+            self.error(node, message, "a rotation, a translation and uniform scaling");
             return None;
         }
         if !object.has("fov") {
@@ -100,7 +100,11 @@ impl<'a> Reader<'a, '_, '_> {
         let name = self.name(&object, &format!("irradiance of {shape}"), 0);
         let film = self.film(&mut object);
         if film.is_some_and(|resolution| resolution != [1, 1]) {
-            self.error(node, "an irradiance meter of more than one pixel cannot be said", "a film of 1 × 1");
+            self.error(
+                node,
+                "an irradiance meter with more than one pixel is not supported",
+                "a film of 1 × 1",
+            );
         }
         object.take_tag("sampler");
         self.finish(object, &["film", "sampler"]);

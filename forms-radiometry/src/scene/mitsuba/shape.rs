@@ -49,7 +49,7 @@ impl<'a> Reader<'a, '_, '_> {
     fn check_sides(&mut self, node: Node<'a>, bsdf: &Bsdf, radiance: &[f64]) {
         let emits = radiance.iter().any(|&radiance| radiance > 0.0);
         if bsdf.two_sided && emits {
-            let message = "a surface that reflects from two sides and emits from one cannot be said";
+            let message = "a two-sided surface that emits from one side only is not supported";
             self.error(node, message, "a bsdf that is not `twosided` for a shape with an emitter");
         }
     }
@@ -62,7 +62,7 @@ impl<'a> Reader<'a, '_, '_> {
         let (index, n) = match &bsdf.law {
             Law::Opaque(kind) => {
                 if inside.is_some() || outside.is_some() {
-                    let message = "a medium beside an opaque surface cannot be said";
+                    let message = "an interior or exterior medium of an opaque surface is not supported";
                     self.error(node, message, "a bsdf of type `dielectric` or `null`");
                 }
                 return bsdf.material(self, kind.clone());
@@ -76,7 +76,7 @@ impl<'a> Reader<'a, '_, '_> {
         if matches!(bsdf.law, Law::Null) && inside.is_none() {
             self.error(
                 node,
-                "a bsdf of type `null` without a medium behind it is nothing",
+                "a bsdf of type `null` without an interior medium has no effect",
                 "an interior medium",
             );
         }
@@ -130,8 +130,8 @@ impl<'a> Reader<'a, '_, '_> {
         let center = self.vector(object, "center").unwrap_or_default();
         let radius = self.float(object, "radius", 1.0, &LENGTH);
         let Some(scale) = to_world.scale(3) else {
-            let message = "a sphere that is scaled differently along its axes cannot be said";
-            self.error(object.node, message, "one scale for all axes");
+            let message = "non-uniform scaling of a sphere is not supported";
+            self.error(object.node, message, "uniform scaling");
             return None;
         };
         Some(Shape::Sphere(Sphere {
@@ -146,8 +146,8 @@ impl<'a> Reader<'a, '_, '_> {
         let [u, v] =
             [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
         let (Some(radius), Some(normal)) = (to_world.scale(2), u.cross(v).unit()) else {
-            let message = "a disk that is scaled differently along its axes cannot be said";
-            self.error(node, message, "one scale for both axes");
+            let message = "non-uniform scaling of a disk is not supported";
+            self.error(node, message, "uniform scaling in the plane of the disk");
             return None;
         };
         let normal = if flipped == to_world.mirrors() { normal } else { -normal };
@@ -165,14 +165,15 @@ impl<'a> Reader<'a, '_, '_> {
         if !name.to_lowercase().ends_with(&format!(".{}", object.kind)) {
             self.report.error(
                 place,
-                format!("`{name}` is not of the type `{}`", object.kind),
-                "its own type",
+                format!("`{name}` does not have the extension `.{}` of the shape type", object.kind),
+                "a file and a shape of the same type",
             );
             return None;
         }
         let MeshFile { mesh, has_normals } = self.files.file(self.report, place, &name)?;
         if !has_flat_faces && (has_normals || !is_flat_at_vertices(&mesh)) {
-            let message = format!("`{name}` would be shaded with normals that vary over its faces");
+            let message =
+                format!("`{name}` would be shaded with interpolated normals, which are not supported");
             self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
         }
         if *to_world == Transform::IDENTITY && !flipped {
@@ -189,7 +190,7 @@ impl<'a> Reader<'a, '_, '_> {
         flipped: bool,
     ) -> Option<Shape> {
         if to_world.mirrors() {
-            let message = "a transform that mirrors would turn the faces of this shape inside out";
+            let message = "a transform with reflection would turn this shape inside out";
             self.error(node, message, "a transform without reflection, or `flip_normals`");
             return None;
         }
@@ -200,7 +201,7 @@ impl<'a> Reader<'a, '_, '_> {
                     self.error(
                         node,
                         format!("after its transform, {error}"),
-                        "a transform that keeps planes",
+                        "a transform that keeps the faces planar",
                     );
                 }
                 None

@@ -79,7 +79,7 @@ impl Surroundings {
         for (medium, place) in &self.sensors {
             if *medium != self.elements[ambient] {
                 let message =
-                    format!("this sensor is not in `{}`, which fills the scene", scene.media[ambient].name);
+                    format!("this sensor is not in the ambient medium `{}`", scene.media[ambient].name);
                 report.error_at(place, message, "the medium of the first sensor");
             }
         }
@@ -115,7 +115,10 @@ impl Surroundings {
         let Some((n, _)) = said.next() else { return };
         scene.media[ambient].index.fill(*n);
         for (other, place) in said.filter(|(other, _)| other != n) {
-            let message = format!("the index {other} outside is not {n}, as of the first boundary there");
+            let message = format!(
+                "the exterior index {other} differs from the exterior index {n} of the first boundary \
+                 in the ambient medium"
+            );
             report.error_at(place, message, format!("{n}"));
         }
     }
@@ -133,13 +136,17 @@ impl Surroundings {
     fn compare(&self, report: &mut Report, scene: &Scene, boundary: &Boundary, front: usize) {
         let (medium, name) = (&scene.media[front], &scene.surfaces[boundary.surface].name);
         if boundary.exterior != self.elements[front] {
-            let message = format!("what `{name}` has outside is not `{}`, which is there", medium.name);
-            report.error_at(&boundary.place, message, "as `exterior` what is before the front");
+            let message = format!(
+                "the exterior medium of `{name}` is not `{}`, the medium in front of it",
+                medium.name
+            );
+            report.error_at(&boundary.place, message, "the medium in front of the shape as `exterior`");
         }
         let own = boundary.n.as_ref().map_or(scene.media[boundary.inside].index[0], |(n, _)| *n);
         if front_differs(scene.ambient.medium, front, own, medium.index[0]) {
             let place = boundary.n.as_ref().map_or(&boundary.place, |(_, place)| place);
-            let message = format!("the index {own} outside of `{name}` is not that of `{}`", medium.name);
+            let message =
+                format!("the exterior index {own} of `{name}` is not the index of `{}`", medium.name);
             report.error_at(place, message, format!("{}", medium.index[0]));
         }
     }

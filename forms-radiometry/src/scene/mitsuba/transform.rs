@@ -100,7 +100,7 @@ impl<'a> Reader<'a, '_, '_> {
             whole = self.step(step).unwrap_or(Transform::IDENTITY).after(&whole);
         }
         if whole.determinant() == 0.0 || !whole.determinant().is_finite() {
-            self.error(node, "the transform has no inverse", "a transform that keeps three dimensions");
+            self.error(node, "the transform has no inverse", "an invertible transform");
             return Transform::IDENTITY;
         }
         whole
@@ -108,7 +108,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     fn step(&mut self, node: Node<'a>) -> Option<Transform> {
         for child in self.elements(node) {
-            self.error(child, format!("`{}` cannot be said here", child.tag_name().name()), "no elements");
+            self.error(child, format!("`{}` is not supported here", child.tag_name().name()), "no elements");
         }
         match node.tag_name().name() {
             "translate" => self.axes(node, 0.0, false).map(Transform::translation),
@@ -118,7 +118,7 @@ impl<'a> Reader<'a, '_, '_> {
             "matrix" => self.matrix(node),
             other => {
                 let expected = "`translate`, `rotate`, `scale`, `matrix` or `lookat`";
-                self.error(node, format!("`{other}` cannot be said of a transform"), expected);
+                self.error(node, format!("`{other}` is not supported in a transform"), expected);
                 None
             }
         }
@@ -170,8 +170,9 @@ impl<'a> Reader<'a, '_, '_> {
         let (origin, target, up) = (point("origin"), point("target"), point("up"));
         let transform = Transform::look_at(origin?, target?, up?);
         if transform.is_none() {
-            let expected = "a target apart from the origin, and an `up` across the line of sight";
-            self.error(node, "the lookat has no direction or no upright", expected);
+            let expected =
+                "a target other than the origin, and an `up` that is not parallel to the viewing direction";
+            self.error(node, "the orientation of the lookat is undefined", expected);
         }
         transform
     }

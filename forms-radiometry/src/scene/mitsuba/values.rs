@@ -25,7 +25,7 @@ impl<'a> Reader<'a, '_, '_> {
         for child in self.elements(node) {
             self.error(
                 child,
-                format!("`{}` cannot be said of a `{tag}`", child.tag_name().name()),
+                format!("`{}` is not supported in a `{tag}`", child.tag_name().name()),
                 "a value",
             );
         }
@@ -55,7 +55,7 @@ impl<'a> Reader<'a, '_, '_> {
         let mut numbers = Vec::new();
         for word in words {
             let Ok(number) = word.parse() else {
-                self.report.error(place.clone(), format!("`{word}` is no number"), domain.expected);
+                self.report.error(place.clone(), format!("`{word}` is not a number"), domain.expected);
                 return Vec::new();
             };
             let Some(number) = within(self.report, place.clone(), what, number, domain) else {
@@ -156,7 +156,11 @@ impl<'a> Reader<'a, '_, '_> {
         let what = format!("`{name}`");
         if text.contains(':') {
             let expected = "one value for all wavelengths, or an `rgb`";
-            self.report.error(place, format!("{what}, a spectrum by wavelengths, cannot be said"), expected);
+            self.report.error(
+                place,
+                format!("{what} is a spectrum tabulated by wavelength, which is not supported"),
+                expected,
+            );
             return Some(black);
         }
         let numbers = self.numbers(&text, &place, &what, domain);
