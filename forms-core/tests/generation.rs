@@ -104,7 +104,7 @@ fn branches_that_differ_are_refused_with_a_point_of_the_seam() {
     let message = generated("kernel k(x) = if abs(x) < 1 { x } else { 1 };").unwrap_err();
     assert!(message.contains("differ at the seam x = -1 of"), "{message}");
     let message = generated("kernel k(u, v) = if u - v > 1 { u - v } else { 0 };").unwrap_err();
-    assert!(message.contains("\nat u = v + 1, v = 2: 1 from"), "{message}");
+    assert!(message.contains("\nat u = v + 1, v = 2: 1 in the branch"), "{message}");
     // switching to a series is a jump, however small
     let series = "kernel k(x) = if abs(x) > 1e-4 { sin(x)/x } else { 1 - x**2/6 };";
     assert!(generated(series).unwrap_err().contains("differ at the seam x = "));

@@ -244,9 +244,9 @@ fn work_is_told_from_other_work() {
     let told = [
         "another scene",
         "64 samples",
-        "share 1/1, not of 2/3",
-        "the tolerance 0.01, not of 0.001",
-        "the seed 7, not of 1",
+        "shard 1/1, not 2/3",
+        "tolerance 0.01, not 0.001",
+        "seed 7, not 1",
         "other effects",
     ];
     for (other, part) in others.iter().zip(told) {

@@ -216,7 +216,10 @@ fn what_cannot_be_done_is_said_before_the_work() {
         (&["missing.toml"], "error: missing.toml: "),
         (&["dark.toml"], "add a receiver, for example\n  [[receiver]]"),
         (&["dark.xml"], "add a sensor"),
-        (&["ball.toml"], "far away that the curved surface `ball` turns is not simulated"),
+        (
+            &["ball.toml"],
+            "distant lights that the curved surface `ball` reflects or refracts is not supported",
+        ),
         (&["room.toml", "--out", "taken"], "the folder `taken` cannot be made: "),
         (&["room.toml", "--out", "taken/below"], "the folder `taken/below` cannot be made: "),
     ];

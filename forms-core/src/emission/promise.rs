@@ -105,8 +105,8 @@ fn assumption(precision: Precision) -> &'static str {
 /// Lists the promises that these kernels do not keep in a target, one per line.
 ///
 /// ```
-/// use forms_core::{check::read_theory, compile::compile_kernel, kernel::{KernelDocs, Precision, Source, Target}};
-/// use forms_core::emission::broken_promises;
+/// use forms_core::{check::read_theory, compile::compile_kernel};
+/// use forms_core::emission::{KernelDocs, Precision, Source, Target, broken_promises};
 /// let (mut theory, _) = read_theory("kernel k(x) = (1 - cos(x))/x**2 within 2;");
 /// let kernel = theory.kernels[0].clone();
 /// let program = compile_kernel(&mut theory.pool, &kernel).unwrap().optimised;
