@@ -57,6 +57,7 @@ pub mod simulation;
 mod spectrum;
 mod tone;
 mod view_factors;
+mod watch;
 
 pub use irradiance::{ReceiverResult, simulate_direct};
 pub use library::{RADIANCE, TheoryFile, library, theory};

@@ -44,9 +44,9 @@ mod survey;
 mod tests;
 mod times;
 mod units;
-mod watch;
 
 pub use crate::radiosity::UsedKernel;
+pub use crate::watch::{Unwatched, Watch};
 pub use accuracy::{Accuracy, MissedCells, Rated};
 pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
 pub use arithmetic::Arithmetic;
@@ -58,4 +58,3 @@ pub use method::{Method, methods};
 pub use parts::ErrorParts;
 pub use planning::plan;
 pub use state::{Misfit, Snapshot, State};
-pub use watch::{Unwatched, Watch};

@@ -13,9 +13,9 @@ use super::prepared::Prepared;
 use super::progress::Progress;
 use super::solver::solved;
 use super::state::{Misfit, Of, Snapshot, State};
-use super::watch::{Unwatched, Watch};
 use crate::radiosity::Gathering;
 use crate::scene::{Scene, WorkingScene};
+use crate::watch::{Unwatched, Watch};
 
 /// Whether a scene is simulated by path tracing. Other scenes are solved as a whole.
 pub fn is_by_paths(scene: &Scene, plan: &Plan) -> bool {

@@ -10,11 +10,11 @@
 //! most cells.
 
 use super::interpolation::interpolated;
-use super::watch::Watch;
 use crate::geometry::{Face, Polygon, Vector};
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::scene::Shape;
 use crate::sharing::Sharing;
+use crate::watch::Watch;
 use smallvec::{SmallVec, smallvec};
 
 /// Number of cells along each side of a block. The cells of a block share the search for occluders.

@@ -14,7 +14,7 @@
 
 use super::answer::Moment;
 use super::forecast::Forecast;
-use super::watch::Watch;
+use crate::watch::Watch;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 

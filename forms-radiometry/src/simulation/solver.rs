@@ -22,12 +22,12 @@ use super::readings::{Reading, groups};
 use super::scales::Pictures;
 use super::shapes::Shapes;
 use super::times::{Times, timed};
-use super::watch::Watch;
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::scene::{Scene, WorkingScene};
 use crate::sharing::Sharing;
+use crate::watch::Watch;
 use std::time::Instant;
 
 /// Part of the tolerance left for rules of integration.

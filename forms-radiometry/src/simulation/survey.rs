@@ -1,6 +1,7 @@
 //! The survey of a scene: its contents, and how much light passes from surface to surface, at
 //! points of the coarsest elements.
 
+use super::Unwatched;
 use super::answer::Quantity;
 use super::effects::forced;
 use super::obstacles::{Obstacles, Reflected};
@@ -15,7 +16,6 @@ use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
 use crate::sharing::Sharing;
-use crate::simulation::Unwatched;
 use std::f64::consts::PI;
 
 /// Scenes with more faces than this are surveyed by rays: neither bounds nor occluders are found

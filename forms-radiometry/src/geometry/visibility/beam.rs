@@ -8,9 +8,9 @@
 //! Two screens with a common edge share its plane to the last bit, so no light slips between them.
 //! A screen that the beam grazes casts no shadow.
 
+use super::Between;
 use super::{Plane, Screen, Screens};
 use crate::geometry::clip::{split, split_beyond};
-use crate::geometry::visibility::Between;
 use crate::geometry::{Vector, edges};
 
 /// Rounding error of a distance from a plane, relative to the largest distance in its face.

@@ -16,11 +16,11 @@
 //!
 //! Source: L. N. Trefethen, Is Gauss quadrature better than Clenshaw–Curtis? (2008), theorem 4.5.
 
-use super::super::measure::Measure;
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
 use crate::geometry::{Face, Vector, gauss};
 use crate::kernels::measure_area_to_solid_angle;
+use crate::radiosity::measure::Measure;
 use crate::scene::Scene;
 use std::f64::consts::PI;
 

@@ -1,12 +1,6 @@
 //! Estimands: receivers become questions, each with its replicates and their target number of
 //! samples.
 
-use super::super::answer::ErrorKind;
-use super::super::job::{Budget, Share};
-use super::super::map::Grid;
-use super::super::parts::ErrorParts;
-use super::super::solver::ROUNDING;
-use super::super::times::scale;
 use super::computed::{Computed, Computing};
 use super::neighbours::Spread;
 use super::pixels::shown;
@@ -17,6 +11,12 @@ use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, 
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
+use crate::simulation::answer::ErrorKind;
+use crate::simulation::job::{Budget, Share};
+use crate::simulation::map::Grid;
+use crate::simulation::parts::ErrorParts;
+use crate::simulation::solver::ROUNDING;
+use crate::simulation::times::scale;
 use rayon::prelude::*;
 use std::time::Instant;
 

@@ -12,7 +12,7 @@
 use super::Work;
 use super::asked::Asked;
 use crate::simulation::progress::{Outlook, Progress};
-use crate::simulation::watch::Watch;
+use crate::watch::Watch;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 

@@ -7,12 +7,12 @@
 //! ```
 //! Occlusion is omitted, so no part is too small.
 
-use super::super::images::add_parts;
 use crate::camera::Camera;
 use crate::faces::{is_bright, round_surfaces};
 use crate::geometry::{Face, Round, Vector};
 use crate::radiosity::reflectance;
 use crate::scene::{MaterialKind, Medium, Scene};
+use crate::simulation::images::add_parts;
 
 /// Returns the part of each pixel, row by row, in which surfaces that send light may be visible;
 /// all of it where media may scatter light.

@@ -9,8 +9,8 @@
 //! are above the average. The scale is a lower estimate. Errors within the tolerance of the scale
 //! are therefore within the tolerance of the mean.
 
-use super::super::scales::Mean;
 use super::asked::Asked;
+use crate::simulation::scales::Mean;
 use rayon::prelude::*;
 
 /// Number of standard errors of the mean by which a scale is below the mean.
