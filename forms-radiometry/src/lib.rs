@@ -34,6 +34,7 @@
 //! assert!((found.answers[0].value - 6.0).abs() <= found.answers[0].error);
 //! ```
 
+mod answer;
 pub mod camera;
 mod extinction;
 mod faces;
@@ -44,6 +45,7 @@ mod library;
 mod monte_carlo;
 pub mod output;
 pub mod picture;
+mod plan;
 mod radiosity;
 mod sampling;
 pub mod scene;

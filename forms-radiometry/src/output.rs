@@ -26,7 +26,7 @@ pub use names::file_names;
 pub use photograph::photograph;
 pub use png::{png, viridis};
 
-use crate::simulation::Map;
+use crate::answer::Map;
 
 /// Returns the cells of a map in picture order: row by row from the top.
 fn from_above<'v, T>(map: &Map, values: &'v [T]) -> Vec<&'v [T]> {

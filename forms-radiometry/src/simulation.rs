@@ -8,14 +8,11 @@
 //! A watcher is notified of progress and can stop the computation; the results obtained by then are
 //! returned.
 
-mod accuracy;
-mod answer;
 mod arithmetic;
 mod digits;
 mod divided;
 mod effects;
 mod estimate;
-mod exposure;
 mod file;
 mod followed;
 mod forecast;
@@ -28,7 +25,6 @@ mod map;
 mod maps;
 mod method;
 mod obstacles;
-mod parts;
 mod planning;
 mod prepared;
 mod progress;
@@ -43,18 +39,18 @@ mod survey;
 #[cfg(test)]
 mod tests;
 mod times;
-mod units;
 
+pub use crate::answer::{
+    Accuracy, Answer, ErrorKind, ErrorParts, Exposure, Map, MissedCells, Moment, NoTime, Quantity, Rated,
+    Simulation,
+};
+pub use crate::plan::{Plan, PlannedEffect};
 pub use crate::radiosity::UsedKernel;
 pub use crate::watch::{Unwatched, Watch};
-pub use accuracy::{Accuracy, MissedCells, Rated};
-pub use answer::{Answer, ErrorKind, Map, Moment, Plan, PlannedEffect, Quantity, Simulation};
 pub use arithmetic::Arithmetic;
 pub use divided::{is_by_paths, merge, simulate, simulate_job};
-pub use exposure::{Exposure, NoTime};
 pub use file::{Identity, NoState, StateFile};
 pub use job::{Budget, Job, Keeper, NoBudget, NoShare, Share};
 pub use method::{Method, methods};
-pub use parts::ErrorParts;
 pub use planning::plan;
 pub use state::{Misfit, Snapshot, State};

@@ -1,6 +1,6 @@
 //! CSV output: every number of a simulation, one for each line.
 
-use crate::simulation::{ErrorKind, Map, Simulation};
+use crate::answer::{ErrorKind, Map, Simulation};
 use std::fmt::Display;
 use std::io::{self, Write};
 

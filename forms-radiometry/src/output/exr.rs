@@ -1,8 +1,8 @@
 //! OpenEXR output of a map: linear values in 32 bits, one pixel for each cell.
 
 use super::{from_above, total};
+use crate::answer::Map;
 use crate::scene::Scene;
-use crate::simulation::Map;
 use crate::spectrum::{Colour, add_scaled, band_colours};
 use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Text, WritableImage};
 use std::io::{self, Cursor};

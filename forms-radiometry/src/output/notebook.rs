@@ -1,7 +1,8 @@
 //! Notebook display: a plan and its answers as tables, a map as a picture.
 
 use super::{measured, png, rough, total};
-use crate::simulation::{Answer, Map, Plan, PlannedEffect, Simulation};
+use crate::answer::{Answer, Map, Simulation};
+use crate::plan::{Plan, PlannedEffect};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use forms::core::notebook::{Table, print_content};

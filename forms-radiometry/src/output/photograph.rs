@@ -2,8 +2,8 @@
 
 use super::from_above;
 use super::png::encoded;
+use crate::answer::Map;
 use crate::scene::Scene;
-use crate::simulation::Map;
 use crate::spectrum::{Colour, add_scaled, band_colours, luminance};
 use crate::tone::{Exposure, encode};
 use std::io;

@@ -1,7 +1,7 @@
 //! False-colour pictures of maps: values become colours of a perceptually uniform scale.
 
 use super::{from_above, measured, total};
-use crate::simulation::Map;
+use crate::answer::Map;
 use colorous::VIRIDIS;
 use std::io;
 

@@ -6,13 +6,14 @@
 //! solved as a whole   a single unit: surfaces illuminate each other, and all answers need them
 //! ```
 
-use super::answer::{Plan, Simulation};
 use super::followed::{followed, merged};
 use super::job::{Budget, Job, Share};
 use super::prepared::Prepared;
 use super::progress::Progress;
 use super::solver::solved;
 use super::state::{Misfit, Of, Snapshot, State};
+use crate::answer::Simulation;
+use crate::plan::Plan;
 use crate::radiosity::Gathering;
 use crate::scene::{Scene, WorkingScene};
 use crate::watch::{Unwatched, Watch};

@@ -1,12 +1,12 @@
 //! Effects: the plan, expressed as settings of the solver.
 
-use super::answer::PlannedEffect;
 use super::followed::Computable;
 use super::readings::Reading;
 use super::survey::receiving;
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo::{self, Limits};
+use crate::plan::PlannedEffect;
 use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, is_precise, kernels};
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
 

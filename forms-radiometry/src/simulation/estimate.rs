@@ -11,9 +11,7 @@
 //! of a vector, the cells of a map. A reading that does not change at all does not depend on the
 //! elements.
 
-use super::answer::ErrorKind;
-use super::parts::ErrorParts;
-use super::solver::DARK;
+use crate::answer::{DARK, ErrorKind, ErrorParts};
 
 /// Safety factor of the estimate.
 const SAFETY: f64 = 1.5;

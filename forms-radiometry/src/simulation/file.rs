@@ -6,10 +6,10 @@
 //! ```
 //! Identity and state are written in the postcard format, in which an `f64` keeps its bits.
 
-use super::answer::{Plan, PlannedEffect};
 use super::arithmetic::Arithmetic;
 use super::job::{Budget, Share};
 use super::state::{Snapshot, State};
+use crate::plan::{Plan, PlannedEffect};
 use crate::scene::{Scene, Sources};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};

@@ -24,12 +24,12 @@ mod radiances;
 mod scale;
 mod state;
 
-use super::answer::{Moment, Simulation};
 use super::effects::Effects;
 use super::job::{Job, Keeper, Share};
 use super::progress::Progress;
 use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
+use crate::answer::{Moment, Simulation};
 use crate::faces::{faces, is_round};
 use crate::monte_carlo::{self, Follow, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};

@@ -1,8 +1,8 @@
 //! Goals: the readings that are not accurate enough determine which elements are refined.
 
-use super::accuracy::relative;
 use super::estimate::{Before, Estimate, Found};
 use super::solver::Work;
+use crate::answer::relative;
 use crate::radiosity::{Asking, Goal, Radiosity, Refined};
 
 /// Part of the tolerance left for elements that are not split although they are expected to change.

@@ -15,12 +15,11 @@ mod film;
 
 pub(super) use film::add_parts;
 
-use super::answer::{Answer, ErrorKind, Map, Quantity};
 use super::estimate::Found;
-use super::parts::ErrorParts;
 use super::readings::Reading;
 use super::scales::{Watched, mean_scale};
 use super::solver::{ROUNDING, Work};
+use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
 use crate::camera::Camera;
 use crate::geometry::Screens;
 use crate::radiosity::{Radiosity, Scratch, Transport};

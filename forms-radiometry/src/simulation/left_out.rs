@@ -11,8 +11,8 @@
 //! A boundary with a vacuum on both sides is removed, so that the reduced scene may have only
 //! diffuse surfaces in a vacuum.
 
-use super::answer::PlannedEffect;
 use super::effects::forced;
+use crate::plan::PlannedEffect;
 use crate::scene::{Effect, Force, MaterialKind, Medium, ReceiverKind, Scene, middle};
 
 /// Returns the scene without the effects that the plan turns off.

@@ -2,14 +2,13 @@
 //! elements are refined, and these become maps. The error of a cell is the largest error of the
 //! watched cells, each relative to its scale (see [`scales`](super::scales)).
 
-use super::answer::{ErrorKind, Map, Quantity};
 use super::estimate::Found;
 use super::map::Grid;
-use super::readings::OF_PRODUCT;
-use super::readings::{Reading, groups};
+use super::readings::{OF_PRODUCT, Reading, groups};
 use super::scales::{Watched, mean_scale};
 use super::solver::Work;
 use super::times::timed;
+use crate::answer::{ErrorKind, Map, Quantity};
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
 use crate::sharing::Sharing;

@@ -10,13 +10,13 @@
 //! [`is_followed`](super::followed::is_followed) and [`Gathering::of`]. Where only the work shows
 //! which of two methods suffices, both are named.
 
-use super::answer::Plan;
 use super::effects::Effects;
 use super::followed::Computable;
 use super::prepared::Prepared;
 use super::solver::FINEST;
 use crate::faces::{faces, is_round};
 use crate::monte_carlo;
+use crate::plan::Plan;
 use crate::radiosity::Gathering;
 use crate::scene::{Receiver, ReceiverKind, Scene};
 

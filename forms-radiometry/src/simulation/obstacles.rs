@@ -161,9 +161,11 @@ fn distance(outline: &[Vector], place: &Place, normal: Vector) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use crate::answer::Answer;
+    use crate::plan::Plan;
     use crate::scene::{Effect, read};
     use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
-    use crate::simulation::{Answer, Plan, Unwatched, plan, simulate};
+    use crate::simulation::{Unwatched, plan, simulate};
 
     /// Returns a floor, a lamp above it, and between them a plate of this size at this position.
     fn lamp_and_plate(reflectance: f64, size: f64, [x, y, z]: [f64; 3]) -> String {

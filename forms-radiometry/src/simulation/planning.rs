@@ -9,12 +9,12 @@
 //! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): all reflections pass on light that is omitted
 //! once.
 
-use super::answer::{Plan, PlannedEffect};
 use super::effects::{Effects, forcing};
 use super::followed::{Computable, all_questions, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::monte_carlo::{self, World, endless, has_too_many_images, trap};
+use crate::plan::{Plan, PlannedEffect};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
 

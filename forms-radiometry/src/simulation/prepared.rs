@@ -1,11 +1,11 @@
 //! Working scene: a scene and its plan become the simulated scene in working units, and its results
 //! become the requested answers.
 
-use super::answer::{Answer, Plan, Simulation};
 use super::effects::Effects;
 use super::followed::{Task, is_followed};
 use super::left_out::without;
-use super::parts::ErrorParts;
+use crate::answer::{Answer, ErrorParts, Simulation};
+use crate::plan::Plan;
 use crate::scene::{Scene, WorkingScene};
 
 /// Scene as it is simulated.

@@ -12,8 +12,8 @@
 //! end, and until then no remaining time is reported. Otherwise it is reported where [`Forecast`]
 //! trusts it.
 
-use super::answer::Moment;
 use super::forecast::Forecast;
+use crate::answer::Moment;
 use crate::watch::Watch;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Instant;

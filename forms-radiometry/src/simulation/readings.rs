@@ -1,7 +1,7 @@
 //! Readings: a receiver becomes the numbers that it asks for. Each is a measure at a point, a mean
 //! over a surface, or the radiance of the surface that a ray meets.
 
-use super::answer::Quantity;
+use crate::answer::Quantity;
 use crate::faces::is_bright;
 use crate::geometry::{Face, Vector};
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Straight, Transport, reflectance};

@@ -1,13 +1,12 @@
 //! Sampled answers: readings become probes. Probes that are not accurate enough get more rays and
 //! paths, until all are, or none is allowed more.
 
-use super::answer::{ErrorKind, Map, Moment};
 use super::estimate::{Estimate, Found};
 use super::map::Grid;
-use super::parts::ErrorParts;
 use super::progress::Outlook;
 use super::readings::Reading;
-use super::solver::{DARK, ROUNDING, Work};
+use super::solver::{ROUNDING, Work};
+use crate::answer::{DARK, ErrorKind, ErrorParts, Map, Moment};
 use crate::radiosity::{GoalKind, Measure, Paths, Probe};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};

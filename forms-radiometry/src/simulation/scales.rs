@@ -10,10 +10,10 @@
 //! known at the end. Where it is so much less that errors miss the tolerance, the work is done once
 //! more with it. Emission is exact: the errors of watched pixels are those of the reflected light.
 
-use super::answer::Map;
 use super::estimate::{Estimate, Found};
 use super::images::Image;
-use super::solver::{DARK, Work};
+use super::solver::Work;
+use crate::answer::{DARK, Map};
 
 /// Part of the mean of watched cells that serves as scale: the mean of all cells may be less than
 /// their mean.

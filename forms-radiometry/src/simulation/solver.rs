@@ -8,20 +8,19 @@
 //! error of the solution of the equations and rounding are added. For curved shapes, everything is
 //! done with two polyhedra, one finer than the other, and the change between them is added too.
 
-use super::answer::{Answer, Moment, Simulation};
 use super::digits::{Digits, Value};
 use super::effects::Effects;
 use super::estimate::{Estimate, Found, pool};
 use super::goals::Earlier;
 use super::images::Image;
 use super::map::Grid;
-use super::parts::ErrorParts;
 use super::prepared::Prepared;
 use super::progress::{Outlook, Progress, foreseen};
 use super::readings::{Reading, groups};
 use super::scales::Pictures;
 use super::shapes::Shapes;
 use super::times::{Times, timed};
+use crate::answer::{Answer, ErrorParts, Moment, Simulation};
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
@@ -37,8 +36,6 @@ pub(super) const RULES: f64 = 0.02;
 const STRAIGHT: f64 = 0.25;
 /// Rounding error of an answer, relative to it.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Answers below this part of the largest one are dark.
-pub(super) const DARK: f64 = 1e-9;
 /// Fineness of the finest polyhedra.
 pub(super) const FINEST: usize = 4;
 /// Largest number of times that maps and images are computed: again only where their means are less

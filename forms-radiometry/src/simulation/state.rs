@@ -6,8 +6,8 @@
 //! solved as a whole   the result, or nothing in a shard without it
 //! ```
 
-use super::answer::Simulation;
 use super::followed::{OfPaths, Work, WrittenOfPaths};
+use crate::answer::Simulation;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::{self, Write};

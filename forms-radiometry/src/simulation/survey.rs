@@ -2,11 +2,11 @@
 //! points of the coarsest elements.
 
 use super::Unwatched;
-use super::answer::Quantity;
 use super::effects::forced;
 use super::obstacles::{Obstacles, Reflected};
 use super::readings::Reading;
 use super::surroundings::Surroundings;
+use crate::answer::Quantity;
 use crate::faces::{emits, faces, round_surfaces};
 use crate::geometry::{Between, Face, Screens, Vector};
 use crate::radiosity::{

@@ -11,10 +11,10 @@
 //! ```
 //! None of the numbers depends on the seed.
 
+use crate::answer::ErrorParts;
 use crate::monte_carlo::{Follow, Limits, Question, extinction_alone, scattering_once};
 use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
 use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
-use crate::simulation::parts::ErrorParts;
 use serde::{Deserialize, Serialize};
 
 /// A number and its error budget, without the rounding of the number itself.

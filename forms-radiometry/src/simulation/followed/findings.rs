@@ -2,10 +2,9 @@
 
 use super::Work;
 use super::asked::Asked;
+use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
 use crate::faces::faces;
 use crate::scene::{Receiver, ReceiverKind, Scene};
-use crate::simulation::answer::{Answer, ErrorKind, Map, Quantity};
-use crate::simulation::parts::ErrorParts;
 
 /// Part of the errors of pixels that they have in common. Sampling stops where samples agree, more
 /// often where they have missed something bright. Where a medium scatters forwards, pixels are on

@@ -6,9 +6,10 @@ use super::asked::{Asked, Division};
 use super::computed::Computed;
 use super::neighbours::Spread;
 use super::scale::Scales;
+use crate::answer::Moment;
 use crate::monte_carlo::{KeptSums, WrittenSums};
+use crate::simulation::Share;
 use crate::simulation::state::Misfit;
-use crate::simulation::{Moment, Share};
 use serde::{Deserialize, Serialize};
 
 /// State that was written before.

@@ -10,9 +10,12 @@
 //! taken from this module, so that they agree. The scales of all answers are found once, in time
 //! linear in their number.
 
-use super::answer::{Answer, Map, Quantity, Simulation};
-use super::solver::DARK;
+use super::quantity::Quantity;
+use super::results::{Answer, Map, Simulation};
 use std::collections::HashMap;
+
+/// Answers below this part of the largest one are dark.
+pub(crate) const DARK: f64 = 1e-9;
 
 /// Answers of a simulation with the scale of each.
 pub struct Accuracy<'s> {
@@ -137,7 +140,7 @@ impl<'s> Accuracy<'s> {
 }
 
 /// Returns an error relative to a scale. An error of zero stays zero, even where there is no light.
-pub(super) fn relative(error: f64, scale: f64) -> f64 {
+pub(crate) fn relative(error: f64, scale: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / scale }
 }
 

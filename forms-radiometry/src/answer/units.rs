@@ -1,12 +1,13 @@
 //! Units: numbers in working units are converted to the units of their quantities.
 
-use super::answer::{Answer, Quantity, Simulation};
-use super::parts::ErrorParts;
+use super::error_budget::ErrorParts;
+use super::quantity::Quantity;
+use super::results::{Answer, Simulation};
 use crate::scene::WorkingScene;
 
 impl Simulation {
     /// Converts all numbers to the units of their quantities.
-    pub(super) fn leave_working_units(&mut self, working: &WorkingScene) {
+    pub(crate) fn leave_working_units(&mut self, working: &WorkingScene) {
         for answer in &mut self.answers {
             answer.multiply(working.light);
             if answer.quantity == Quantity::Flux {
@@ -24,7 +25,7 @@ impl Simulation {
 
 impl Quantity {
     /// Converts a number in working units to the unit of this quantity.
-    pub(super) fn in_unit(self, number: f64, working: &WorkingScene) -> f64 {
+    pub(crate) fn in_unit(self, number: f64, working: &WorkingScene) -> f64 {
         let area = if self == Self::Flux { working.square_metres } else { 1.0 };
         number * working.light * area
     }
@@ -33,7 +34,7 @@ impl Quantity {
 impl Answer {
     /// Multiplies by a factor above zero. Where the product is beyond the range of `f64`, the error
     /// shows it.
-    pub(super) fn multiply(&mut self, factor: f64) {
+    pub(crate) fn multiply(&mut self, factor: f64) {
         if factor == 1.0 {
             return;
         }
@@ -50,7 +51,7 @@ impl Answer {
     }
 
     /// Adds to the error.
-    pub(super) fn add(&mut self, parts: ErrorParts) {
+    pub(crate) fn add(&mut self, parts: ErrorParts) {
         self.parts = self.parts + parts;
         self.error = self.parts.error(self.kind);
     }

@@ -1,71 +1,9 @@
-//! Results of a simulation: the plan, and values with their errors.
+//! Results of a simulation: values with their errors.
 
-use super::parts::ErrorParts;
-use crate::radiosity::UsedKernel;
-use crate::scene::Effect;
+use super::error_budget::ErrorParts;
+use super::error_kind::ErrorKind;
+use super::quantity::Quantity;
 use serde::{Deserialize, Serialize};
-
-/// Decision about the effects that are simulated.
-#[derive(Clone, Debug)]
-pub struct Plan {
-    /// All effects, in the order of [`Effect::ALL`].
-    pub effects: Vec<PlannedEffect>,
-    /// Kernels that the simulation runs with these effects.
-    pub kernels: Vec<UsedKernel>,
-    /// Error budget spent on omitted effects: the largest change of an answer, relative to it, by
-    /// all effects that were omitted because they matter less than the tolerance.
-    pub dropped: f64,
-}
-
-/// Decision of a plan about one effect.
-#[derive(Clone, Debug)]
-pub struct PlannedEffect {
-    /// The effect.
-    pub effect: Effect,
-    /// Whether it is simulated.
-    pub on: bool,
-    /// Number of orders that are simulated; all orders if `None`.
-    pub orders: Option<u32>,
-    /// Reason: the trigger in the scene, or that there is no trigger.
-    pub why: String,
-    /// Largest change of an answer, in the answer's unit, by omitting the effect or its higher
-    /// orders; `None` where no bound is known.
-    pub bound: Option<f64>,
-}
-
-/// Measured quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Quantity {
-    /// Power per area, W/m²; for a surface, its mean.
-    Irradiance,
-    /// Power that arrives at a surface, W.
-    Flux,
-    /// Power per area and solid angle, W/(m² sr).
-    Radiance,
-    /// The integral of radiance over all directions, W/m².
-    FluenceRate,
-    /// A component of the integral of radiance times direction of travel, W/m²: 0, 1 or 2 for x, y
-    /// or z.
-    VectorIrradiance(usize),
-    /// Energy per area that arrives during an exposure, J/m²; for a surface, its mean.
-    Exposure,
-    /// Fluence rate integrated over an exposure, J/m².
-    Fluence,
-}
-
-/// Meaning of an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum ErrorKind {
-    /// Rigorous bound. Closed forms leave only rounding.
-    Bound,
-    /// Extrapolated from the convergence of the values: hardly ever exceeded, and not by much.
-    Estimate,
-    /// Half width of the Student interval of the samples, which contains the value with the
-    /// probability [`ErrorKind::LEVEL`].
-    Confidence,
-    /// One standard error.
-    Sigma,
-}
 
 /// One requested number.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -152,33 +90,6 @@ pub struct Simulation {
     pub stopped: bool,
 }
 
-impl Quantity {
-    /// Returns its name, as in the program's output.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Irradiance => "irradiance",
-            Self::Flux => "flux",
-            Self::Radiance => "radiance",
-            Self::FluenceRate => "fluence_rate",
-            Self::VectorIrradiance(0) => "vector_irradiance_x",
-            Self::VectorIrradiance(1) => "vector_irradiance_y",
-            Self::VectorIrradiance(_) => "vector_irradiance_z",
-            Self::Exposure => "exposure",
-            Self::Fluence => "fluence",
-        }
-    }
-
-    /// Returns its unit.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Irradiance | Self::FluenceRate | Self::VectorIrradiance(_) => "W/m²",
-            Self::Flux => "W",
-            Self::Radiance => "W/(m² sr)",
-            Self::Exposure | Self::Fluence => "J/m²",
-        }
-    }
-}
-
 impl Simulation {
     /// Returns the time of the work shared by all receivers, in seconds. Together with the times of
     /// all answers it is the time of the whole work.
@@ -198,36 +109,5 @@ impl Answer {
             (Some(_), "W/(m² sr)") => "J/(m² sr)",
             (_, unit) => unit,
         }
-    }
-}
-
-impl ErrorKind {
-    /// Returns its name, as in the program's output.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Bound => "bound",
-            Self::Estimate => "estimate",
-            Self::Confidence => "confidence",
-            Self::Sigma => "sigma",
-        }
-    }
-
-    /// Confidence level: the probability that the value lies within an error of the kind
-    /// [`ErrorKind::Confidence`].
-    pub const LEVEL: f64 = 0.9999;
-
-    /// Returns its label, printed next to an error.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Bound => "bound",
-            Self::Estimate => "estimate",
-            Self::Confidence => "99.99 %",
-            Self::Sigma => "1 σ",
-        }
-    }
-
-    /// Returns the kind of the sum of an error of this kind and an estimate.
-    pub(super) fn with_estimate(self) -> Self {
-        if self == Self::Bound { Self::Estimate } else { self }
     }
 }

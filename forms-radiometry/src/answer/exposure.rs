@@ -6,7 +6,8 @@
 //! ```
 //! The factor is exact. The error grows with the value, and by the rounding of one product.
 
-use super::answer::{Answer, Quantity, Simulation};
+use super::quantity::Quantity;
+use super::results::{Answer, Simulation};
 use crate::scene::{Scene, SceneError};
 use std::fmt;
 

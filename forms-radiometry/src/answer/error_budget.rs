@@ -10,7 +10,7 @@
 //! Each part is set where it is known, and nowhere else. Effects that the file turns off, and
 //! orders that it excludes, define another problem and are not part of the error.
 
-use super::answer::ErrorKind;
+use super::error_kind::ErrorKind;
 use serde::{Deserialize, Serialize};
 use std::ops::Add;
 
@@ -53,7 +53,7 @@ impl ErrorParts {
     }
 
     /// Returns the parts multiplied by a factor.
-    pub(super) fn scaled(self, factor: f64) -> Self {
+    pub(crate) fn scaled(self, factor: f64) -> Self {
         Self {
             rounding: factor * self.rounding,
             quadrature: factor * self.quadrature,
@@ -65,7 +65,7 @@ impl ErrorParts {
 
     /// Returns the parts of a mean. Sampling errors average out, except for the part `common`
     /// that all numbers share; no other error averages out.
-    pub(super) fn of_mean(all: impl Iterator<Item = Self>, common: f64) -> Self {
+    pub(crate) fn of_mean(all: impl Iterator<Item = Self>, common: f64) -> Self {
         let (mut sum, mut squares, mut count) = (Self::default(), 0.0, 0.0);
         for parts in all {
             (squares, count) = (squares + parts.sampling * parts.sampling, count + 1.0);
