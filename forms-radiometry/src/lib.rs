@@ -58,6 +58,7 @@ mod sight;
 pub mod simulation;
 mod spectrum;
 mod tone;
+mod used_kernel;
 mod view_factors;
 mod watch;
 

@@ -1,7 +1,7 @@
 //! Plans: decisions about the effects that are simulated.
 
-use crate::radiosity::UsedKernel;
 use crate::scene::Effect;
+use crate::used_kernel::UsedKernel;
 
 /// Decision about the effects that are simulated.
 #[derive(Clone, Debug)]

@@ -53,7 +53,6 @@ pub(crate) use direct::Lights;
 pub(crate) use gather::{Group, Scratch, Transport};
 pub(crate) use gathering::{Gathering, Hiding};
 pub(crate) use importance::{Goal, GoalKind};
-pub use kernels::UsedKernel;
 pub(crate) use kernels::kernels;
 pub(crate) use measure::Measure;
 pub(crate) use paths::Paths;

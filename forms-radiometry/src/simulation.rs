@@ -45,7 +45,7 @@ pub use crate::answer::{
     Simulation,
 };
 pub use crate::plan::{Plan, PlannedEffect};
-pub use crate::radiosity::UsedKernel;
+pub use crate::used_kernel::UsedKernel;
 pub use crate::watch::{Unwatched, Watch};
 pub use arithmetic::Arithmetic;
 pub use divided::{is_by_paths, merge, simulate, simulate_job};

@@ -9,8 +9,8 @@ use crate::kernels::{
     spherical_triangle_pdf, spherical_triangle_sample, transmittance, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::radiosity::UsedKernel;
 use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use crate::used_kernel::UsedKernel;
 
 /// Returns the kernels that the paths of a scene run, and those that evaluate the analytic
 /// receivers.

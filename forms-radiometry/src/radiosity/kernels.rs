@@ -20,21 +20,7 @@ use crate::kernels::{
     solid_angle_triangle, uniform_sphere_sample, uniform_triangle_sample,
 };
 use crate::scene::{ReceiverKind, Scene, Shape, Surface};
-
-/// A kernel that a simulation runs.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UsedKernel {
-    /// Its name in the library.
-    pub name: &'static str,
-    /// The effects of the kernel that the code of its specialisation does not contain.
-    pub without: Vec<&'static str>,
-    /// Number of operations for a value.
-    pub operations: usize,
-    /// Number of operations for a value with all effects of the kernel.
-    pub operations_of_all: usize,
-    /// Description of the quantity that it computes.
-    pub what: &'static str,
-}
+use crate::used_kernel::UsedKernel;
 
 /// Computations that a scene requires.
 struct Computed {
@@ -147,13 +133,6 @@ pub(crate) fn kernels(
         row!(triangles, uniform_triangle_sample, "starting points of paths on triangles"),
     ];
     table.into_iter().flatten().collect()
-}
-
-impl UsedKernel {
-    /// Returns a kernel without effects.
-    pub(crate) fn whole(name: &'static str, operations: usize, what: &'static str) -> Self {
-        Self { name, without: Vec::new(), operations, operations_of_all: operations, what }
-    }
 }
 
 /// Returns the specialisation of the kernel that gathers these kinds of light.

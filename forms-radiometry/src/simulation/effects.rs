@@ -7,8 +7,9 @@ use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::monte_carlo::{self, Limits};
 use crate::plan::PlannedEffect;
-use crate::radiosity::{Gathering, Hiding, Question, UsedKernel, is_precise, kernels};
+use crate::radiosity::{Gathering, Hiding, Question, is_precise, kernels};
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
+use crate::used_kernel::UsedKernel;
 
 /// Effects that the solver simulates.
 #[derive(Clone, Copy, Debug)]
