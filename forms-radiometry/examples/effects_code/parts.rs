@@ -31,10 +31,10 @@ const MODULES: [(Effect, &[&str]); 7] = [
         ],
     ),
     (Effect::Interreflection, &["radiosity::operator", "radiosity::solution", "radiosity::weights"]),
-    (Effect::Mirror, &["monte_carlo::mirror"]),
-    (Effect::Scattering, &["monte_carlo::scattering"]),
-    (Effect::Refraction, &["monte_carlo::refraction"]),
-    (Effect::Time, &["monte_carlo::time"]),
+    (Effect::Mirror, &["paths::mirror"]),
+    (Effect::Scattering, &["paths::scattering"]),
+    (Effect::Refraction, &["paths::refraction"]),
+    (Effect::Time, &["paths::time"]),
 ];
 /// Effects without modules of their own in the path tracer: a path computes all three.
 const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Interreflection];

@@ -5,7 +5,7 @@ use super::readings::Reading;
 use super::survey::receiving;
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
-use crate::monte_carlo::{self, Limits};
+use crate::paths::{self, Limits};
 use crate::plan::PlannedEffect;
 use crate::radiosity::{Gathering, Hiding, Question, is_precise, kernels};
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
@@ -24,7 +24,7 @@ pub(super) struct Effects {
     pub(super) scatterings: Option<u32>,
     pub(super) bands: bool,
     /// Effects requested from the path tracer.
-    pub(super) of_paths: monte_carlo::Effects,
+    pub(super) of_paths: paths::Effects,
 }
 
 impl Effects {
@@ -51,7 +51,7 @@ impl Effects {
             orders: orders(Effect::Interreflection),
             scatterings: orders(Effect::Scattering),
             bands: is_on(Effect::Bands),
-            of_paths: monte_carlo::Effects {
+            of_paths: paths::Effects {
                 absorption: is_on(Effect::Absorption),
                 scattering: is_on(Effect::Scattering),
                 mirror: is_on(Effect::Mirror),
@@ -93,7 +93,7 @@ impl Effects {
         let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
         let computable = Computable::of(scene, &self.limits());
-        monte_carlo::kernels(scene, &|receiver| computable.has(receiver))
+        paths::kernels(scene, &|receiver| computable.has(receiver))
     }
 
     /// Returns the faces that occlude light or that rays meet. The rays are those of receivers, or

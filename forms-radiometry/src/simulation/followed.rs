@@ -31,7 +31,7 @@ use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
 use crate::answer::{Moment, Simulation};
 use crate::faces::{faces, is_round};
-use crate::monte_carlo::{self, Follow, World, follower};
+use crate::paths::{self, Follow, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 use crate::watch::Watch;
 use asked::{Asked, Division, asked, divide_time};
@@ -59,7 +59,7 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) ->
     let limits = task.effects.limits();
     // effects that the file turns on are part of the specialised tracer, even where the scene
     // contains none of them
-    let contained = monte_carlo::Effects::of(task.scene);
+    let contained = paths::Effects::of(task.scene);
     let followers = follower(&world, contained | task.effects.of_paths, limits);
     let computing = Computing::of(task.scene, &limits, &followers);
     let mut work = Work::new(&world, task.metres, &job, &computing, progress);

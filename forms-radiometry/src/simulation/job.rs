@@ -12,7 +12,7 @@
 //! repeats. Merged shards therefore equal one run, bit for bit.
 
 use super::state::{Snapshot, State};
-use crate::monte_carlo::REPLICATES;
+use crate::paths::REPLICATES;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;

@@ -15,7 +15,7 @@ use super::followed::Computable;
 use super::prepared::Prepared;
 use super::solver::FINEST;
 use crate::faces::{faces, is_round};
-use crate::monte_carlo;
+use crate::paths;
 use crate::plan::Plan;
 use crate::radiosity::Gathering;
 use crate::scene::{Receiver, ReceiverKind, Scene};
@@ -97,7 +97,7 @@ fn of_whole(scene: &Scene, effects: &Effects) -> Vec<Method> {
 /// after tracing them.
 fn of_paths(scene: &Scene, effects: &Effects) -> Vec<Method> {
     let computable = Computable::of(scene, &effects.limits());
-    let scatters = monte_carlo::Effects::of(scene).scattering;
+    let scatters = paths::Effects::of(scene).scattering;
     let of_receiver = |receiver: &Receiver| match receiver.kind {
         _ if computable.has(receiver) => vec![Method::Quadrature],
         ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {

@@ -13,7 +13,7 @@ use super::effects::{Effects, forcing};
 use super::followed::{Computable, all_questions, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
-use crate::monte_carlo::{self, World, endless, has_too_many_images, trap};
+use crate::paths::{self, World, endless, has_too_many_images, trap};
 use crate::plan::{Plan, PlannedEffect};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
@@ -96,7 +96,7 @@ fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
 /// Decides about every effect in turn. Returns the decisions, and the largest change by all omitted
 /// effects, relative to an answer.
 fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
-    let contains = monte_carlo::Effects::of(scene);
+    let contains = paths::Effects::of(scene);
     let most = DROPPED * scene.solve.tolerance;
     let mut planning = Planning { scene, survey, contains, left: most, dropped: 0.0 };
     let effects = Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
@@ -106,7 +106,7 @@ fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
 struct Planning<'s> {
     scene: &'s Scene,
     survey: Survey,
-    contains: monte_carlo::Effects,
+    contains: paths::Effects,
     /// Remaining error budget for omitted effects, relative to every answer.
     left: f64,
     /// Error budget spent on omitted effects so far, relative to every answer.

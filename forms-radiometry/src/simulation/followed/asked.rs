@@ -8,7 +8,7 @@ use super::radiances::{brightest, by_chance, outside, passed_on};
 use crate::answer::{ErrorKind, ErrorParts};
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::monte_carlo::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
+use crate::paths::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};

@@ -1,7 +1,7 @@
 //! Analytic answers: questions that need no samples get their numbers and errors.
 //!
 //! ```text
-//! sight  ─ smooth and black surfaces ─▶ sums over rays          (monte_carlo/expansion)
+//! sight  ─ smooth and black surfaces ─▶ sums over rays          (paths/expansion)
 //!          error: truncated rays
 //! points ─ an attenuating medium ─────▶ integrals over pieces   (radiosity/transmitted)
 //!          error: quadrature, rounding
@@ -12,7 +12,7 @@
 //! None of the numbers depends on the seed.
 
 use crate::answer::ErrorParts;
-use crate::monte_carlo::{Follow, Limits, Question, extinction_alone, scattering_once};
+use crate::paths::{Follow, Limits, Question, extinction_alone, scattering_once};
 use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
 use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! Radiances: upper bounds on the light of a scene that samples may have missed, band by band.
 
-use crate::monte_carlo::{Effects, World};
+use crate::paths::{Effects, World};
 use crate::radiosity::reflectance;
 use crate::scene::Scene;
 

@@ -7,7 +7,7 @@ use super::computed::Computed;
 use super::neighbours::Spread;
 use super::scale::Scales;
 use crate::answer::Moment;
-use crate::monte_carlo::{KeptSums, WrittenSums};
+use crate::paths::{KeptSums, WrittenSums};
 use crate::simulation::Share;
 use crate::simulation::state::Misfit;
 use serde::{Deserialize, Serialize};

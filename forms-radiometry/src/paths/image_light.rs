@@ -3,11 +3,11 @@
 
 use super::chains::Chain;
 use super::choice::Sought;
-use super::images::Image;
-use super::lattice::Lattice;
+use super::image_sources::Image;
 use super::luminaires::{Luminaire, Towards};
 use super::optics::{MediumOptics, scaled, times};
-use super::path::{Path, Tracer};
+use super::specialisation::Lattice;
+use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::Vector;
 use crate::sampling::{Draws, Samples};
@@ -22,7 +22,7 @@ struct Mirrored<'w> {
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// Adds the light of images at a vertex, with the direction that it comes from. The throughput
     /// of the path already includes the weight of the vertex.
-    pub(super) fn by_images(
+    pub(crate) fn by_images(
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
@@ -44,7 +44,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Adds the light of images that a segment scatters.
-    pub(super) fn imaged_segment(
+    pub(crate) fn imaged_segment(
         &self,
         (path, sought): (&Path<N>, Sought),
         medium: &MediumOptics<N>,

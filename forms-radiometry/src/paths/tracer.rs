@@ -14,13 +14,13 @@
 
 use super::boundary::Passage;
 use super::choice::Sought;
-use super::images::Images;
-use super::lattice::Lattice;
+use super::image_sources::Images;
 use super::mirror::reflected;
 use super::next_event::part;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::refracted;
 use super::scattering::Flight;
+use super::specialisation::Lattice;
 use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
@@ -47,68 +47,68 @@ pub(crate) struct Limits {
 }
 
 /// Path tracer, specialised for the effects of a member of the lattice.
-pub(super) struct Tracer<'w, L, const N: usize> {
-    pub(super) world: &'w World<'w>,
-    pub(super) optics: Optics<N>,
-    pub(super) images: Images<N>,
-    pub(super) limits: Limits,
-    pub(super) effects: PhantomData<L>,
+pub(crate) struct Tracer<'w, L, const N: usize> {
+    pub(crate) world: &'w World<'w>,
+    pub(crate) optics: Optics<N>,
+    pub(crate) images: Images<N>,
+    pub(crate) limits: Limits,
+    pub(crate) effects: PhantomData<L>,
 }
 
 /// State of a path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Path<const N: usize> {
-    pub(super) start: Start,
-    pub(super) direction: Vector,
-    pub(super) filling: Filling,
-    pub(super) throughput: [f64; N],
+pub(crate) struct Path<const N: usize> {
+    pub(crate) start: Start,
+    pub(crate) direction: Vector,
+    pub(crate) filling: Filling,
+    pub(crate) throughput: [f64; N],
     /// Optical path length so far, the integral of the index.
-    pub(super) way: f64,
+    pub(crate) way: f64,
     /// The last vertex, as the mirrors since then show it, and the density of the direction there.
     /// The density is infinite if next-event estimation could not have found the light source from
     /// that vertex.
-    pub(super) vertex: Vector,
-    pub(super) density: f64,
+    pub(crate) vertex: Vector,
+    pub(crate) density: f64,
     /// Point or segment for which light sources were selected at the last vertex: the vertex, or
     /// the segment on which it lies; as mirrors show it.
-    pub(super) sought: Sought,
+    pub(crate) sought: Sought,
     /// The chain of these mirrors.
-    pub(super) chain: usize,
-    pub(super) reflections: u32,
+    pub(crate) chain: usize,
+    pub(crate) reflections: u32,
     /// Maximum number of diffuse reflections.
-    pub(super) most: Option<u32>,
-    pub(super) scatterings: u32,
+    pub(crate) most: Option<u32>,
+    pub(crate) scatterings: u32,
     /// Number of specular events since the last vertex.
-    pub(super) turns: u32,
+    pub(crate) turns: u32,
     /// Whether the light has not been reflected, refracted or scattered yet.
-    pub(super) is_straight: bool,
+    pub(crate) is_straight: bool,
     /// Whether all samples of the estimand have followed the same path so far.
-    pub(super) is_same: bool,
+    pub(crate) is_same: bool,
 }
 
-pub(super) fn may_go_on(count: u32, most: Option<u32>) -> bool {
+pub(crate) fn may_go_on(count: u32, most: Option<u32>) -> bool {
     most.is_none_or(|most| count < most)
 }
 
 impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// Returns the number of bands.
-    pub(super) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
     }
 
-    pub(super) fn medium(&self, filling: Filling) -> MediumOptics<N> {
+    pub(crate) fn medium(&self, filling: Filling) -> MediumOptics<N> {
         self.optics.medium(filling)
     }
 
     /// Returns the optical path length after a further distance. It stays unchanged if no receiver
     /// is time-resolved.
-    pub(super) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+    pub(crate) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
         if L::TIME { longer(way, medium, distance) } else { way }
     }
 
     /// Traces a path to its end, and adds its contributions: a value for each band, and the optical
     /// path length.
-    pub(super) fn follow(&self, mut path: Path<N>, draws: &mut Draws, add: &mut impl FnMut(&[f64; N], f64)) {
+    pub(crate) fn follow(&self, mut path: Path<N>, draws: &mut Draws, add: &mut impl FnMut(&[f64; N], f64)) {
         loop {
             let met = self.world.walls.first(path.start, path.direction, f64::INFINITY);
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
@@ -142,7 +142,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Adds the light from the end of a segment to a path that reached it.
-    pub(super) fn arrives(
+    pub(crate) fn arrives(
         &self,
         path: &mut Path<N>,
         met: Option<&Met>,
@@ -262,7 +262,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Continues a path from a vertex in a direction sampled by the law of the vertex.
-    pub(super) fn leaves(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
+    pub(crate) fn leaves(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
         let direction = vertex.law.direction(self.count(), samples);
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
@@ -298,7 +298,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     /// Samples a point of a segment from which light sources are sampled, and returns the path up
     /// to that point.
-    pub(super) fn lit_point(
+    pub(crate) fn lit_point(
         &self,
         path: &Path<N>,
         medium: &MediumOptics<N>,

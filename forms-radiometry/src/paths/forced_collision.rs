@@ -6,10 +6,10 @@
 //!                                  └─ a forced collision, times 1 − e^(−σ d)
 //! ```
 
-use super::lattice::Lattice;
 use super::optics::{MediumOptics, largest, times};
-use super::path::{Path, Tracer, may_go_on};
 use super::scattering::Flight;
+use super::specialisation::Lattice;
+use super::tracer::{Path, Tracer, may_go_on};
 use crate::geometry::Met;
 use crate::sampling::Samples;
 use crate::scene::MaterialKind;
@@ -20,7 +20,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// collision, so that no path ends by chance. Forced collisions make paths longer. They pay off
     /// as long as the samples are of low discrepancy, so that the errors of a smooth integrand
     /// cancel.
-    pub(super) fn flight(
+    pub(crate) fn flight(
         &self,
         path: &Path<N>,
         medium: &MediumOptics<N>,
@@ -39,7 +39,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Whether a path can continue from a wall.
-    pub(super) fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
+    pub(crate) fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
         let is_bright = self.world.is_bright(met.wall, met.is_front);
         match self.world.material(met.wall) {
             MaterialKind::Dielectric { .. } => true,

@@ -6,9 +6,9 @@
 //! loaded.
 
 use super::follow::Follow;
-use super::images::Images;
+use super::image_sources::Images;
 use super::optics::Optics;
-use super::path::{Limits, Tracer};
+use super::tracer::{Limits, Tracer};
 use super::world::World;
 use crate::sampling::SHARED;
 use crate::scene::{Filling, MaterialKind, Scene};
@@ -16,7 +16,7 @@ use std::marker::PhantomData;
 use std::ops::BitOr;
 
 /// Effects that a specialisation contains.
-pub(super) trait Lattice: Sync + Send {
+pub(crate) trait Lattice: Sync + Send {
     const ABSORPTION: bool;
     const SCATTERING: bool;
     const MIRROR: bool;

@@ -1,7 +1,7 @@
 //! Kernels of path tracing: one table maps the effects of a scene to the kernels that its paths
 //! run.
 
-use super::lattice::Effects;
+use super::specialisation::Effects;
 use crate::kernels::{
     basic_radiance, cosine_hemisphere_pdf, cosine_hemisphere_sample, equiangular_pdf, equiangular_sample,
     free_flight_pdf, free_flight_sample, fresnel_conductor, fresnel_dielectric, henyey_greenstein,

@@ -2,10 +2,10 @@
 //! which is added to the sums of the estimand.
 
 use super::choice::Sought;
-use super::lattice::Lattice;
-use super::path::{Path, Tracer};
 use super::question::{Begin, Question};
 use super::replicates::Sums;
+use super::specialisation::Lattice;
+use super::tracer::{Path, Tracer};
 use super::vertex::{Law, Vertex};
 use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;

@@ -10,11 +10,11 @@
 //! (1995).
 
 use super::chains::Step;
-use super::lattice::Lattice;
 use super::luminaires::{Source, Towards};
 use super::mirror::reflected;
 use super::optics::{MediumOptics, mean, scaled, times};
-use super::path::{Path, Tracer};
+use super::specialisation::Lattice;
+use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;

@@ -12,11 +12,11 @@
 //! is a mean of the values on both sides.
 
 use super::boundary::Passage;
-use super::lattice::Lattice;
 use super::mirror::reflected;
 use super::optics::{MediumOptics, largest, scaled, times};
-use super::path::Tracer;
 use super::refraction::passages;
+use super::specialisation::Lattice;
+use super::tracer::Tracer;
 use crate::geometry::{Met, Start, Vector};
 use crate::scene::{Filling, MaterialKind};
 

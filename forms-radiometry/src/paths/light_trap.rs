@@ -52,20 +52,20 @@ pub(crate) fn trap(world: &World) -> Option<SceneError> {
 }
 
 /// Search for light traps in one band.
-pub(super) struct Search<'w> {
-    pub(super) world: &'w World<'w>,
-    pub(super) optics: Optics<1>,
+pub(crate) struct Search<'w> {
+    pub(crate) world: &'w World<'w>,
+    pub(crate) optics: Optics<1>,
 }
 
 /// A ray that has lost no energy so far.
-pub(super) struct Ray {
-    pub(super) start: Start,
-    pub(super) direction: Vector,
-    pub(super) filling: Filling,
+pub(crate) struct Ray {
+    pub(crate) start: Start,
+    pub(crate) direction: Vector,
+    pub(crate) filling: Filling,
 }
 
 impl<'w> Search<'w> {
-    pub(super) fn of(world: &'w World<'w>, band: usize) -> Self {
+    pub(crate) fn of(world: &'w World<'w>, band: usize) -> Self {
         Self { world, optics: Optics::of(world.scene, band, 1) }
     }
 }
@@ -144,7 +144,7 @@ impl Search<'_> {
     }
 
     /// Scatters a ray in its medium after this distance.
-    pub(super) fn scatter(&self, ray: &mut Ray, distance: f64, samples: &mut Samples) {
+    pub(crate) fn scatter(&self, ray: &mut Ray, distance: f64, samples: &mut Samples) {
         let asymmetry = self.optics.medium(ray.filling).asymmetry;
         let position = ray.start.position + distance * ray.direction;
         ray.direction = Law::Phase { forward: ray.direction, asymmetry }.direction(1, samples);
@@ -152,7 +152,7 @@ impl Search<'_> {
     }
 
     /// Applies the interaction of a wall to a ray; returns the fraction of its energy that remains.
-    pub(super) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
+    pub(crate) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
         let (world, sheet) = (self.world, &self.world.sheets[met.wall]);
         let normal = if met.is_front { met.normal } else { -met.normal };
         let medium = self.optics.medium(ray.filling);

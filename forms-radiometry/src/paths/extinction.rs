@@ -2,7 +2,7 @@
 //! can be computed analytically.
 
 use super::optics::MediumOptics;
-use super::path::Limits;
+use super::tracer::Limits;
 use crate::extinction::left;
 use crate::scene::{MaterialKind, Medium, Scene, Surface};
 

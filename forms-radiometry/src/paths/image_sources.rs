@@ -31,16 +31,16 @@ const FAINT: f64 = 1e-3;
 pub(crate) const LEFT_OUT: f64 = 1e-2;
 
 /// Image sources of all lights in a scene.
-pub(super) struct Images<const N: usize> {
+pub(crate) struct Images<const N: usize> {
     all: Vec<Image<N>>,
     chances: Vec<f64>,
     /// Whether there are more images than can be listed.
-    pub(super) is_cut: bool,
+    pub(crate) is_cut: bool,
 }
 
 /// Image of a light.
 #[derive(Clone, Debug)]
-pub(super) struct Image<const N: usize> {
+pub(crate) struct Image<const N: usize> {
     place: Place,
     /// Remaining intensity or irradiance; for a point light in metals, where it depends on the
     /// angle, an upper bound.
@@ -80,17 +80,17 @@ struct Sent<const N: usize> {
 }
 
 /// Light of an image at a point.
-pub(super) struct Coming<const N: usize> {
+pub(crate) struct Coming<const N: usize> {
     /// The direction that the light comes from.
-    pub(super) direction: Vector,
+    pub(crate) direction: Vector,
     /// Irradiance in each band at normal incidence.
-    pub(super) irradiance: [f64; N],
+    pub(crate) irradiance: [f64; N],
     /// Optical path length.
-    pub(super) way: f64,
+    pub(crate) way: f64,
 }
 
 impl<const N: usize> Images<N> {
-    pub(super) fn of(world: &World, optics: &Optics<N>) -> Self {
+    pub(crate) fn of(world: &World, optics: &Optics<N>) -> Self {
         let mut images = Self { all: Vec::new(), chances: Vec::new(), is_cut: false };
         let smooth: Vec<usize> =
             (0..world.sheets.len()).filter(|&wall| is_smooth(world, optics, wall)).collect();
@@ -145,7 +145,7 @@ impl<const N: usize> Images<N> {
 
     /// Returns all images if they are few or all are requested, otherwise one of them selected by a
     /// number from 0 to 1; each with its probability.
-    pub(super) fn choose(&self, number: f64, asks_for_all: bool) -> impl Iterator<Item = (&Image<N>, f64)> {
+    pub(crate) fn choose(&self, number: f64, asks_for_all: bool) -> impl Iterator<Item = (&Image<N>, f64)> {
         let are_few = asks_for_all || self.all.len() <= FEW;
         let one = chosen(&self.chances, number).filter(|_| !are_few);
         let taken = one.map_or(&self.all[..], |place| &self.all[place..=place]);
@@ -274,7 +274,7 @@ impl<const N: usize> Sent<N> {
 
 impl<const N: usize> Image<N> {
     /// Returns the position of the image; `None` if it is distant.
-    pub(super) fn point(&self) -> Option<Vector> {
+    pub(crate) fn point(&self) -> Option<Vector> {
         match self.place {
             Place::Point(position) => Some(position),
             Place::Far(_) => None,
@@ -282,7 +282,7 @@ impl<const N: usize> Image<N> {
     }
 
     /// Returns the light of the image at a point in a medium; `None` if an occluder is in the way.
-    pub(super) fn coming(
+    pub(crate) fn coming(
         &self,
         world: &World,
         optics: &Optics<N>,

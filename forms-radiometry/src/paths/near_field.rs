@@ -14,7 +14,7 @@
 use crate::geometry::{Disk, Sphere, Vector, Wall};
 
 /// The points near a light source.
-pub(super) enum Near {
+pub(crate) enum Near {
     /// A point of the plane and its unit normal; for each edge, a point of it and the unit normal
     /// in the plane that points inwards.
     Polygon {
@@ -26,7 +26,7 @@ pub(super) enum Near {
 }
 
 impl Near {
-    pub(super) fn of(wall: &Wall) -> Self {
+    pub(crate) fn of(wall: &Wall) -> Self {
         match wall {
             Wall::Polygon { vertices, normal } => {
                 let nexts = vertices.iter().cycle().skip(1);
@@ -40,7 +40,7 @@ impl Near {
     }
 
     /// Whether a point is near.
-    pub(super) fn holds(&self, point: Vector) -> bool {
+    pub(crate) fn holds(&self, point: Vector) -> bool {
         match self {
             Self::Polygon { plane: [origin, normal], edges } => {
                 let height = (point - *origin).dot(*normal).abs();

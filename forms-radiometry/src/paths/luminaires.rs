@@ -9,11 +9,11 @@
 //! and distant lights are all sampled if they are few. Densities are per solid angle, and can also
 //! be evaluated for directions that another technique found.
 //!
-//! A light source that is [`near`](super::near) is found by path sampling alone: there it is not
+//! A light source that is [`near`](super::near_field) is found by path sampling alone: there it is not
 //! sampled, and its density is zero.
 
 use super::choice::{Choice, Sought, Weight};
-use super::near::Near;
+use super::near_field::Near;
 use super::optics::largest;
 use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,

@@ -8,11 +8,11 @@
 //! Radiance in such a medium is well defined, but the number of events of a path has an infinite
 //! mean.
 
-use super::lattice::Lattice;
+use super::light_trap::{Ray, Search};
 use super::optics::MediumOptics;
-use super::path::{Limits, Path, Tracer};
 use super::question::{Begin, Question};
-use super::trap::{Ray, Search};
+use super::specialisation::Lattice;
+use super::tracer::{Limits, Path, Tracer};
 use super::vertex::Law;
 use super::warps::free_flight_sample;
 use super::world::World;
@@ -113,7 +113,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     /// which this happens to more than a thousandth of the paths has been rejected. The light that
     /// is lost by ending such a path is therefore negligible compared with the statistical error of
     /// the result.
-    pub(super) fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
+    pub(crate) fn is_endless(&self, path: &Path<N>, medium: &MediumOptics<N>) -> bool {
         self.limits.scatterings.is_none()
             && medium.is_conservative()
             && !self.world.walls.surround(path.start.position)
