@@ -36,6 +36,7 @@
 
 mod answer;
 pub mod camera;
+mod effects;
 mod extinction;
 mod faces;
 pub mod geometry;

@@ -53,7 +53,7 @@ pub(crate) use kernels::kernels;
 pub(crate) use light_trap::trap;
 pub(crate) use question::{Question, Seen};
 pub(crate) use replicates::{Bins, REPLICATES, Replicates};
-pub(crate) use specialisation::{Effects, follower, has_too_many_images};
+pub(crate) use specialisation::{follower, has_too_many_images};
 pub(crate) use tracer::Limits;
 pub(crate) use unbounded_medium::endless;
 pub(crate) use world::World;

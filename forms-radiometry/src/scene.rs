@@ -3,6 +3,7 @@
 //! support.
 
 mod bands;
+mod effect;
 mod element;
 mod error;
 mod file;
@@ -27,11 +28,12 @@ mod value;
 mod working_units;
 
 pub(crate) use bands::middle;
+pub use effect::{Effect, Force, ForcedEffect};
 pub use error::SceneError;
 pub use file::read_file;
 pub use model::{
-    Ambient, Band, Effect, Force, ForcedEffect, LengthUnit, Light, LightKind, Material, MaterialKind, Medium,
-    Receiver, ReceiverKind, Scene, Shape, Solve, Surface, TimeBins,
+    Ambient, Band, LengthUnit, Light, LightKind, Material, MaterialKind, Medium, Receiver, ReceiverKind,
+    Scene, Shape, Solve, Surface, TimeBins,
 };
 pub use overrides::{EffectList, Overrides};
 pub use place::Place;

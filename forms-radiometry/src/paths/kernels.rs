@@ -1,7 +1,7 @@
 //! Kernels of path tracing: one table maps the effects of a scene to the kernels that its paths
 //! run.
 
-use super::specialisation::Effects;
+use crate::effects::EffectSet;
 use crate::kernels::{
     basic_radiance, cosine_hemisphere_pdf, cosine_hemisphere_sample, equiangular_pdf, equiangular_sample,
     free_flight_pdf, free_flight_sample, fresnel_conductor, fresnel_dielectric, henyey_greenstein,
@@ -9,13 +9,13 @@ use crate::kernels::{
     spherical_triangle_pdf, spherical_triangle_sample, transmittance, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
 use crate::used_kernel::UsedKernel;
 
 /// Returns the kernels that the paths of a scene run, and those that evaluate the analytic
 /// receivers.
 pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) -> Vec<UsedKernel> {
-    let effects = Effects::of(scene);
+    let effects = EffectSet::of_scene(scene);
     let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
     let sampled = || scene.receivers.iter().filter(|receiver| !is_computed(receiver));
     let (samples, computes) = (sampled().next().is_some(), scene.receivers.iter().any(is_computed));
@@ -31,7 +31,8 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
     let metals = materials().any(|kind| matches!(kind, MaterialKind::Conductor { .. }));
     let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
     let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));
-    let Effects { absorption, scattering, refraction, .. } = effects;
+    let [absorption, scattering, refraction] =
+        [Effect::Absorption, Effect::Scattering, Effect::Refraction].map(|effect| effects.has(effect));
     let scatters_once = computes && scattering;
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {

@@ -10,10 +10,10 @@ use super::image_sources::Images;
 use super::optics::Optics;
 use super::tracer::{Limits, Tracer};
 use super::world::World;
+use crate::effects::EffectSet;
 use crate::sampling::SHARED;
-use crate::scene::{Filling, MaterialKind, Scene};
+use crate::scene::{Effect, Scene};
 use std::marker::PhantomData;
-use std::ops::BitOr;
 
 /// Effects that a specialisation contains.
 pub(crate) trait Lattice: Sync + Send {
@@ -43,72 +43,10 @@ impl<const A: bool, const S: bool, const M: bool, const R: bool, const T: bool> 
     const TIME: bool = T;
 }
 
-/// The effects that a scene contains.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Effects {
-    pub(crate) absorption: bool,
-    pub(crate) scattering: bool,
-    pub(crate) mirror: bool,
-    pub(crate) refraction: bool,
-    pub(crate) dispersion: bool,
-    pub(crate) time: bool,
-}
-
-impl Effects {
-    /// Returns the effects of a scene: those of the materials of its surfaces, and of the media
-    /// that fill any part of it.
-    pub(crate) fn of(scene: &Scene) -> Self {
-        let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
-        let inside = materials().filter_map(|kind| match kind {
-            MaterialKind::Dielectric { inside } => Some(Some(*inside)),
-            _ => None,
-        });
-        let fillings: Vec<Filling> = inside.chain([scene.ambient.medium]).collect();
-        let media = || fillings.iter().flatten().map(|&medium| &scene.media[medium]);
-        let any = |values: &[f64]| values.iter().any(|&value| value > 0.0);
-        let index = |filling: &Filling| filling.map_or(&[1.0][..], |medium| &scene.media[medium].index);
-        let differs = |a: &Filling| {
-            (0..scene.band_count()).any(|band| {
-                let of = |filling: &Filling| *index(filling).get(band).unwrap_or(&1.0);
-                of(a) != of(&scene.ambient.medium)
-            })
-        };
-        let refraction = fillings.iter().any(differs);
-        let has_spread = |values: &[f64]| values.iter().any(|value| *value != values[0]);
-        Self {
-            absorption: media().any(|medium| any(&medium.absorption)),
-            scattering: media().any(|medium| any(&medium.scattering)),
-            mirror: materials()
-                .any(|kind| matches!(kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. })),
-            refraction,
-            // also for one medium everywhere: metals in it reflect by their index relative to the
-            // medium, and light takes the time n d/c
-            dispersion: media().any(|medium| has_spread(&medium.index)),
-            time: scene.receivers.iter().any(|receiver| receiver.time.is_some()),
-        }
-    }
-}
-
-impl BitOr for Effects {
-    type Output = Self;
-
-    /// Returns the effects of either.
-    fn bitor(self, other: Self) -> Self {
-        Self {
-            absorption: self.absorption | other.absorption,
-            scattering: self.scattering | other.scattering,
-            mirror: self.mirror | other.mirror,
-            refraction: self.refraction | other.refraction,
-            dispersion: self.dispersion | other.dispersion,
-            time: self.time | other.time,
-        }
-    }
-}
-
 /// Returns the path tracers of a world, one for each group of bands that share paths.
 pub(crate) fn follower<'w>(
     world: &'w World<'w>,
-    effects: Effects,
+    effects: EffectSet,
     limits: Limits,
 ) -> Vec<Box<dyn Follow + 'w>> {
     let member = |[first, count]: [usize; 2]| match count {
@@ -120,11 +58,11 @@ pub(crate) fn follower<'w>(
 
 /// Returns the first band and the number of bands of each group that shares its paths: neighbouring
 /// bands that scatter alike. With dispersion each band is a group of its own.
-fn groups(scene: &Scene, effects: Effects) -> Vec<[usize; 2]> {
+fn groups(scene: &Scene, effects: EffectSet) -> Vec<[usize; 2]> {
     let mut groups: Vec<[usize; 2]> = Vec::new();
     for band in 0..scene.band_count() {
         let shares = |[first, count]: [usize; 2]| {
-            count < SHARED && !effects.dispersion && scatter_alike(scene, first, band)
+            count < SHARED && !effects.has(Effect::Dispersion) && scatter_alike(scene, first, band)
         };
         match groups.last_mut() {
             Some(group) if shares(*group) => group[1] += 1,
@@ -156,7 +94,7 @@ pub(crate) fn has_too_many_images(world: &World) -> bool {
 /// Returns the path tracer that is specialised for these effects.
 fn member<'w, const N: usize>(
     world: &'w World<'w>,
-    effects: Effects,
+    effects: EffectSet,
     limits: Limits,
     first: usize,
     count: usize,
@@ -171,6 +109,11 @@ fn member<'w, const N: usize>(
             if $is_on { choose!([$($chosen,)* true] $($rest),*) } else { choose!([$($chosen,)* false] $($rest),*) }
         };
     }
-    let Effects { absorption, scattering, mirror, refraction, time, .. } = effects;
-    choose!([] absorption, scattering, mirror, refraction, time)
+    choose!([]
+        effects.has(Effect::Absorption),
+        effects.has(Effect::Scattering),
+        effects.has(Effect::Mirror),
+        effects.has(Effect::Refraction),
+        effects.has(Effect::Time)
+    )
 }

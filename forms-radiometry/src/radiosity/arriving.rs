@@ -9,7 +9,7 @@
 //! specialisation of the kernel without the other kinds is then taken from its table. Nothing is
 //! computed for the columns of absent kinds, which that specialisation does not read.
 
-use crate::kernels::gathered_light::{Effects, With};
+use crate::kernels::gathered_light::{Effects as LightKinds, With};
 use forms::math::Formula;
 
 /// Specialisation of the kernel, applied to all rows.
@@ -18,17 +18,17 @@ type Member = fn(&Arriving, &mut [f64]);
 /// The kinds of light that reach a receiver, and the kernel that is specialised for them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kinds {
-    effects: Effects,
+    effects: LightKinds,
     member: Member,
 }
 
 impl Kinds {
     /// Returns these kinds with their kernel.
-    pub(crate) fn of(effects: Effects) -> Self {
+    pub(crate) fn of(effects: LightKinds) -> Self {
         Self { effects, member: member(effects) }
     }
 
-    pub(crate) fn effects(self) -> Effects {
+    pub(crate) fn effects(self) -> LightKinds {
         self.effects
     }
 }
@@ -47,7 +47,7 @@ pub(super) struct Arriving {
 impl Arriving {
     /// Resets the columns of the present kinds to zero, with this number of rows.
     pub(super) fn begin(&mut self, kinds: Kinds, rows: usize) {
-        let Effects { luminaires, surroundings, beams, interreflection } = kinds.effects;
+        let LightKinds { luminaires, surroundings, beams, interreflection } = kinds.effects;
         let columns = [
             (&mut self.emitted, luminaires),
             (&mut self.open, surroundings),
@@ -68,7 +68,7 @@ impl Arriving {
 }
 
 /// Returns the specialisation of the kernel for these effects.
-fn member(effects: Effects) -> Member {
+fn member(effects: LightKinds) -> Member {
     macro_rules! table {
         ($($luminaires:literal $surroundings:literal $beams:literal $interreflection:literal),*) => {
             match (effects.luminaires, effects.surroundings, effects.beams, effects.interreflection) {

@@ -17,7 +17,7 @@ use super::gather::{Group, Scratch};
 use super::measure::Measure;
 use super::system::Radiosity;
 use crate::geometry::Vector;
-use crate::kernels::gathered_light::Effects;
+use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::sampling::{Net, key};
 use rayon::prelude::*;
 
@@ -52,7 +52,7 @@ impl Radiosity<'_> {
     /// Computes the direct light at random points, if nodes represent light that can be occluded at
     /// them.
     pub(super) fn check(&mut self) {
-        let Effects { luminaires, surroundings, .. } = self.lights.kinds();
+        let LightKinds { luminaires, surroundings, .. } = self.lights.kinds();
         let is_told = surroundings || luminaires && self.question.orders != Some(0);
         if !self.transport.occlusion || !is_told {
             return;

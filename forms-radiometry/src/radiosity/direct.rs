@@ -18,7 +18,7 @@ use super::shadows::{Shadows, spectrum};
 use crate::faces::emits;
 use crate::geometry::precise::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
-use crate::kernels::gathered_light::Effects;
+use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{Light, LightKind, ReceiverKind, Scene};
 use crate::simulation::Watch;
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ pub(crate) struct Lights<'s> {
 
 /// Returns the faces that a point has to see for direct light: those that emit, and all of them if
 /// there is light from the surroundings.
-pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: Effects) -> Vec<usize> {
+pub(super) fn sources(scene: &Scene, faces: &[Face], kinds: LightKinds) -> Vec<usize> {
     let counts = |&index: &usize| kinds.surroundings || emits(scene, &faces[index]);
     (0..faces.len()).filter(counts).collect()
 }
@@ -57,12 +57,12 @@ pub(super) struct Integral {
     pub(super) flux: Vec<Rounded>,
     pub(super) of_rules: Vec<f64>,
     /// The kinds of light that it includes; the other kinds are summed over nodes.
-    pub(super) kinds: Effects,
+    pub(super) kinds: LightKinds,
 }
 
 impl Integral {
     fn of_nothing(bands: usize) -> Self {
-        Self { flux: vec![Rounded::exactly(0.0); bands], of_rules: vec![0.0; bands], kinds: Effects::NONE }
+        Self { flux: vec![Rounded::exactly(0.0); bands], of_rules: vec![0.0; bands], kinds: LightKinds::NONE }
     }
 
     fn add(&mut self, flux: &[Rounded]) {
@@ -81,7 +81,7 @@ impl<'s> Lights<'s> {
     }
 
     /// Returns the kinds of direct light.
-    pub(crate) fn kinds(&self) -> Effects {
+    pub(crate) fn kinds(&self) -> LightKinds {
         self.kinds.effects()
     }
 
@@ -143,7 +143,7 @@ impl<'s> Lights<'s> {
         arriving: &mut Arriving,
     ) {
         let bands = self.scene.band_count();
-        let Effects { luminaires, surroundings, beams, .. } = self.kinds();
+        let LightKinds { luminaires, surroundings, beams, .. } = self.kinds();
         if luminaires || surroundings {
             self.add_faces(group, transport, scratch, arriving);
         }
@@ -297,8 +297,8 @@ pub(super) fn hides(light: &Light, point: Vector, transport: &Transport) -> bool
 }
 
 /// Returns the kinds of direct light in a scene with these faces.
-pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> Effects {
-    Effects {
+pub(super) fn kinds(scene: &Scene, faces: &[Face]) -> LightKinds {
+    LightKinds {
         luminaires: faces.iter().any(|face| emits(scene, face)),
         surroundings: scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0),
         beams: !scene.lights.is_empty(),

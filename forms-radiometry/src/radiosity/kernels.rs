@@ -13,7 +13,7 @@ use super::element::Element;
 use super::gathering::{Gathering, Hiding};
 use super::system::{Question, is_reflecting};
 use crate::geometry::Face;
-use crate::kernels::gathered_light::Effects;
+use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::kernels::{
     cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk,
     form_factor_point_disk, form_factor_point_sphere, irradiance, solid_angle_disk, solid_angle_sphere,
@@ -25,10 +25,10 @@ use crate::used_kernel::UsedKernel;
 /// Computations that a scene requires.
 struct Computed {
     /// The kinds of light that receivers gather by exact pieces, if any receiver does.
-    gathered: Option<Effects>,
+    gathered: Option<LightKinds>,
     /// The kinds of direct light at the points of surfaces that reflect or whose mean is computed,
     /// if there are any.
-    straight: Option<Effects>,
+    straight: Option<LightKinds>,
     /// Whether points see faces that send light.
     views: bool,
     /// Whether receivers look in all directions.
@@ -136,8 +136,8 @@ pub(crate) fn kernels(
 }
 
 /// Returns the specialisation of the kernel that gathers these kinds of light.
-fn member(kinds: Effects, what: &'static str) -> UsedKernel {
-    let Effects { luminaires, surroundings, beams, interreflection } = kinds;
+fn member(kinds: LightKinds, what: &'static str) -> UsedKernel {
+    let LightKinds { luminaires, surroundings, beams, interreflection } = kinds;
     let effects = [
         ("luminaires", luminaires),
         ("surroundings", surroundings),
@@ -148,7 +148,7 @@ fn member(kinds: Effects, what: &'static str) -> UsedKernel {
         name: "gathered_light",
         without: effects.into_iter().filter(|(_, is_on)| !is_on).map(|(name, _)| name).collect(),
         operations: kinds.operations(),
-        operations_of_all: Effects::ALL.operations(),
+        operations_of_all: LightKinds::ALL.operations(),
         what,
     }
 }

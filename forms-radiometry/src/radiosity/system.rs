@@ -16,7 +16,7 @@ use super::solution::of_bands;
 use crate::faces::is_bright;
 use crate::geometry::precise::{Rounded, area};
 use crate::geometry::{Face, Vector, closeness};
-use crate::kernels::gathered_light::Effects;
+use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{MaterialKind, Scene};
 use crate::sharing::Sharing;
 use crate::simulation::Watch;
@@ -57,9 +57,9 @@ pub(crate) struct Question {
 
 impl Question {
     /// Returns the kinds of light that receivers gather if these are the kinds of direct light.
-    pub(super) fn kinds(&self, straight: Effects) -> Effects {
-        let straight = if self.direct { straight } else { Effects::NONE };
-        Effects { interreflection: self.orders != Some(0), ..straight }
+    pub(super) fn kinds(&self, straight: LightKinds) -> LightKinds {
+        let straight = if self.direct { straight } else { LightKinds::NONE };
+        LightKinds { interreflection: self.orders != Some(0), ..straight }
     }
 }
 
@@ -356,14 +356,15 @@ impl<'t> Radiosity<'t> {
 
     /// Gathers the light that surfaces reflect, without direct light.
     pub(crate) fn gather_reflected(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
-        let effects = Effects { interreflection: self.kinds.effects().interreflection, ..Effects::NONE };
+        let effects =
+            LightKinds { interreflection: self.kinds.effects().interreflection, ..LightKinds::NONE };
         self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
     }
 
     fn gather_kinds(&self, kinds: Kinds, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
         arriving.begin(kinds, gathered.len());
-        let Effects { luminaires, surroundings, beams, interreflection } = kinds.effects();
+        let LightKinds { luminaires, surroundings, beams, interreflection } = kinds.effects();
         if luminaires || surroundings || beams {
             self.lights.add_arriving(group, self.transport, scratch, &mut arriving);
         }
@@ -401,7 +402,7 @@ impl<'t> Radiosity<'t> {
             // direct light is not requested
             None if !self.question.direct => Some(&self.direct),
             Some(kinds) if kinds == self.lights.kinds() => Some(&self.direct),
-            Some(Effects { beams: true, .. }) => Some(&self.beams),
+            Some(LightKinds { beams: true, .. }) => Some(&self.beams),
             _ => None,
         };
         let mut sums = vec![0.0; self.scene.band_count()];

@@ -2,9 +2,10 @@
 //! and forced effects that replace those of a scene. Settings without an option keep the value of
 //! the scene. Options and `[solve]` of a scene file accept the same values.
 
+use super::effect::{Effect, ForcedEffect};
 use super::element::Element;
 use super::error::Report;
-use super::model::{Effect, ForcedEffect, Scene};
+use super::model::Scene;
 use super::place::Source;
 use super::solve::{self, SEED, TOLERANCE};
 use super::value::{Domain, Value, plain_number};

@@ -5,8 +5,9 @@
 //!
 //! The parser does not depend on this list. An entry is removed when a solver supports the feature.
 
+use super::effect::{Effect, Force};
 use super::error::SceneError;
-use super::model::{Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
+use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 use crate::geometry::Polygon;
 

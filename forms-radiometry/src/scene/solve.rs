@@ -1,8 +1,9 @@
 //! Solver settings: parses `[solve]` of the file into a tolerance, a seed and forced effects.
 
+use super::effect::{Effect, Force, ForcedEffect};
 use super::element::Element;
 use super::error::Report;
-use super::model::{Effect, Force, ForcedEffect, Solve};
+use super::model::Solve;
 use super::value::{Domain, LARGEST_WHOLE, Value, number};
 use toml::de::{DeTable, DeValue};
 

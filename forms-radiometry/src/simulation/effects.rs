@@ -3,6 +3,7 @@
 use super::followed::Computable;
 use super::readings::Reading;
 use super::survey::receiving;
+use crate::effects::EffectSet;
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::paths::{self, Limits};
@@ -13,21 +14,17 @@ use crate::used_kernel::UsedKernel;
 
 /// Effects that the solver simulates.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Effects {
-    pub(super) direct: bool,
-    pub(super) occlusion: bool,
+pub(super) struct SimulatedEffects {
+    pub(super) on: EffectSet,
     /// Occlusion between surfaces: simulated, omitted, or absent.
     pub(super) hiding: Hiding,
     /// Maximum number of reflections; unlimited if `None`.
     pub(super) orders: Option<u32>,
     /// Maximum number of scattering events in media; unlimited if `None`.
     pub(super) scatterings: Option<u32>,
-    pub(super) bands: bool,
-    /// Effects requested from the path tracer.
-    pub(super) of_paths: paths::Effects,
 }
 
-impl Effects {
+impl SimulatedEffects {
     pub(super) fn of(effects: &[PlannedEffect]) -> Self {
         let planned = |effect| effects.iter().find(|planned| planned.effect == effect);
         let is_on = |effect| planned(effect).is_some_and(|planned| planned.on);
@@ -45,21 +42,16 @@ impl Effects {
             (false, false) => Hiding::LeftOut,
         };
         Self {
-            direct: is_on(Effect::Direct),
-            occlusion,
+            on: EffectSet::of(is_on),
             hiding,
             orders: orders(Effect::Interreflection),
             scatterings: orders(Effect::Scattering),
-            bands: is_on(Effect::Bands),
-            of_paths: paths::Effects {
-                absorption: is_on(Effect::Absorption),
-                scattering: is_on(Effect::Scattering),
-                mirror: is_on(Effect::Mirror),
-                refraction: is_on(Effect::Refraction),
-                dispersion: is_on(Effect::Dispersion),
-                time: is_on(Effect::Time),
-            },
         }
+    }
+
+    /// Whether an effect is simulated.
+    pub(super) fn has(&self, effect: Effect) -> bool {
+        self.on.has(effect)
     }
 
     /// Returns the query that they pose to a solution.
@@ -67,14 +59,14 @@ impl Effects {
         Question {
             orders: self.orders,
             receives: receiving(scene),
-            direct: self.direct,
+            direct: self.has(Effect::Direct),
             is_seen: asks_for_rays(scene),
         }
     }
 
     /// Returns the kernels that their simulation runs.
     pub(super) fn kernels(&self, scene: &Scene) -> Vec<UsedKernel> {
-        let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
+        let merged = (!self.has(Effect::Bands) && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
         let (faces, question) = (faces(scene, 0), self.question(scene));
         let readings =
@@ -85,12 +77,12 @@ impl Effects {
 
     /// Returns the limits of paths.
     pub(super) fn limits(&self) -> Limits {
-        Limits { reflections: self.orders, scatterings: self.scatterings, direct: self.direct }
+        Limits { reflections: self.orders, scatterings: self.scatterings, direct: self.has(Effect::Direct) }
     }
 
     /// Returns the kernels that path tracing of a scene runs.
     pub(super) fn kernels_of_paths(&self, scene: &Scene) -> Vec<UsedKernel> {
-        let merged = (!self.bands && scene.band_count() > 1).then(|| scene.with_one_band());
+        let merged = (!self.has(Effect::Bands) && scene.band_count() > 1).then(|| scene.with_one_band());
         let scene = merged.as_ref().unwrap_or(scene);
         let computable = Computable::of(scene, &self.limits());
         paths::kernels(scene, &|receiver| computable.has(receiver))
@@ -102,7 +94,7 @@ impl Effects {
     /// the rest of the shape.
     pub(super) fn screens(&self, scene: &Scene, faces: &[Face], gathering: Gathering) -> Screens {
         let may_be_whole = self.orders == Some(0) && gathering == Gathering::Pieces && is_round(scene);
-        if self.occlusion || may_be_whole {
+        if self.has(Effect::Occlusion) || may_be_whole {
             Screens::of(faces)
         } else if asks_for_rays(scene) || gathering != Gathering::Pieces {
             Screens::met_by_rays(faces)

@@ -24,14 +24,15 @@ mod radiances;
 mod scale;
 mod state;
 
-use super::effects::Effects;
+use super::effects::SimulatedEffects;
 use super::job::{Job, Keeper, Share};
 use super::progress::Progress;
 use super::state::{Misfit, Of, Snapshot};
 use super::survey::MANY;
 use crate::answer::{Moment, Simulation};
+use crate::effects::EffectSet;
 use crate::faces::{faces, is_round};
-use crate::paths::{self, Follow, World, follower};
+use crate::paths::{Follow, World, follower};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 use crate::watch::Watch;
 use asked::{Asked, Division, asked, divide_time};
@@ -49,7 +50,7 @@ use std::time::Instant;
 #[derive(Clone, Copy)]
 pub(super) struct Task<'s> {
     pub(super) scene: &'s Scene,
-    pub(super) effects: &'s Effects,
+    pub(super) effects: &'s SimulatedEffects,
     pub(super) metres: f64,
 }
 
@@ -59,8 +60,8 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) ->
     let limits = task.effects.limits();
     // effects that the file turns on are part of the specialised tracer, even where the scene
     // contains none of them
-    let contained = paths::Effects::of(task.scene);
-    let followers = follower(&world, contained | task.effects.of_paths, limits);
+    let contained = EffectSet::of_scene(task.scene);
+    let followers = follower(&world, contained | task.effects.on, limits);
     let computing = Computing::of(task.scene, &limits, &followers);
     let mut work = Work::new(&world, task.metres, &job, &computing, progress);
     if let Some(state) = job.state {

@@ -10,15 +10,15 @@
 //! [`is_followed`](super::followed::is_followed) and [`Gathering::of`]. Where only the work shows
 //! which of two methods suffices, both are named.
 
-use super::effects::Effects;
+use super::effects::SimulatedEffects;
 use super::followed::Computable;
 use super::prepared::Prepared;
 use super::solver::FINEST;
+use crate::effects::EffectSet;
 use crate::faces::{faces, is_round};
-use crate::paths;
 use crate::plan::Plan;
 use crate::radiosity::Gathering;
-use crate::scene::{Receiver, ReceiverKind, Scene};
+use crate::scene::{Effect, Receiver, ReceiverKind, Scene};
 
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -72,7 +72,7 @@ pub fn methods(scene: &Scene, plan: &Plan) -> Vec<Method> {
 
 /// Returns the methods of a scene of diffuse surfaces in a vacuum. Curved surfaces are tessellated
 /// several times, and the method is chosen again each time.
-fn of_whole(scene: &Scene, effects: &Effects) -> Vec<Method> {
+fn of_whole(scene: &Scene, effects: &SimulatedEffects) -> Vec<Method> {
     let finest = if is_round(scene) { FINEST } else { 0 };
     let question = effects.question(scene);
     let gathering = |fineness| Gathering::of(scene, &faces(scene, fineness), &question, effects.hiding);
@@ -95,9 +95,9 @@ fn of_whole(scene: &Scene, effects: &Effects) -> Vec<Method> {
 
 /// Returns the methods of any other scene. Which rays are split by smooth surfaces only, is known
 /// after tracing them.
-fn of_paths(scene: &Scene, effects: &Effects) -> Vec<Method> {
+fn of_paths(scene: &Scene, effects: &SimulatedEffects) -> Vec<Method> {
     let computable = Computable::of(scene, &effects.limits());
-    let scatters = paths::Effects::of(scene).scattering;
+    let scatters = EffectSet::of_scene(scene).has(Effect::Scattering);
     let of_receiver = |receiver: &Receiver| match receiver.kind {
         _ if computable.has(receiver) => vec![Method::Quadrature],
         ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {

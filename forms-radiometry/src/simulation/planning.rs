@@ -9,11 +9,12 @@
 //! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): all reflections pass on light that is omitted
 //! once.
 
-use super::effects::{Effects, forcing};
+use super::effects::{SimulatedEffects, forcing};
 use super::followed::{Computable, all_questions, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
-use crate::paths::{self, World, endless, has_too_many_images, trap};
+use crate::effects::EffectSet;
+use crate::paths::{World, endless, has_too_many_images, trap};
 use crate::plan::{Plan, PlannedEffect};
 use crate::radiosity::orders;
 use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
@@ -42,7 +43,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
     let (effects, dropped) = decided(scene, survey);
-    let kernels = Effects::of(&effects).kernels(scene);
+    let kernels = SimulatedEffects::of(&effects).kernels(scene);
     Ok(Plan { effects, kernels, dropped })
 }
 
@@ -62,7 +63,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![trap]);
     }
     let questions = || all_questions(&working.scene);
-    if let Some(endless) = endless(&world, questions, &Effects::of(&effects).limits()) {
+    if let Some(endless) = endless(&world, questions, &SimulatedEffects::of(&effects).limits()) {
         return Err(vec![endless]);
     }
     if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
@@ -70,14 +71,14 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
-    let kernels = Effects::of(&effects).kernels_of_paths(&left);
+    let kernels = SimulatedEffects::of(&effects).kernels_of_paths(&left);
     tell_computed(&mut effects, &left);
     Ok(Plan { effects, kernels, dropped })
 }
 
 /// Adds to the reasons of absorption and scattering where these need no samples.
 fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
-    let computable = Computable::of(left, &Effects::of(effects).limits());
+    let computable = Computable::of(left, &SimulatedEffects::of(effects).limits());
     let computed: Vec<&Receiver> =
         left.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
     let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
@@ -96,7 +97,7 @@ fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
 /// Decides about every effect in turn. Returns the decisions, and the largest change by all omitted
 /// effects, relative to an answer.
 fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
-    let contains = paths::Effects::of(scene);
+    let contains = EffectSet::of_scene(scene);
     let most = DROPPED * scene.solve.tolerance;
     let mut planning = Planning { scene, survey, contains, left: most, dropped: 0.0 };
     let effects = Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
@@ -106,7 +107,7 @@ fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
 struct Planning<'s> {
     scene: &'s Scene,
     survey: Survey,
-    contains: paths::Effects,
+    contains: EffectSet,
     /// Remaining error budget for omitted effects, relative to every answer.
     left: f64,
     /// Error budget spent on omitted effects so far, relative to every answer.
@@ -169,23 +170,29 @@ impl Planning<'_> {
                 None => absent("all optical properties are the same in every band"),
                 Some(bound) => present("optical properties differ between bands".to_string(), Some(bound)),
             },
-            Effect::Mirror if self.contains.mirror => {
+            Effect::Mirror if self.contains.has(Effect::Mirror) => {
                 present("there are mirrors or metals".to_string(), None)
             }
             Effect::Mirror => absent("no surface is a mirror or a metal"),
-            Effect::Absorption if self.contains.absorption => present("a medium absorbs".to_string(), None),
+            Effect::Absorption if self.contains.has(Effect::Absorption) => {
+                present("a medium absorbs".to_string(), None)
+            }
             Effect::Absorption => absent("no medium absorbs"),
-            Effect::Scattering if self.contains.scattering => present("a medium scatters".to_string(), None),
+            Effect::Scattering if self.contains.has(Effect::Scattering) => {
+                present("a medium scatters".to_string(), None)
+            }
             Effect::Scattering => absent("no medium scatters"),
-            Effect::Refraction if self.contains.refraction => {
+            Effect::Refraction if self.contains.has(Effect::Refraction) => {
                 present("the refractive index differs between media".to_string(), None)
             }
             Effect::Refraction => absent("the refractive index is the same everywhere"),
-            Effect::Dispersion if self.contains.dispersion => {
+            Effect::Dispersion if self.contains.has(Effect::Dispersion) => {
                 present("a refractive index differs between bands".to_string(), None)
             }
             Effect::Dispersion => absent("no refractive index differs between bands"),
-            Effect::Time if self.contains.time => present("a receiver is time-resolved".to_string(), None),
+            Effect::Time if self.contains.has(Effect::Time) => {
+                present("a receiver is time-resolved".to_string(), None)
+            }
             Effect::Time => absent("no receiver is time-resolved"),
         }
     }

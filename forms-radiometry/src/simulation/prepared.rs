@@ -1,16 +1,16 @@
 //! Working scene: a scene and its plan become the simulated scene in working units, and its results
 //! become the requested answers.
 
-use super::effects::Effects;
+use super::effects::SimulatedEffects;
 use super::followed::{Task, is_followed};
 use super::left_out::without;
 use crate::answer::{Answer, ErrorParts, Simulation};
 use crate::plan::Plan;
-use crate::scene::{Scene, WorkingScene};
+use crate::scene::{Effect, Scene, WorkingScene};
 
 /// Scene as it is simulated.
 pub(super) struct Prepared {
-    pub(super) effects: Effects,
+    pub(super) effects: SimulatedEffects,
     /// Reduced scene.
     left: Scene,
     /// Number of bands that are simulated as a single one, if they are.
@@ -22,9 +22,9 @@ pub(super) struct Prepared {
 
 impl Prepared {
     pub(super) fn of(scene: &Scene, plan: &Plan) -> Self {
-        let effects = Effects::of(&plan.effects);
+        let effects = SimulatedEffects::of(&plan.effects);
         let left = without(scene, &plan.effects);
-        let merged = (!effects.bands && scene.band_count() > 1).then_some(scene.band_count());
+        let merged = (!effects.has(Effect::Bands) && scene.band_count() > 1).then_some(scene.band_count());
         let mut left = if merged.is_some() { left.with_one_band() } else { left };
         left.solve.tolerance -= plan.dropped;
         Self { effects, left, merged, dropped: plan.dropped }

@@ -9,7 +9,7 @@
 //! done with two polyhedra, one finer than the other, and the change between them is added too.
 
 use super::digits::{Digits, Value};
-use super::effects::Effects;
+use super::effects::SimulatedEffects;
 use super::estimate::{Estimate, Found, pool};
 use super::goals::Earlier;
 use super::images::Image;
@@ -24,7 +24,7 @@ use crate::answer::{Answer, ErrorParts, Moment, Simulation};
 use crate::faces::{faces, is_round};
 use crate::geometry::Face;
 use crate::radiosity::{Gathering, Hiding, Lights, Paths, Question, Radiosity, Scratch, Transport};
-use crate::scene::{Scene, WorkingScene};
+use crate::scene::{Effect, Scene, WorkingScene};
 use crate::sharing::Sharing;
 use crate::watch::Watch;
 use std::time::Instant;
@@ -62,7 +62,7 @@ type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
 /// State of the solver.
 pub(super) struct Work<'s> {
     pub(super) scene: &'s Scene,
-    effects: Effects,
+    effects: SimulatedEffects,
     choose: Choose,
     pub(super) watch: &'s dyn Watch,
     pub(super) progress: &'s Progress<'s>,
@@ -86,7 +86,7 @@ enum Solution<'t> {
 }
 
 impl<'s> Work<'s> {
-    fn new(scene: &'s Scene, effects: Effects, choose: Choose, progress: &'s Progress<'s>) -> Self {
+    fn new(scene: &'s Scene, effects: SimulatedEffects, choose: Choose, progress: &'s Progress<'s>) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
@@ -230,7 +230,7 @@ impl<'s> Work<'s> {
         let screens = self.effects.screens(self.scene, &faces, gathering);
         let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
-        Transport { faces, screens, occlusion: self.effects.occlusion, accuracy }
+        Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), accuracy }
     }
 
     /// Returns a solution and the readings by the cheaper method; by exact visibility where rays

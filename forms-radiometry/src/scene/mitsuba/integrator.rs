@@ -1,7 +1,8 @@
 //! Integrators: the number of light bounces of an `<integrator>` becomes a forced effect.
 
 use super::{Node, Reader};
-use crate::scene::model::{Effect, Force, ForcedEffect, MaterialKind, Receiver, ReceiverKind};
+use crate::scene::effect::{Effect, Force, ForcedEffect};
+use crate::scene::model::{MaterialKind, Receiver, ReceiverKind};
 use crate::scene::value::Domain;
 use std::ops::Range;
 

@@ -6,12 +6,13 @@ use super::neighbours::Spread;
 use super::pixels::shown;
 use super::radiances::{brightest, by_chance, outside, passed_on};
 use crate::answer::{ErrorKind, ErrorParts};
+use crate::effects::EffectSet;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::paths::{Bins, Effects, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
+use crate::paths::{Bins, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
-use crate::scene::{Receiver, ReceiverKind, Scene, TimeBins};
+use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
 use crate::simulation::job::{Budget, Share};
 use crate::simulation::map::Grid;
 use crate::simulation::solver::ROUNDING;
@@ -104,14 +105,15 @@ impl Division {
 /// the questions that need no samples.
 pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
     let scene = world.scene;
-    let effects = Effects::of(scene);
-    let has_images = !scene.lights.is_empty() && (effects.mirror || effects.refraction);
+    let effects = EffectSet::of_scene(scene);
+    let has_images =
+        !scene.lights.is_empty() && (effects.has(Effect::Mirror) || effects.has(Effect::Refraction));
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Asked> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
     let of_beams = most_reflected_of_beams(scene, &unhidden);
-    let brightest = [1.0, passed_on(scene, &effects)].map(|part| brightest(scene, &of_beams, &outside, part));
+    let brightest = [1.0, passed_on(scene, effects)].map(|part| brightest(scene, &of_beams, &outside, part));
     let by_chance = by_chance(world, outside);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));

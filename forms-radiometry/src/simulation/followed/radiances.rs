@@ -1,8 +1,9 @@
 //! Radiances: upper bounds on the light of a scene that samples may have missed, band by band.
 
-use crate::paths::{Effects, World};
+use crate::effects::EffectSet;
+use crate::paths::World;
 use crate::radiosity::reflectance;
-use crate::scene::Scene;
+use crate::scene::{Effect, Scene};
 
 /// Returns the radiance that arrives from outside, for each band.
 pub(super) fn outside(scene: &Scene) -> Vec<f64> {
@@ -13,8 +14,8 @@ pub(super) fn outside(scene: &Scene) -> Vec<f64> {
 }
 
 /// Returns the largest part of light that a surface reflects to all sides, or a medium scatters.
-pub(super) fn passed_on(scene: &Scene, effects: &Effects) -> f64 {
-    if effects.scattering {
+pub(super) fn passed_on(scene: &Scene, effects: EffectSet) -> f64 {
+    if effects.has(Effect::Scattering) {
         return 1.0;
     }
     (0..scene.surfaces.len()).flat_map(|surface| reflectance(scene, surface)).copied().fold(0.0, f64::max)
