@@ -13,8 +13,8 @@
 //! chain covers is found by path sampling alone.
 
 use super::choice::Sought;
+use super::interface::Interface;
 use super::luminaires::extent;
-use super::world::Sheet;
 use crate::geometry::{Met, Plane, Vector, Wall};
 use crate::sampling::chosen;
 use crate::scene::{MaterialKind, Scene};
@@ -22,7 +22,7 @@ use crate::scene::{MaterialKind, Scene};
 /// Maximum number of chains with mirrors, and of planes.
 const MOST: usize = 64;
 /// Chains that leave less of the light than this fraction of the tolerance are not listed.
-const FAINT: f64 = 1e-3;
+const ROULETTE_THRESHOLD: f64 = 1e-3;
 /// Planes are merged if their normals differ by less than this, and their positions by less than
 /// this relative to the extent of the walls.
 const SAME: f64 = 1e-10;
@@ -75,12 +75,12 @@ pub(super) struct Chain {
 type Windows = Vec<(Vec<Vector>, Plane)>;
 
 impl Chains {
-    pub(super) fn of(scene: &Scene, walls: &[Wall], sheets: &[Sheet]) -> Self {
-        let emitting = |sheet: &Sheet| scene.surfaces[sheet.surface].emits();
+    pub(super) fn of(scene: &Scene, walls: &[Wall], interfaces: &[Interface]) -> Self {
+        let emitting = |interface: &Interface| scene.surfaces[interface.surface].emits();
         let luminaires: Vec<Vec<Vector>> = walls
             .iter()
-            .zip(sheets)
-            .filter(|(_, sheet)| emitting(sheet))
+            .zip(interfaces)
+            .filter(|(_, interface)| emitting(interface))
             .map(|(wall, _)| wall.corners())
             .collect();
         let mut chains = Self {
@@ -94,10 +94,10 @@ impl Chains {
             return chains;
         }
         let extent = extent(walls);
-        for (wall, (shape, sheet)) in walls.iter().zip(sheets).enumerate() {
-            chains.of_walls[wall] = chains.plane(scene, shape, sheet, extent);
+        for (wall, (shape, interface)) in walls.iter().zip(interfaces).enumerate() {
+            chains.of_walls[wall] = chains.plane(scene, shape, interface, extent);
         }
-        chains.list(&luminaires, FAINT * scene.solve.tolerance);
+        chains.list(&luminaires, ROULETTE_THRESHOLD * scene.solve.tolerance);
         let whole: f64 = chains.all.iter().map(|chain| chain.chance).sum();
         let mut sum = 0.0;
         for chain in &mut chains.all {
@@ -110,12 +110,12 @@ impl Chains {
 
     /// Returns the plane of a wall that is a flat mirror. The light of other specular walls is
     /// found by path sampling alone.
-    fn plane(&mut self, scene: &Scene, wall: &Wall, sheet: &Sheet, extent: f64) -> Option<usize> {
-        let surface = &scene.surfaces[sheet.surface];
+    fn plane(&mut self, scene: &Scene, wall: &Wall, interface: &Interface, extent: f64) -> Option<usize> {
+        let surface = &scene.surfaces[interface.surface];
         let reflectance = match &scene.materials[surface.material].kind {
             MaterialKind::Diffuse { .. } => return None,
             MaterialKind::Dielectric { .. } => {
-                self.left_out = if bends(scene, sheet) { 1.0 } else { self.left_out };
+                self.left_out = if bends(scene, interface) { 1.0 } else { self.left_out };
                 return None;
             }
             MaterialKind::Mirror { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
@@ -246,7 +246,7 @@ impl Chains {
     /// Returns the direction in which a chain shows an object that lies in `direction` from the
     /// image of the receiver point.
     pub(super) fn seen_along(&self, chain: &Chain, direction: Vector) -> Vector {
-        let turned = |way: Vector, step: &Step| way.mirrored(self.planes[step.plane].plane.normal);
+        let turned = |offset: Vector, step: &Step| offset.mirrored(self.planes[step.plane].plane.normal);
         let along = chain.steps.iter().rev().fold(direction, turned);
         along.unit().unwrap_or(along)
     }
@@ -282,9 +282,9 @@ fn reaches(plane: Plane, corners: &[Vector]) -> bool {
 }
 
 /// Whether the boundary of two media refracts or reflects light in any band.
-fn bends(scene: &Scene, sheet: &Sheet) -> bool {
+fn bends(scene: &Scene, interface: &Interface) -> bool {
     let index = |is_front: bool, band: usize| {
-        sheet.filling(is_front).map_or(1.0, |medium| scene.media[medium].index[band])
+        interface.filling(is_front).map_or(1.0, |medium| scene.media[medium].index[band])
     };
     (0..scene.band_count()).any(|band| index(true, band) != index(false, band))
 }

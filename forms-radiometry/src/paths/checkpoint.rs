@@ -1,6 +1,7 @@
 //! Checkpoints of replicates: their sums are handed out to be saved, and restored.
 
-use super::replicates::{Replicates, Sum};
+use super::replicates::Replicates;
+use super::sums::Sum;
 
 /// The sums of each replicate in a checkpoint, and the contributions that its samples lost to
 /// occlusion.

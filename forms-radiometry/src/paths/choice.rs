@@ -167,11 +167,11 @@ impl Weight {
         let squared = along.dot(along);
         let part =
             if squared > 0.0 { ((self.middle - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
-        let way = self.middle - (from + part * along);
-        let least = way.dot(way).max(self.radius * self.radius).max(f64::MIN_POSITIVE);
+        let offset = self.middle - (from + part * along);
+        let least = offset.dot(offset).max(self.radius * self.radius).max(f64::MIN_POSITIVE);
         // the largest cosine of anything within the bounding sphere
         let cosine =
-            normal.map_or(1.0, |normal| ((normal.dot(way) + self.radius) / least.sqrt()).clamp(0.0, 1.0));
+            normal.map_or(1.0, |normal| ((normal.dot(offset) + self.radius) / least.sqrt()).clamp(0.0, 1.0));
         far + cosine * self.strength / least
     }
 }

@@ -15,7 +15,7 @@ use super::boundary::Passage;
 use super::mirror::reflected;
 use super::optics::{MediumOptics, largest, scaled, times};
 use super::refraction::passages;
-use super::specialisation::Lattice;
+use super::specialisation::Specialisation;
 use super::tracer::Tracer;
 use crate::geometry::{Met, Start, Vector};
 use crate::scene::{Filling, MaterialKind};
@@ -40,7 +40,7 @@ struct Terms<const N: usize> {
     missing: [f64; N],
 }
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns the radiance along a ray in each band, with its error. `None` if a medium or a
     /// diffuse surface on the way scatters or reflects light.
     pub(super) fn expansion(&self, start: Start, direction: Vector) -> Option<Vec<[f64; 2]>> {
@@ -104,7 +104,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             return Some(());
         };
         let left = times(&ray.left, &medium.transmittance(met.distance));
-        let surface = self.world.sheets[met.wall].surface;
+        let surface = self.world.interfaces[met.wall].surface;
         let is_bright = self.world.is_bright(met.wall, met.is_front);
         if is_bright {
             add(&self.optics.radiances[surface], &left);
@@ -116,7 +116,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 continue;
             }
             let filling =
-                if stays { ray.filling } else { self.world.sheets[met.wall].filling(!met.is_front) };
+                if stays { ray.filling } else { self.world.interfaces[met.wall].filling(!met.is_front) };
             let start = self.world.walls.start_on(&met, met.is_front == stays);
             let is_straight = ray.is_straight && is_straight;
             waiting.push(Ray { start, direction, filling, left, is_straight });
@@ -136,10 +136,10 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     ) -> Option<Vec<([f64; N], bool, Vector, bool)>> {
         let normal = if met.is_front { met.normal } else { -met.normal };
         let material = self.world.material(met.wall);
-        let surface = self.world.sheets[met.wall].surface;
+        let surface = self.world.interfaces[met.wall].surface;
         match material {
             MaterialKind::Dielectric { .. } => {
-                let other = self.optics.medium(self.world.sheets[met.wall].filling(!met.is_front));
+                let other = self.optics.medium(self.world.interfaces[met.wall].filling(!met.is_front));
                 if !L::REFRACTION || medium.index == other.index {
                     return Some(vec![([1.0; N], false, ray.direction, true)]);
                 }

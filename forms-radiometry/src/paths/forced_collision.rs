@@ -8,13 +8,13 @@
 
 use super::optics::{MediumOptics, largest, times};
 use super::scattering::Flight;
-use super::specialisation::Lattice;
-use super::tracer::{Path, Tracer, may_go_on};
+use super::specialisation::Specialisation;
+use super::tracer::{Path, Tracer, is_below};
 use crate::geometry::Met;
 use crate::sampling::Samples;
 use crate::scene::MaterialKind;
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Samples a free flight over the segment up to the next wall. If the path cannot continue from
     /// there, the light that the segment transmits is added immediately and the flight is a forced
     /// collision, so that no path ends by chance. Forced collisions make paths longer. They pay off
@@ -29,7 +29,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(&[f64; N], f64),
     ) -> Flight<N> {
         let length = met.map_or(f64::INFINITY, |met| met.distance);
-        if !samples.are_even() || met.is_some_and(|met| self.goes_on_from(path, met)) {
+        if !samples.are_even() || met.is_some_and(|met| self.continues_from(path, met)) {
             return medium.flight(length, self.count(), samples);
         }
         let mut passing = *path;
@@ -39,13 +39,13 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Whether a path can continue from a wall.
-    pub(crate) fn goes_on_from(&self, path: &Path<N>, met: &Met) -> bool {
+    pub(crate) fn continues_from(&self, path: &Path<N>, met: &Met) -> bool {
         let is_bright = self.world.is_bright(met.wall, met.is_front);
         match self.world.material(met.wall) {
             MaterialKind::Dielectric { .. } => true,
             MaterialKind::Diffuse { .. } => {
-                let reflectance = &self.optics.reflectances[self.world.sheets[met.wall].surface];
-                let is_left = may_go_on(path.reflections, path.most);
+                let reflectance = &self.optics.reflectances[self.world.interfaces[met.wall].surface];
+                let is_left = is_below(path.reflections, path.most);
                 is_bright && is_left && largest(reflectance) > 0.0
             }
             MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,

@@ -4,9 +4,9 @@
 use super::chains::Chain;
 use super::choice::Sought;
 use super::image_sources::Image;
-use super::luminaires::{Luminaire, Towards};
+use super::luminaires::{LightSample, Luminaire};
 use super::optics::{MediumOptics, scaled, times};
-use super::specialisation::Lattice;
+use super::specialisation::Specialisation;
 use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::Vector;
@@ -19,7 +19,7 @@ struct Mirrored<'w> {
     chance: f64,
 }
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Adds the light of images at a vertex, with the direction that it comes from. The throughput
     /// of the path already includes the weight of the vertex.
     pub(crate) fn by_images(
@@ -39,7 +39,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let position = vertex.start.position;
         let Some(mirrored) = self.mirrored(vertex.sought(), &mut draws.light) else { return };
         if let Some(towards) = self.towards(&mirrored, position, draws.light.pair()) {
-            self.lit(path, vertex, (&towards, &mirrored.chain.steps), &mut draws.hidden, add);
+            self.add_light_sample(path, vertex, (&towards, &mirrored.chain.steps), &mut draws.hidden, add);
         }
     }
 
@@ -57,7 +57,9 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             for (image, chance) in self.images.choose(samples.one(), false) {
                 let lit = self.lit_point(path, medium, length, image.point(), samples);
                 let Some((lit, vertex)) = lit else { continue };
-                self.imaged(&lit, &vertex, (image, chance), &mut |_, value, way| add(value, way));
+                self.imaged(&lit, &vertex, (image, chance), &mut |_, value, optical_path_length| {
+                    add(value, optical_path_length)
+                });
             }
         }
         let Some(mirrored) = self.mirrored(sought, samples) else { return };
@@ -66,7 +68,13 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
         if let Some(towards) = self.towards(&mirrored, vertex.start.position, samples.pair()) {
             let (steps, hidden) = (&mirrored.chain.steps, &mut draws.hidden);
-            self.lit(&lit, &vertex, (&towards, steps), hidden, &mut |_, value, way| add(value, way));
+            self.add_light_sample(
+                &lit,
+                &vertex,
+                (&towards, steps),
+                hidden,
+                &mut |_, value, optical_path_length| add(value, optical_path_length),
+            );
         }
     }
 
@@ -81,7 +89,11 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Some(coming) = image.coming(self.world, &self.optics, vertex.start, path.filling) else { return };
         let densities = vertex.law.density(coming.direction);
         let value = times(&times(&path.throughput, &coming.irradiance), &densities);
-        add(coming.direction, &scaled(1.0 / chance, &value), path.way + coming.way);
+        add(
+            coming.direction,
+            &scaled(1.0 / chance, &value),
+            path.optical_path_length + coming.optical_path_length,
+        );
     }
 
     /// Selects a chain of mirrors and an emitter to sample through it, if there are any.
@@ -96,12 +108,12 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Samples a direction from a point to an emitter seen in mirrors.
-    fn towards(&self, mirrored: &Mirrored<'_>, from: Vector, square: [f64; 2]) -> Option<Towards> {
+    fn towards(&self, mirrored: &Mirrored<'_>, from: Vector, square: [f64; 2]) -> Option<LightSample> {
         let (chains, chain) = (&self.world.chains, mirrored.chain);
         if !chains.is_before(chain, from) {
             return None;
         }
         let towards = mirrored.luminaire.towards(chains.image(chain, from), square, mirrored.chance)?;
-        Some(Towards { direction: chains.seen_along(chain, towards.direction), ..towards })
+        Some(LightSample { direction: chains.seen_along(chain, towards.direction), ..towards })
     }
 }

@@ -25,7 +25,7 @@ const MOST: usize = 4096;
 const FEW: usize = 16;
 /// Images that are weaker, relative to their light, than this fraction of the tolerance are
 /// omitted.
-const FAINT: f64 = 1e-3;
+const ROULETTE_THRESHOLD: f64 = 1e-3;
 /// Total light of the omitted images as a fraction of the tolerance: a few of them follow from each
 /// of the last listed images.
 pub(crate) const LEFT_OUT: f64 = 1e-2;
@@ -86,14 +86,14 @@ pub(crate) struct Coming<const N: usize> {
     /// Irradiance in each band at normal incidence.
     pub(crate) irradiance: [f64; N],
     /// Optical path length.
-    pub(crate) way: f64,
+    pub(crate) optical_path_length: f64,
 }
 
 impl<const N: usize> Images<N> {
     pub(crate) fn of(world: &World, optics: &Optics<N>) -> Self {
         let mut images = Self { all: Vec::new(), chances: Vec::new(), is_cut: false };
         let smooth: Vec<usize> =
-            (0..world.sheets.len()).filter(|&wall| is_smooth(world, optics, wall)).collect();
+            (0..world.interfaces.len()).filter(|&wall| is_smooth(world, optics, wall)).collect();
         if smooth.is_empty() {
             return images;
         }
@@ -107,7 +107,7 @@ impl<const N: usize> Images<N> {
             };
             let sent =
                 Sent { place, light: optics.beams[index], filling, steps: Vec::new(), lit: Vec::new() };
-            let least = FAINT * world.scene.solve.tolerance * largest(&optics.beams[index]);
+            let least = ROULETTE_THRESHOLD * world.scene.solve.tolerance * largest(&optics.beams[index]);
             images.add_images(world, optics, &smooth, sent, least);
         }
         let whole: f64 = images.all.iter().map(|image| largest(&image.light)).sum();
@@ -159,7 +159,7 @@ fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> 
         MaterialKind::Diffuse { .. } => false,
         MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
         MaterialKind::Dielectric { .. } => {
-            let [front, back] = world.sheets[wall].fillings;
+            let [front, back] = world.interfaces[wall].fillings;
             !optics.is_clear(front, back)
         }
     }
@@ -170,13 +170,13 @@ impl<const N: usize> Sent<N> {
     fn after(&self, world: &World, optics: &Optics<N>, wall: usize, is_front: bool) -> Vec<Self> {
         let Some(plane) = world.walls.get(wall).plane() else { return Vec::new() };
         let Plane { point, normal } = plane.facing(is_front);
-        let sheet = &world.sheets[wall];
+        let interface = &world.interfaces[wall];
         let arrives = match self.place {
             Place::Point(position) => normal.dot(position - point) > 0.0,
             Place::Far(direction) => normal.dot(direction) < 0.0,
         };
         let is_same = self.steps.last().is_some_and(|last| last.wall == wall && !last.is_bent);
-        if !arrives || is_same || sheet.filling(is_front) != self.filling {
+        if !arrives || is_same || interface.filling(is_front) != self.filling {
             return Vec::new();
         }
         let lit = self.lit_on(world.walls.get(wall), point, normal);
@@ -189,7 +189,7 @@ impl<const N: usize> Sent<N> {
             let mut steps = self.steps.clone();
             // refracted light continues on the other side, where a ray from a receiver arrives
             steps.push(Step { wall, is_front: is_front != is_bent, is_bent });
-            let filling = if is_bent { sheet.filling(!is_front) } else { self.filling };
+            let filling = if is_bent { interface.filling(!is_front) } else { self.filling };
             Self { place, light, filling, steps, lit: lit.clone() }
         };
         let is_boundary = matches!(material, MaterialKind::Dielectric { .. });
@@ -198,14 +198,14 @@ impl<const N: usize> Sent<N> {
                 let image = plane.mirrored(position);
                 // the reflectance of a metal is largest at grazing incidence: 1
                 let factor = if let MaterialKind::Mirror { .. } = material {
-                    optics.reflectances[sheet.surface]
+                    optics.reflectances[interface.surface]
                 } else {
                     [1.0; N]
                 };
                 vec![next(Place::Point(image), times(&self.light, &factor), false)]
             }
             Place::Far(direction) if is_boundary => {
-                let other = optics.medium(sheet.filling(!is_front));
+                let other = optics.medium(interface.filling(!is_front));
                 let bent = |passage: Passage<N>, part: f64| match passage {
                     Passage::Reflected(direction, _) => {
                         next(Place::Far(direction), scaled(part, &self.light), false)
@@ -291,12 +291,13 @@ impl<const N: usize> Image<N> {
     ) -> Option<Coming<N>> {
         let (direction, distance) = match self.place {
             Place::Point(position) => {
-                let way = position - start.position;
-                (way.unit()?, way.length())
+                let offset = position - start.position;
+                (offset.unit()?, offset.length())
             }
             Place::Far(direction) => (-direction, f64::INFINITY),
         };
-        let mut ray = Ray { start, direction, filling, left: distance, factor: self.light, way: 0.0 };
+        let mut ray =
+            Ray { start, direction, filling, left: distance, factor: self.light, optical_path_length: 0.0 };
         let mut steps = self.steps.iter();
         loop {
             let reach = if ray.left.is_finite() { (1.0 - 1e-12) * ray.left } else { ray.left };
@@ -307,13 +308,17 @@ impl<const N: usize> Image<N> {
                 let squared = if distance.is_finite() { distance * distance } else { 1.0 };
                 let is_done = steps.next().is_none();
                 let irradiance = ray.factor.map(|factor| factor / squared);
-                return is_done.then_some(Coming { direction, irradiance, way: ray.way });
+                return is_done.then_some(Coming {
+                    direction,
+                    irradiance,
+                    optical_path_length: ray.optical_path_length,
+                });
             };
-            let beyond = world.sheets[met.wall].filling(!met.is_front);
+            let beyond = world.interfaces[met.wall].filling(!met.is_front);
             if is_smooth(world, optics, met.wall) {
                 let step =
                     steps.next().filter(|step| step.wall == met.wall && step.is_front == met.is_front)?;
-                ray.turns(world, optics, &met, step.is_bent, beyond)?;
+                ray.turn(world, optics, &met, step.is_bent, beyond)?;
             } else if matches!(world.material(met.wall), MaterialKind::Dielectric { .. }) {
                 ray.start = world.walls.start_on(&met, !met.is_front);
                 ray.filling = beyond;
@@ -331,7 +336,7 @@ struct Ray<const N: usize> {
     filling: Filling,
     left: f64,
     factor: [f64; N],
-    way: f64,
+    optical_path_length: f64,
 }
 
 impl<const N: usize> Ray<N> {
@@ -339,14 +344,14 @@ impl<const N: usize> Ray<N> {
     fn passes(&mut self, medium: &MediumOptics<N>, met: Option<&Met>) {
         let length = met.map_or(self.left, |met| met.distance);
         self.factor = times(&self.factor, &medium.transmittance(length));
-        self.way += medium.index * length;
+        self.optical_path_length += medium.index * length;
         self.left -= length;
     }
 
     /// Reflects or refracts the ray as the step requires. The factors of boundaries for parallel
     /// light are already part of the image; the reflectance of a metal for a point light is known
     /// only here.
-    fn turns(
+    fn turn(
         &mut self,
         world: &World,
         optics: &Optics<N>,

@@ -132,7 +132,7 @@ impl Search<'_> {
         if medium.extinction[0] > medium.scattering[0] {
             return None;
         }
-        let surface = self.world.sheets[met.wall].surface;
+        let surface = self.world.interfaces[met.wall].surface;
         if medium.scatters() {
             let distance = free_flight_sample(medium.scattering[0], samples.one());
             if distance < met.distance {
@@ -153,12 +153,12 @@ impl Search<'_> {
 
     /// Applies the interaction of a wall to a ray; returns the fraction of its energy that remains.
     pub(crate) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
-        let (world, sheet) = (self.world, &self.world.sheets[met.wall]);
+        let (world, interface) = (self.world, &self.world.interfaces[met.wall]);
         let normal = if met.is_front { met.normal } else { -met.normal };
         let medium = self.optics.medium(ray.filling);
         let passage = match world.material(met.wall) {
             MaterialKind::Dielectric { .. } => {
-                let beyond = sheet.filling(!met.is_front);
+                let beyond = interface.filling(!met.is_front);
                 let passage =
                     refracted([&medium, &self.optics.medium(beyond)], ray.direction, normal, samples.one());
                 if matches!(passage, Passage::Refracted(..)) {
@@ -169,7 +169,7 @@ impl Search<'_> {
             _ if !world.is_bright(met.wall, met.is_front) => return 0.0,
             MaterialKind::Diffuse { .. } => {
                 let direction = Law::<1>::Plane(normal).direction(1, samples);
-                Passage::Reflected(direction, self.optics.reflectances[sheet.surface])
+                Passage::Reflected(direction, self.optics.reflectances[interface.surface])
             }
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };
@@ -189,9 +189,9 @@ impl Search<'_> {
         let has_light = self.optics.radiances.iter().chain(&self.optics.beams).any(|[value]| *value > 0.0);
         let is_perfect = |wall: &usize| {
             let is_mirror = matches!(world.material(*wall), MaterialKind::Mirror { .. });
-            is_mirror && self.optics.reflectances[world.sheets[*wall].surface][0] >= 1.0
+            is_mirror && self.optics.reflectances[world.interfaces[*wall].surface][0] >= 1.0
         };
-        let mirrors: Vec<usize> = (0..world.sheets.len()).filter(is_perfect).collect();
+        let mirrors: Vec<usize> = (0..world.interfaces.len()).filter(is_perfect).collect();
         let faces_another = |&&wall: &&usize| {
             let front = Front::of(std::iter::once((wall, world.walls.get(wall))));
             let mut samples = (0..POINTS).map(|index| Samples::new(key(19, wall as u64), index));
@@ -202,7 +202,7 @@ impl Search<'_> {
             })
         };
         let found = mirrors.iter().filter(|_| has_light).find(faces_another)?;
-        Some(world.sheets[*found].surface)
+        Some(world.interfaces[*found].surface)
     }
 
     /// Whether light that leaves a point of a mirror along its normal returns along the normal from
@@ -214,9 +214,9 @@ impl Search<'_> {
         }
         let start = world.walls.start_before(wall, position);
         let Some(met) = world.walls.first(start, normal, f64::INFINITY) else { return false };
-        let medium = self.optics.medium(world.sheets[wall].filling(true));
+        let medium = self.optics.medium(world.interfaces[wall].filling(true));
         let is_mirror = matches!(world.material(met.wall), MaterialKind::Mirror { .. });
-        let is_perfect = self.optics.reflectances[world.sheets[met.wall].surface][0] >= 1.0;
+        let is_perfect = self.optics.reflectances[world.interfaces[met.wall].surface][0] >= 1.0;
         is_mirror
             && is_perfect
             && world.is_bright(met.wall, met.is_front)

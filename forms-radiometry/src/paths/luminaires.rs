@@ -13,13 +13,13 @@
 //! sampled, and its density is zero.
 
 use super::choice::{Choice, Sought, Weight};
+use super::interface::Interface;
 use super::near_field::Near;
 use super::optics::largest;
 use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
 };
-use super::world::Sheet;
 use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
 use crate::kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
 use crate::sampling::{Frame, Samples, chosen};
@@ -75,7 +75,7 @@ enum Form {
 
 /// A sampled direction to a light source.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Towards {
+pub(super) struct LightSample {
     pub(super) source: Source,
     pub(super) direction: Vector,
     /// Distance of a point light; infinite otherwise.
@@ -88,17 +88,17 @@ pub(super) struct Towards {
 }
 
 impl Luminaires {
-    pub(super) fn of(scene: &Scene, shapes: &[Wall], sheets: &[Sheet]) -> Self {
+    pub(super) fn of(scene: &Scene, shapes: &[Wall], interfaces: &[Interface]) -> Self {
         let (mut walls, mut weights, mut powers, mut of_walls) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut near = Vec::with_capacity(shapes.len());
-        for (wall, (shape, sheet)) in shapes.iter().zip(sheets).enumerate() {
+        for (wall, (shape, interface)) in shapes.iter().zip(interfaces).enumerate() {
             let first = walls.len();
-            let surface = &scene.surfaces[sheet.surface];
+            let surface = &scene.surfaces[interface.surface];
             let radiance = largest(&surface.radiance);
             if radiance > 0.0 {
                 let sides = if surface.two_sided { 2.0 } else { 1.0 };
-                let source = Source::Wall { wall, surface: sheet.surface };
+                let source = Source::Wall { wall, surface: interface.surface };
                 for form in forms(shape) {
                     powers.push(sides * PI * radiance * form.area());
                     let before = shape.plane().filter(|_| !surface.two_sided);
@@ -201,11 +201,11 @@ impl Luminaires {
 impl Luminaire {
     /// Returns a direction from a point, by a point of the unit square, for a light source that was
     /// selected with this probability. `None` if the light source cannot be seen from there.
-    pub(super) fn towards(&self, from: Vector, square: [f64; 2], chance: f64) -> Option<Towards> {
+    pub(super) fn towards(&self, from: Vector, square: [f64; 2], chance: f64) -> Option<LightSample> {
         let (direction, reach, density) = self.form.towards(from, square)?;
         let is_found = density > 0.0 && density.is_finite();
         let density = chance * density;
-        is_found.then_some(Towards { source: self.source, direction, reach, density, chance })
+        is_found.then_some(LightSample { source: self.source, direction, reach, density, chance })
     }
 
     /// Returns a point of the light source, by a point of the unit square; `None` if it is distant.
@@ -278,9 +278,9 @@ impl Form {
     fn towards(&self, from: Vector, square: [f64; 2]) -> Option<(Vector, f64, f64)> {
         match *self {
             Self::Point(position) => {
-                let way = position - from;
-                let direction = way.unit()?;
-                Some((direction, way.length(), way.dot(way)))
+                let offset = position - from;
+                let direction = offset.unit()?;
+                Some((direction, offset.length(), offset.dot(offset)))
             }
             Self::Distant(direction) => Some((-direction, f64::INFINITY, 1.0)),
             Self::Triangle(corners) => {
@@ -297,9 +297,9 @@ impl Form {
             }
             Self::Disk(_) | Self::Sphere(_) => {
                 let (point, normal) = self.point(square);
-                let way = point - from;
-                let direction = way.unit()?;
-                let density = self.density_of_area(way.dot(way), normal.dot(direction).abs());
+                let offset = point - from;
+                let direction = offset.unit()?;
+                let density = self.density_of_area(offset.dot(offset), normal.dot(direction).abs());
                 Some((direction, f64::INFINITY, density))
             }
         }
@@ -317,8 +317,9 @@ impl Form {
                 outside(&sphere, from).map_or(0.0, |(_, height)| cone_density(height))
             }
             Self::Disk(_) | Self::Sphere(_) => {
-                let way = met.position - from;
-                let covered = measure_area_to_solid_angle(way.dot(way), met.normal.dot(direction).abs());
+                let offset = met.position - from;
+                let covered =
+                    measure_area_to_solid_angle(offset.dot(offset), met.normal.dot(direction).abs());
                 1.0 / (covered * self.area())
             }
             Self::Point(_) | Self::Distant(_) => 0.0,
@@ -385,11 +386,11 @@ fn triangle_density([a, b, c]: [Vector; 3], direction: Vector) -> f64 {
 /// Returns, from outside a sphere, the direction to its centre, and 1 minus the cosine of its
 /// angular radius: s²/(1 + √(1 − s²)) with s = R/d.
 fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
-    let way = sphere.center - from;
-    let distance = way.length();
+    let offset = sphere.center - from;
+    let distance = offset.length();
     let sine = sphere.radius / distance;
     let squared = sine * sine;
-    (sine < 1.0).then(|| way.unit().map(|axis| (axis, squared / (1.0 + (1.0 - squared).sqrt())))).flatten()
+    (sine < 1.0).then(|| offset.unit().map(|axis| (axis, squared / (1.0 + (1.0 - squared).sqrt())))).flatten()
 }
 
 /// Returns the density in a cone, which does not depend on the direction.

@@ -47,14 +47,14 @@ impl Near {
                 edges.iter().all(|[from, inwards]| (point - *from).dot(*inwards) >= height)
             }
             Self::Disk(Disk { center, normal, radius }) => {
-                let way = point - *center;
-                let height = way.dot(*normal).abs();
+                let offset = point - *center;
+                let height = offset.dot(*normal).abs();
                 let left = radius - height;
-                left >= 0.0 && way.dot(way) - height * height <= left * left
+                left >= 0.0 && offset.dot(offset) - height * height <= left * left
             }
             Self::Sphere(Sphere { center, radius, .. }) => {
-                let way = point - *center;
-                way.dot(way) < radius * radius
+                let offset = point - *center;
+                offset.dot(offset) < radius * radius
             }
         }
     }

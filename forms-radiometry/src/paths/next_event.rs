@@ -10,10 +10,11 @@
 //! (1995).
 
 use super::chains::Step;
-use super::luminaires::{Source, Towards};
+use super::luminaires::{LightSample, Source};
 use super::mirror::reflected;
+use super::multiple_importance::mis_weight;
 use super::optics::{MediumOptics, mean, scaled, times};
-use super::specialisation::Lattice;
+use super::specialisation::Specialisation;
 use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::{Start, Vector};
@@ -23,17 +24,7 @@ use crate::scene::MaterialKind;
 /// A point light is reached if the ray hits nothing before this fraction of its distance.
 const REACHED: f64 = 1.0 - 1e-12;
 
-/// Returns the MIS weight (power heuristic, β = 2) of a technique with density `own` against one
-/// with density `other`.
-pub(super) fn part(own: f64, other: f64) -> f64 {
-    if own.is_infinite() {
-        return 1.0;
-    }
-    let ratio = other / own;
-    1.0 / (1.0 + ratio * ratio)
-}
-
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Adds the light from light sources that a segment scatters towards its start, both direct and
     /// from images.
     pub(super) fn lit_segment(
@@ -54,14 +45,20 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             let lit = self.lit_point(path, medium, length, pivot, samples);
             let Some((lit, vertex)) = lit else { continue };
             if let Some(towards) = luminaire.towards(vertex.start.position, samples.pair(), chance) {
-                self.lit(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, way| add(value, way));
+                self.add_light_sample(
+                    &lit,
+                    &vertex,
+                    (&towards, &[]),
+                    hidden,
+                    &mut |_, value, optical_path_length| add(value, optical_path_length),
+                );
             }
         }
     }
 
     /// Adds the direct light from light sources at a vertex, with the direction that it comes from.
     /// The throughput of the path already includes the weight of the vertex.
-    pub(super) fn straight(
+    pub(super) fn sample_direct_light(
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
@@ -73,22 +70,22 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let luminaires = &self.world.luminaires;
         for (beam, chance) in luminaires.beams(vertex.sought(), samples) {
             if let Some(towards) = beam.towards(position, [0.0; 2], chance) {
-                self.lit(path, vertex, (&towards, &[]), hidden, add);
+                self.add_light_sample(path, vertex, (&towards, &[]), hidden, add);
             }
         }
         let Some((luminaire, chance)) = luminaires.wall(vertex.sought(), samples) else { return };
         if let Some(towards) = luminaire.towards(position, samples.pair(), chance) {
-            self.lit(path, vertex, (&towards, &[]), hidden, add);
+            self.add_light_sample(path, vertex, (&towards, &[]), hidden, add);
         }
     }
 
     /// Adds the contribution of a light source at a vertex by these mirrors, or records it as lost
     /// to occlusion.
-    pub(super) fn lit(
+    pub(super) fn add_light_sample(
         &self,
         path: &Path<N>,
         vertex: &Vertex<N>,
-        (towards, steps): (&Towards, &[Step]),
+        (towards, steps): (&LightSample, &[Step]),
         hidden: &mut [f64],
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
@@ -98,7 +95,9 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             return;
         }
         let (radiance, part) = match towards.source {
-            Source::Wall { surface, .. } => (&self.optics.radiances[surface], part(towards.density, own)),
+            Source::Wall { surface, .. } => {
+                (&self.optics.radiances[surface], mis_weight(towards.density, own))
+            }
             Source::Beam(light) => (&self.optics.beams[light], 1.0),
         };
         let brings = times(&path.throughput, radiance);
@@ -106,7 +105,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let Some(reached) = self.reached(path, vertex.start, towards, steps) else { return };
         let value = times(&unhidden, &reached.left);
         if !reached.is_hidden {
-            add(towards.direction, &value, reached.way);
+            add(towards.direction, &value, reached.optical_path_length);
         } else if !(path.is_same && towards.chance == 1.0 && matches!(towards.source, Source::Beam(_))) {
             // a beam that is occluded at one place is occluded for all samples there
             miss(hidden, &value);
@@ -119,11 +118,12 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         &self,
         path: &Path<N>,
         mut start: Start,
-        towards: &Towards,
+        towards: &LightSample,
         steps: &[Step],
     ) -> Option<Reached<N>> {
         let has_media = L::ABSORPTION || L::SCATTERING;
-        let mut reached = Reached { left: [1.0; N], way: path.way, is_hidden: false };
+        let mut reached =
+            Reached { left: [1.0; N], optical_path_length: path.optical_path_length, is_hidden: false };
         let (mut filling, mut direction, mut reach) = (path.filling, towards.direction, towards.reach);
         let mut steps = steps.iter();
         loop {
@@ -134,7 +134,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             if has_media {
                 reached.left = times(&reached.left, &medium.transmittance(length));
             }
-            reached.way = self.longer(reached.way, &medium, length);
+            reached.optical_path_length = self.longer(reached.optical_path_length, &medium, length);
             let Some(met) = met else {
                 let is_beam = matches!(towards.source, Source::Beam(_));
                 reached.is_hidden |= steps.len() > 0;
@@ -155,7 +155,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
                 start = self.world.walls.start_on(&met, met.is_front);
                 continue;
             }
-            let beyond = self.world.sheets[met.wall].filling(!met.is_front);
+            let beyond = self.world.interfaces[met.wall].filling(!met.is_front);
             let is_boundary = matches!(self.world.material(met.wall), MaterialKind::Dielectric { .. });
             reached.is_hidden |= !is_boundary || (L::REFRACTION && !self.optics.is_clear(filling, beyond));
             if reached.is_hidden && (!has_media || steps.len() > 0) {
@@ -178,7 +178,7 @@ struct Reached<const N: usize> {
     /// Transmittance of the media times reflectance of the mirrors.
     left: [f64; N],
     /// Optical path length.
-    way: f64,
+    optical_path_length: f64,
     /// Whether an occluder is in the way.
     is_hidden: bool,
 }

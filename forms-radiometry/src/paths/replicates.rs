@@ -9,77 +9,14 @@
 //! round to round. All sums are accumulated in a fixed order, so that the result does not depend on
 //! threads.
 
-use super::follow::Follow;
-use super::question::Question;
+use super::estimand::Estimand;
+use super::path_sampler::PathSampler;
+use super::sums::{Bins, Sums};
 use crate::sampling::{Draws, key};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 /// Number of replicates of a single value, and of a pixel or a cell.
 pub(crate) const REPLICATES: usize = 32;
-
-/// Sum with its compensated rounding error: Neumaier (1974).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Sum {
-    sum: f64,
-    rest: f64,
-}
-
-impl Sum {
-    pub(crate) fn add(&mut self, value: f64) {
-        let sum = self.sum + value;
-        self.rest +=
-            if self.sum.abs() >= value.abs() { (self.sum - sum) + value } else { (value - sum) + self.sum };
-        self.sum = sum;
-    }
-
-    pub(crate) fn value(self) -> f64 {
-        self.sum + self.rest
-    }
-}
-
-/// Time bins of light, by optical path length.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bins {
-    pub(crate) start: f64,
-    pub(crate) width: f64,
-    pub(crate) count: usize,
-}
-
-/// The sums of one replicate: for each number, band and bin.
-#[derive(Clone, Debug)]
-pub(crate) struct Sums {
-    pub(super) sums: Vec<Sum>,
-    /// For each band the largest contribution that a sample lost because a light source was
-    /// occluded.
-    pub(super) missed: Vec<f64>,
-    bands: usize,
-    bins: Option<Bins>,
-}
-
-impl Sums {
-    fn new(numbers: usize, bands: usize, bins: Option<Bins>) -> Self {
-        let count = bins.map_or(1, |bins| bins.count);
-        Self { sums: vec![Sum::default(); numbers * bands * count], missed: vec![0.0; bands], bands, bins }
-    }
-
-    /// Returns the bin of light with this optical path length; `None` if it is in no bin.
-    pub(super) fn bin(&self, way: f64) -> Option<usize> {
-        let Some(Bins { start, width, count }) = self.bins else { return Some(0) };
-        let place = ((way - start) / width).floor();
-        (place >= 0.0 && place < count as f64).then_some(place as usize)
-    }
-
-    /// Records a contribution that a sample lost to occlusion in a band.
-    pub(super) fn miss(&mut self, band: usize, value: f64) {
-        self.missed[band] = self.missed[band].max(value);
-    }
-
-    pub(super) fn add(&mut self, [number, band, bin]: [usize; 3], value: f64) {
-        let bins = self.bins.map_or(1, |bins| bins.count);
-        self.sums[(number * self.bands + band) * bins + bin].add(value);
-    }
-}
 
 /// The replicates of an estimand.
 #[derive(Clone, Debug)]
@@ -92,25 +29,25 @@ pub(crate) struct Replicates {
 
 impl Replicates {
     /// Creates replicates without samples, for an estimand that this key identifies.
-    pub(crate) fn new(key: u64, question: &Question, bands: usize, bins: Option<Bins>) -> Self {
-        Self { key, of: vec![Sums::new(question.numbers(), bands, bins); REPLICATES], samples: 0 }
+    pub(crate) fn new(key: u64, estimand: &Estimand, bands: usize, bins: Option<Bins>) -> Self {
+        Self { key, of: vec![Sums::new(estimand.numbers(), bands, bins); REPLICATES], samples: 0 }
     }
 
     /// Adds samples to the selected replicates, up to the number `to`.
     pub(crate) fn extend(
         &mut self,
         to: u32,
-        question: &Question,
-        followers: &[Box<dyn Follow + '_>],
+        estimand: &Estimand,
+        samplers: &[Box<dyn PathSampler + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
     ) {
         let (from, own) = (self.samples, self.key);
         let extend = |(replicate, sums): (usize, &mut Sums)| {
             let key = key(own, replicate as u64);
             for index in from..to {
-                for follower in followers {
-                    let mut draws = Draws::new(key ^ follower.bands()[0] as u64, index);
-                    follower.sample(question, &mut draws, sums);
+                for path_samplers in samplers {
+                    let mut draws = Draws::new(key ^ path_samplers.bands()[0] as u64, index);
+                    path_samplers.sample(estimand, &mut draws, sums);
                 }
             }
         };

@@ -131,9 +131,9 @@ struct Angle {
 
 impl Angle {
     fn at(pivot: Vector, [origin, direction]: [Vector; 2], length: f64) -> Option<Self> {
-        let way = pivot - origin;
-        let abreast = way.dot(direction);
-        let height = (way - abreast * direction).length();
+        let offset = pivot - origin;
+        let abreast = offset.dot(direction);
+        let height = (offset - abreast * direction).length();
         (height > LEAST_HEIGHT * length).then_some(Self { height, abreast, length })
     }
 

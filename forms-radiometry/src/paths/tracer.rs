@@ -16,11 +16,11 @@ use super::boundary::Passage;
 use super::choice::Sought;
 use super::image_sources::Images;
 use super::mirror::reflected;
-use super::next_event::part;
+use super::multiple_importance::mis_weight;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::refracted;
 use super::scattering::Flight;
-use super::specialisation::Lattice;
+use super::specialisation::Specialisation;
 use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
@@ -31,10 +31,10 @@ use std::marker::PhantomData;
 
 /// Russian roulette starts below this throughput. A smaller value makes paths longer, and reduces
 /// the variance that comes from their random lengths.
-const FAINT: f64 = 0.1;
+const ROULETTE_THRESHOLD: f64 = 0.1;
 /// Maximum number of consecutive specular events. A path that reaches it is caught where light from
 /// light sources cannot get either; otherwise the scene would have been rejected.
-const CAUGHT: u32 = 4096;
+const MAX_SPECULAR_DEPTH: u32 = 4096;
 
 /// Maximum number of diffuse reflections and of scatterings by media, and whether direct light
 /// counts. A surface that is seen along a ray reflects once more, towards the eye.
@@ -63,7 +63,7 @@ pub(crate) struct Path<const N: usize> {
     pub(crate) filling: Filling,
     pub(crate) throughput: [f64; N],
     /// Optical path length so far, the integral of the index.
-    pub(crate) way: f64,
+    pub(crate) optical_path_length: f64,
     /// The last vertex, as the mirrors since then show it, and the density of the direction there.
     /// The density is infinite if next-event estimation could not have found the light source from
     /// that vertex.
@@ -79,18 +79,18 @@ pub(crate) struct Path<const N: usize> {
     pub(crate) most: Option<u32>,
     pub(crate) scatterings: u32,
     /// Number of specular events since the last vertex.
-    pub(crate) turns: u32,
+    pub(crate) specular_depth: u32,
     /// Whether the light has not been reflected, refracted or scattered yet.
     pub(crate) is_straight: bool,
     /// Whether all samples of the estimand have followed the same path so far.
     pub(crate) is_same: bool,
 }
 
-pub(crate) fn may_go_on(count: u32, most: Option<u32>) -> bool {
+pub(crate) fn is_below(count: u32, most: Option<u32>) -> bool {
     most.is_none_or(|most| count < most)
 }
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns the number of bands.
     pub(crate) fn count(&self) -> usize {
         if N == 1 { 1 } else { self.optics.bands[1] }
@@ -102,8 +102,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     /// Returns the optical path length after a further distance. It stays unchanged if no receiver
     /// is time-resolved.
-    pub(crate) fn longer(&self, way: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
-        if L::TIME { longer(way, medium, distance) } else { way }
+    pub(crate) fn longer(&self, optical_path_length: f64, medium: &MediumOptics<N>, distance: f64) -> f64 {
+        if L::TIME { longer(optical_path_length, medium, distance) } else { optical_path_length }
     }
 
     /// Traces a path to its end, and adds its contributions: a value for each band, and the optical
@@ -114,13 +114,15 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
             let medium = self.medium(path.filling);
             let scatters = L::SCATTERING && medium.scatters();
-            if scatters && may_go_on(path.scatterings, self.limits.scatterings) {
+            if scatters && is_below(path.scatterings, self.limits.scatterings) {
                 self.lit_segment(&path, &medium, length, draws, add);
                 match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
                     Flight::Scattered(distance, factor) => {
                         path.throughput = times(&path.throughput, &factor);
-                        self.scatter(&mut path, &medium, [distance, length], &mut draws.path);
-                        if self.is_endless(&path, &medium) || !self.goes_on(&mut path, &mut draws.chance) {
+                        self.scatter_in_medium(&mut path, &medium, [distance, length], &mut draws.path);
+                        if self.is_endless(&path, &medium)
+                            || !self.russian_roulette(&mut path, &mut draws.chance)
+                        {
                             return;
                         }
                         continue;
@@ -134,7 +136,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             self.arrives(&mut path, met.as_ref(), &medium, add);
             let Some(met) = met else { return };
             if !self.interacts(&mut path, &met, &medium, draws, add)
-                || !self.goes_on(&mut path, &mut draws.chance)
+                || !self.russian_roulette(&mut path, &mut draws.chance)
             {
                 return;
             }
@@ -150,7 +152,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         add: &mut impl FnMut(&[f64; N], f64),
     ) {
         if let Some(met) = met {
-            path.way = self.longer(path.way, medium, met.distance);
+            path.optical_path_length = self.longer(path.optical_path_length, medium, met.distance);
             self.emitted(path, met, add);
         } else if self.limits.direct || !path.is_straight {
             add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
@@ -159,18 +161,18 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     /// Adds the light that a wall emits into the path.
     fn emitted(&self, path: &Path<N>, met: &Met, add: &mut impl FnMut(&[f64; N], f64)) {
-        let radiance = &self.optics.radiances[self.world.sheets[met.wall].surface];
+        let radiance = &self.optics.radiances[self.world.interfaces[met.wall].surface];
         let is_lit = largest(radiance) > 0.0 && self.world.is_bright(met.wall, met.is_front);
         if !is_lit || (path.is_straight && !self.limits.direct) {
             return;
         }
         let part = if path.density.is_finite() {
             let seen = self.world.luminaires.density(path.sought, path.vertex, path.direction, met);
-            part(path.density, self.world.chains.chance(path.chain) * seen)
+            mis_weight(path.density, self.world.chains.chance(path.chain) * seen)
         } else {
             1.0
         };
-        add(&scaled(part, &times(&path.throughput, radiance)), path.way);
+        add(&scaled(part, &times(&path.throughput, radiance)), path.optical_path_length);
     }
 
     /// Applies the interaction of the wall to the path; returns whether the path continues.
@@ -182,23 +184,27 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         draws: &mut Draws,
         add: &mut impl FnMut(&[f64; N], f64),
     ) -> bool {
-        if !self.goes_on_from(path, met) {
+        if !self.continues_from(path, met) {
             return false;
         }
-        let (sheet, material) = (&self.world.sheets[met.wall], self.world.material(met.wall));
+        let (interface, material) = (&self.world.interfaces[met.wall], self.world.material(met.wall));
         let normal = if met.is_front { met.normal } else { -met.normal };
         if let MaterialKind::Dielectric { .. } = material {
-            let beyond = sheet.filling(!met.is_front);
+            let beyond = interface.filling(!met.is_front);
             return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, &mut draws.path);
         }
         if let MaterialKind::Diffuse { .. } = material {
-            path.throughput = times(&path.throughput, &self.optics.reflectances[sheet.surface]);
+            path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
             path.reflections += 1;
             let vertex =
                 Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
-            self.by_images(path, &vertex, draws, &mut |_, value, way| add(value, way));
-            self.straight(path, &vertex, draws, &mut |_, value, way| add(value, way));
-            self.leaves(path, &vertex, &mut draws.path);
+            self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
+                add(value, optical_path_length)
+            });
+            self.sample_direct_light(path, &vertex, draws, &mut |_, value, optical_path_length| {
+                add(value, optical_path_length)
+            });
+            self.scatter(path, &vertex, &mut draws.path);
             return true;
         }
         if L::MIRROR {
@@ -221,8 +227,8 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             None => path.density = f64::INFINITY,
         }
         path.is_straight = false;
-        path.turns += 1;
-        path.turns < CAUGHT
+        path.specular_depth += 1;
+        path.specular_depth < MAX_SPECULAR_DEPTH
     }
 
     /// Crosses the boundary of two media, or is reflected there; returns whether the path
@@ -251,18 +257,18 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
 
     /// Plays Russian roulette with a path of small throughput; survivors get the throughput of the
     /// threshold.
-    fn goes_on(&self, path: &mut Path<N>, chance: &mut Random) -> bool {
+    fn russian_roulette(&self, path: &mut Path<N>, chance: &mut Random) -> bool {
         let weight = largest(&path.throughput);
-        if weight >= FAINT {
+        if weight >= ROULETTE_THRESHOLD {
             return true;
         }
-        let part = weight / FAINT;
+        let part = weight / ROULETTE_THRESHOLD;
         path.throughput = path.throughput.map(|t| t / part);
         weight > 0.0 && chance.next() < part
     }
 
     /// Continues a path from a vertex in a direction sampled by the law of the vertex.
-    pub(crate) fn leaves(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
+    pub(crate) fn scatter(&self, path: &mut Path<N>, vertex: &Vertex<N>, samples: &mut Samples) {
         let direction = vertex.law.direction(self.count(), samples);
         let (weights, density) = vertex.law.weights(direction, self.count());
         path.throughput = times(&path.throughput, &weights);
@@ -270,22 +276,22 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         (path.sought, path.chain) = (vertex.sought(), 0);
         path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
-        path.turns = 0;
+        path.specular_depth = 0;
     }
 
     /// Scatters a path at a distance along a segment of this length.
-    fn scatter(
+    fn scatter_in_medium(
         &self,
         path: &mut Path<N>,
         medium: &MediumOptics<N>,
         [distance, length]: [f64; 2],
         samples: &mut Samples,
     ) {
-        path.way = self.longer(path.way, medium, distance);
+        path.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         path.scatterings += 1;
         let vertex = self.scattering(path, medium, distance);
         let sought = self.world.luminaires.sought_along(path.start.position, path.direction, length);
-        self.leaves(path, &vertex, samples);
+        self.scatter(path, &vertex, samples);
         path.sought = sought;
     }
 
@@ -310,7 +316,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
         let mut lit = *path;
         lit.throughput = times(&path.throughput, &factor);
-        lit.way = self.longer(path.way, medium, distance);
+        lit.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         lit.is_same = false;
         Some((lit, self.scattering(path, medium, distance)))
     }

@@ -8,10 +8,10 @@
 //! Radiance in such a medium is well defined, but the number of events of a path has an infinite
 //! mean.
 
+use super::estimand::{Begin, Estimand};
 use super::light_trap::{Ray, Search};
 use super::optics::MediumOptics;
-use super::question::{Begin, Question};
-use super::specialisation::Lattice;
+use super::specialisation::Specialisation;
 use super::tracer::{Limits, Path, Tracer};
 use super::vertex::Law;
 use super::warps::free_flight_sample;
@@ -28,7 +28,7 @@ const TURNS: u32 = 1024;
 /// is one.
 pub(crate) fn endless(
     world: &World,
-    questions: impl FnOnce() -> Vec<Question>,
+    estimands: impl FnOnce() -> Vec<Estimand>,
     limits: &Limits,
 ) -> Option<SceneError> {
     let scene = world.scene;
@@ -37,13 +37,13 @@ pub(crate) fn endless(
     }
     let is_conservative = |search: &Search| search.optics.medium(scene.ambient.medium).is_conservative();
     let search = (0..scene.band_count()).map(|band| Search::of(world, band)).find(is_conservative)?;
-    let questions = questions();
-    if questions.is_empty() {
+    let estimands = estimands();
+    if estimands.is_empty() {
         return None;
     }
     let gets_out = |path: usize| {
-        let question = &questions[path * questions.len() / PATHS];
-        search.gets_out(question, &mut Samples::new(key(23, 0), path as u32))
+        let estimand = &estimands[path * estimands.len() / PATHS];
+        search.gets_out(estimand, &mut Samples::new(key(23, 0), path as u32))
     };
     (0..PATHS).into_par_iter().any(gets_out).then(|| {
         let medium = &scene.media[scene.ambient.medium.expect("a conservative medium is around the scene")];
@@ -60,8 +60,8 @@ pub(crate) fn endless(
 
 impl Search<'_> {
     /// Whether a path from an estimand is scattered outside all walls by an unbounded medium.
-    fn gets_out(&self, question: &Question, samples: &mut Samples) -> bool {
-        let Some(mut ray) = self.begun(question, samples) else { return false };
+    fn gets_out(&self, estimand: &Estimand, samples: &mut Samples) -> bool {
+        let Some(mut ray) = self.begun(estimand, samples) else { return false };
         for _ in 0..TURNS {
             match self.scattered_or_met(&mut ray, samples) {
                 Turn::Beyond => return true,
@@ -73,8 +73,8 @@ impl Search<'_> {
     }
 
     /// Returns the first ray of a path.
-    fn begun(&self, question: &Question, samples: &mut Samples) -> Option<Ray> {
-        let (start, direction) = match question.begin(self.world, samples)? {
+    fn begun(&self, estimand: &Estimand, samples: &mut Samples) -> Option<Ray> {
+        let (start, direction) = match estimand.begin(self.world, samples)? {
             Begin::Sight { start, direction } => (start, direction),
             Begin::Receiver { start, normal } => {
                 let law: Law<1> = normal.map_or(Law::Sphere, Law::Plane);
@@ -108,7 +108,7 @@ impl Search<'_> {
     }
 }
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Whether the path has escaped to where an unbounded medium scatters it forever. A scene in
     /// which this happens to more than a thousandth of the paths has been rejected. The light that
     /// is lost by ending such a path is therefore negligible compared with the statistical error of

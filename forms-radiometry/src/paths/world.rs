@@ -2,17 +2,18 @@
 //! sources.
 
 use super::chains::Chains;
+use super::first_hit::FirstHit;
+use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
-use super::question::Seen;
 use crate::geometry::{Met, Start, Vector, Wall, Walls};
-use crate::scene::{FilledSheet, Filling, MaterialKind, Piece, Scene, filled};
+use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, filled};
 
 /// A scene prepared for path tracing.
 pub(crate) struct World<'s> {
     pub(crate) scene: &'s Scene,
     pub(super) walls: Walls,
     /// The interface that each wall belongs to.
-    pub(super) sheets: Vec<Sheet>,
+    pub(super) interfaces: Vec<Interface>,
     pub(super) luminaires: Luminaires,
     /// The chains of flat mirrors in which emitters are seen.
     pub(super) chains: Chains,
@@ -20,39 +21,24 @@ pub(crate) struct World<'s> {
     pub(super) fronts: Vec<Front>,
 }
 
-/// Interface that a wall belongs to.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sheet {
-    pub(super) surface: usize,
-    /// The media at its front and at its back.
-    pub(super) fillings: [Filling; 2],
-}
-
-impl Sheet {
-    /// Returns the medium at one of its sides.
-    pub(super) fn filling(&self, is_front: bool) -> Filling {
-        self.fillings[usize::from(!is_front)]
-    }
-}
-
 impl<'s> World<'s> {
     pub(crate) fn new(scene: &'s Scene) -> Self {
-        let (mut walls, mut sheets) = (Vec::new(), Vec::new());
-        for FilledSheet { sheet, front, back } in filled(scene) {
-            let of_sheet = walls_of(sheet.shape);
-            let belongs = Sheet { surface: sheet.surface, fillings: [front, back] };
-            sheets.extend(of_sheet.iter().map(|_| belongs));
+        let (mut walls, mut interfaces) = (Vec::new(), Vec::new());
+        for FilledInterface { interface, front, back } in filled(scene) {
+            let of_sheet = walls_of(interface.shape);
+            let belongs = Interface { surface: interface.surface, fillings: [front, back] };
+            interfaces.extend(of_sheet.iter().map(|_| belongs));
             walls.extend(of_sheet);
         }
-        let luminaires = Luminaires::of(scene, &walls, &sheets);
-        let chains = Chains::of(scene, &walls, &sheets);
+        let luminaires = Luminaires::of(scene, &walls, &interfaces);
+        let chains = Chains::of(scene, &walls, &interfaces);
         let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
-        for (wall, sheet) in sheets.iter().enumerate() {
-            of_surfaces[sheet.surface].push(wall);
+        for (wall, interface) in interfaces.iter().enumerate() {
+            of_surfaces[interface.surface].push(wall);
         }
         let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let fronts = of_surfaces.iter().map(front).collect();
-        Self { scene, walls: Walls::of(walls), sheets, luminaires, chains, fronts }
+        Self { scene, walls: Walls::of(walls), interfaces, luminaires, chains, fronts }
     }
 
     /// Returns the largest fraction of an emitter's light that mirrors and boundaries turn along a
@@ -64,22 +50,22 @@ impl<'s> World<'s> {
     /// Returns the medium that a ray starts in.
     pub(super) fn medium_at(&self, start: Start, direction: Vector) -> Filling {
         match self.walls.first(start, direction, f64::INFINITY) {
-            Some(Met { wall, is_front, .. }) => self.sheets[wall].filling(is_front),
+            Some(Met { wall, is_front, .. }) => self.interfaces[wall].filling(is_front),
             None => self.scene.ambient.medium,
         }
     }
 
     /// Returns the first hit of a ray. If the ray misses, the surroundings can be the emitter.
-    pub(super) fn seen(&self, start: Start, direction: Vector) -> Seen {
+    pub(super) fn seen(&self, start: Start, direction: Vector) -> FirstHit {
         match self.walls.first(start, direction, f64::INFINITY) {
             Some(Met { wall, is_front, .. }) => {
-                let surface = self.sheets[wall].surface;
+                let surface = self.interfaces[wall].surface;
                 let is_emitter = self.scene.surfaces[surface].emits() && self.is_bright(wall, is_front);
-                Seen { is_emitter, surface: Ok(Some(surface)) }
+                FirstHit { is_emitter, surface: Ok(Some(surface)) }
             }
             None => {
                 let is_emitter = self.scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0);
-                Seen { is_emitter, surface: Ok(None) }
+                FirstHit { is_emitter, surface: Ok(None) }
             }
         }
     }
@@ -87,12 +73,12 @@ impl<'s> World<'s> {
     /// Whether light leaves a side of a wall: the side is a front, or belongs to a two-sided
     /// surface.
     pub(super) fn is_bright(&self, wall: usize, is_front: bool) -> bool {
-        is_front || self.scene.surfaces[self.sheets[wall].surface].two_sided
+        is_front || self.scene.surfaces[self.interfaces[wall].surface].two_sided
     }
 
     /// Returns the reflection law of a wall.
     pub(super) fn material(&self, wall: usize) -> &MaterialKind {
-        &self.scene.materials[self.scene.surfaces[self.sheets[wall].surface].material].kind
+        &self.scene.materials[self.scene.surfaces[self.interfaces[wall].surface].material].kind
     }
 }
 

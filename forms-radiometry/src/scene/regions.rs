@@ -13,42 +13,42 @@
 
 mod boundary;
 mod edges;
+mod interfaces;
 mod rays;
-mod sheets;
 
 use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
 use super::working_units::WorkingScene;
 use edges::{Edge, edges};
-pub(crate) use sheets::{Piece, Sheet};
-use sheets::{Side, sheets};
+pub(crate) use interfaces::{Interface, Piece};
+use interfaces::{Side, interfaces};
 use std::collections::HashMap;
 
 /// The index of a medium, or vacuum.
 pub(crate) type Filling = Option<usize>;
 
 /// A sheet, and the media on its two sides.
-pub(crate) struct FilledSheet {
-    pub(crate) sheet: Sheet,
+pub(crate) struct FilledInterface {
+    pub(crate) interface: Interface,
     pub(crate) front: Filling,
     pub(crate) back: Filling,
 }
 
 /// Returns the sheets of a valid scene, in which every region is filled by one medium.
-pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
-    let (sheets, vertices) = sheets(scene);
-    let mut regions = Regions::new(sheets.len());
-    let is_boundary = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
-    let has_media = sheets.iter().any(is_boundary);
+pub(crate) fn filled(scene: &Scene) -> Vec<FilledInterface> {
+    let (interfaces, vertices) = interfaces(scene);
+    let mut regions = Regions::new(interfaces.len());
+    let is_boundary = |interface: &Interface| inside(scene, &scene.surfaces[interface.surface]).is_some();
+    let has_media = interfaces.iter().any(is_boundary);
     if has_media {
-        let edges = edges(&sheets, &vertices);
-        regions.join_at(&sheets, &edges);
+        let edges = edges(&interfaces, &vertices);
+        regions.join_at(&interfaces, &edges);
         // a body that is not the boundary of a medium lies inside one
-        rays::seen(&sheets, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
+        rays::seen(&interfaces, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
     }
     let mut fillings = HashMap::from([(regions.of(Side::Outside), scene.ambient.medium)]);
-    for (index, sheet) in sheets.iter().enumerate() {
-        if let Some(medium) = inside(scene, &scene.surfaces[sheet.surface]) {
+    for (index, interface) in interfaces.iter().enumerate() {
+        if let Some(medium) = inside(scene, &scene.surfaces[interface.surface]) {
             fillings.insert(regions.of(Side::Back(index)), Some(medium));
         }
     }
@@ -56,12 +56,12 @@ pub(crate) fn filled(scene: &Scene) -> Vec<FilledSheet> {
         Some(filling) => *filling,
         None => scene.ambient.medium,
     };
-    let filled = |(index, sheet)| FilledSheet {
-        sheet,
+    let filled = |(index, interface)| FilledInterface {
+        interface,
         front: filling(Side::Front(index)),
         back: filling(Side::Back(index)),
     };
-    sheets.into_iter().enumerate().map(filled).collect()
+    interfaces.into_iter().enumerate().map(filled).collect()
 }
 
 /// The medium in front of a boundary.
@@ -79,21 +79,21 @@ pub(super) fn check(report: &mut Report, scene: &Scene) -> Vec<Front> {
         return Vec::new();
     }
     let working = scene.in_working_units();
-    let (sheets, vertices) = sheets(&working.scene);
-    let edges = edges(&sheets, &vertices);
-    if overlaps(report, scene, &sheets, &edges) {
+    let (interfaces, vertices) = interfaces(&working.scene);
+    let edges = edges(&interfaces, &vertices);
+    if overlaps(report, scene, &interfaces, &edges) {
         return Vec::new();
     }
-    let mut regions = Regions::new(sheets.len());
-    regions.join_at(&sheets, &edges);
-    if open_boundaries(report, &working, &sheets, &edges, &mut regions) {
+    let mut regions = Regions::new(interfaces.len());
+    regions.join_at(&interfaces, &edges);
+    if open_boundaries(report, &working, &interfaces, &edges, &mut regions) {
         return Vec::new();
     }
-    let is_dielectric = |sheet: &Sheet| inside(scene, &scene.surfaces[sheet.surface]).is_some();
-    for (a, b) in rays::seen(&sheets, &edges, is_dielectric) {
+    let is_dielectric = |interface: &Interface| inside(scene, &scene.surfaces[interface.surface]).is_some();
+    for (a, b) in rays::seen(&interfaces, &edges, is_dielectric) {
         regions.join(a, b);
     }
-    fill(report, scene, &sheets, &mut regions)
+    fill(report, scene, &interfaces, &mut regions)
 }
 
 /// Returns the medium behind a surface, if the surface is the boundary of one.
@@ -106,10 +106,10 @@ fn inside(scene: &Scene, surface: &Surface) -> Option<usize> {
 
 /// Reports boundaries of media that coincide with another surface, so that their order is
 /// undetermined. Returns whether there was one.
-fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]) -> bool {
+fn overlaps(report: &mut Report, scene: &Scene, interfaces: &[Interface], edges: &[Edge]) -> bool {
     let mut told = vec![false; scene.surfaces.len()];
     for (a, b) in edges.iter().filter_map(Edge::overlapping) {
-        let (a, b) = (sheets[a].surface, sheets[b].surface);
+        let (a, b) = (interfaces[a].surface, interfaces[b].surface);
         let [first, second] = [&scene.surfaces[a.min(b)], &scene.surfaces[a.max(b)]];
         let concerns_media = inside(scene, first).is_some() || inside(scene, second).is_some();
         if concerns_media && !std::mem::replace(&mut told[a.max(b)], true) {
@@ -124,7 +124,7 @@ fn overlaps(report: &mut Report, scene: &Scene, sheets: &[Sheet], edges: &[Edge]
 fn open_boundaries(
     report: &mut Report,
     working: &WorkingScene,
-    sheets: &[Sheet],
+    interfaces: &[Interface],
     edges: &[Edge],
     regions: &mut Regions,
 ) -> bool {
@@ -133,21 +133,21 @@ fn open_boundaries(
     let scene = working.scene.as_ref();
     let (mut of_surfaces, mut of_regions) = (HashMap::new(), HashMap::new());
     for edge in edges.iter().filter(|edge| edge.is_free()) {
-        of_surfaces.entry(sheets[edge.first()].surface).or_insert(edge);
+        of_surfaces.entry(interfaces[edge.first()].surface).or_insert(edge);
         of_regions.entry(regions.of(Side::Back(edge.first()))).or_insert(edge);
     }
     let mut told = vec![false; scene.surfaces.len()];
-    for (index, sheet) in sheets.iter().enumerate() {
-        let surface = &scene.surfaces[sheet.surface];
-        let Some(medium) = inside(scene, surface).filter(|_| !told[sheet.surface]) else { continue };
+    for (index, interface) in interfaces.iter().enumerate() {
+        let surface = &scene.surfaces[interface.surface];
+        let Some(medium) = inside(scene, surface).filter(|_| !told[interface.surface]) else { continue };
         let region = regions.of(Side::Back(index));
         if regions.of(Side::Front(index)) != region {
             continue;
         }
-        told[sheet.surface] = true;
-        let nearest = of_surfaces.get(&sheet.surface).or_else(|| of_regions.get(&region));
+        told[interface.surface] = true;
+        let nearest = of_surfaces.get(&interface.surface).or_else(|| of_regions.get(&region));
         let gap = nearest.map_or(String::new(), |edge| {
-            let of = &scene.surfaces[sheets[edge.first()].surface].name;
+            let of = &scene.surfaces[interfaces[edge.first()].surface].name;
             let [a, b] = edge.ends.map(|v| {
                 let v = working.factor.recip() * v;
                 format!("[{}, {}, {}]", v.x, v.y, v.z)
@@ -163,16 +163,16 @@ fn open_boundaries(
 
 /// Fills every region, and reports regions with two media and boundaries between a medium and
 /// itself. A region without boundaries of media is filled by the ambient medium.
-fn fill(report: &mut Report, scene: &Scene, sheets: &[Sheet], regions: &mut Regions) -> Vec<Front> {
+fn fill(report: &mut Report, scene: &Scene, interfaces: &[Interface], regions: &mut Regions) -> Vec<Front> {
     const EXPECTED: &str =
         "faces whose vertices are counter-clockwise seen from outside the medium behind them";
     let mut fillings: HashMap<usize, (Filling, String)> = HashMap::new();
     fillings.insert(regions.of(Side::Outside), (scene.ambient.medium, "around the scene".to_owned()));
     let boundaries = || {
-        let boundary = |(index, sheet): (usize, &Sheet)| {
-            inside(scene, &scene.surfaces[sheet.surface]).map(|medium| (index, sheet.surface, medium))
+        let boundary = |(index, interface): (usize, &Interface)| {
+            inside(scene, &scene.surfaces[interface.surface]).map(|medium| (index, interface.surface, medium))
         };
-        sheets.iter().enumerate().filter_map(boundary)
+        interfaces.iter().enumerate().filter_map(boundary)
     };
     let mut told = vec![false; scene.surfaces.len()];
     for (index, surface, medium) in boundaries() {
@@ -212,14 +212,14 @@ struct Regions {
 
 impl Regions {
     /// Creates a separate set for each side of this many sheets, and for the outside.
-    fn new(sheets: usize) -> Self {
-        Self { parents: (0..=2 * sheets).collect() }
+    fn new(interfaces: usize) -> Self {
+        Self { parents: (0..=2 * interfaces).collect() }
     }
 
     fn index(&self, side: Side) -> usize {
         match side {
-            Side::Front(sheet) => 2 * sheet,
-            Side::Back(sheet) => 2 * sheet + 1,
+            Side::Front(interface) => 2 * interface,
+            Side::Back(interface) => 2 * interface + 1,
             Side::Outside => self.parents.len() - 1,
         }
     }
@@ -236,14 +236,14 @@ impl Regions {
 
     /// Joins the sides that face each other at edges. Also joins both sides of a disk, or the sides
     /// of a disk with those of the surface on which it lies.
-    fn join_at(&mut self, sheets: &[Sheet], edges: &[Edge]) {
+    fn join_at(&mut self, interfaces: &[Interface], edges: &[Edge]) {
         for (a, b) in edges.iter().flat_map(Edge::facing) {
             self.join(a, b);
         }
         for (index, disk) in
-            sheets.iter().enumerate().filter_map(|(index, sheet)| Some((index, sheet.disk()?)))
+            interfaces.iter().enumerate().filter_map(|(index, interface)| Some((index, interface.disk()?)))
         {
-            if let Some(base) = sheets.iter().position(|sheet| sheet.has_round_hole(disk)) {
+            if let Some(base) = interfaces.iter().position(|interface| interface.has_round_hole(disk)) {
                 self.join(Side::Front(index), Side::Front(base));
                 self.join(Side::Back(index), Side::Back(base));
             } else {

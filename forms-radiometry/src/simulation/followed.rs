@@ -32,11 +32,11 @@ use super::survey::MANY;
 use crate::answer::{Moment, Simulation};
 use crate::effects::EffectSet;
 use crate::faces::{faces, is_round};
-use crate::paths::{Follow, World, follower};
+use crate::paths::{PathSampler, World, path_samplers};
 use crate::scene::{MaterialKind, Medium, Receiver, ReceiverKind, Scene};
 use crate::watch::Watch;
 use asked::{Asked, Division, asked, divide_time};
-pub(super) use asked::{MOST, all_questions};
+pub(super) use asked::{MOST, all_estimands};
 pub(super) use computed::Computable;
 use computed::Computing;
 use neighbours::spreads;
@@ -61,13 +61,13 @@ pub(super) fn followed(task: Task<'_>, job: Job<'_>, progress: &Progress<'_>) ->
     // effects that the file turns on are part of the specialised tracer, even where the scene
     // contains none of them
     let contained = EffectSet::of_scene(task.scene);
-    let followers = follower(&world, contained | task.effects.on, limits);
-    let computing = Computing::of(task.scene, &limits, &followers);
+    let samplers = path_samplers(&world, contained | task.effects.on, limits);
+    let computing = Computing::of(task.scene, &limits, &samplers);
     let mut work = Work::new(&world, task.metres, &job, &computing, progress);
     if let Some(state) = job.state {
         work.restore(state.of_paths().ok_or(Misfit)?)?;
     }
-    work.run(&followers);
+    work.run(&samplers);
     Ok(work.simulation())
 }
 
@@ -136,10 +136,10 @@ impl<'w> Work<'w> {
 
     /// Runs rounds of samples until every error meets the tolerance, nothing can be gained, or the
     /// work is stopped.
-    fn run(&mut self, followers: &[Box<dyn Follow + '_>]) {
+    fn run(&mut self, samplers: &[Box<dyn PathSampler + '_>]) {
         self.keep_if(true);
         let mut is_noted = true;
-        while !self.is_done && self.reach(followers) {
+        while !self.is_done && self.reach(samplers) {
             // a pilot has many short rounds
             is_noted = self.scales.is_some() || self.division.budget.is_some() || self.history.is_empty();
             if is_noted {
@@ -155,7 +155,7 @@ impl<'w> Work<'w> {
 
     /// Adds samples to all estimands up to their targets. Returns whether the targets were reached
     /// before the work was stopped.
-    fn reach(&mut self, followers: &[Box<dyn Follow + '_>]) -> bool {
+    fn reach(&mut self, samplers: &[Box<dyn PathSampler + '_>]) -> bool {
         let (division, progress, keeper) = (self.division, self.progress, self.keeper);
         let samples = self.foreseen();
         while self.asked.iter().any(|asked| !asked.is_there()) {
@@ -163,11 +163,11 @@ impl<'w> Work<'w> {
             let has_begun = AtomicBool::new(false);
             let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
             let begin = Instant::now();
-            let questions = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
-            questions.for_each(|(question, asked)| {
+            let estimands = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
+            estimands.for_each(|(estimand, asked)| {
                 if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
-                    let is_meant = |replicate| division.has_replicate(question, replicate);
-                    asked.reach(followers, is_meant, is_paused, |count| samples.add(count, progress));
+                    let is_meant = |replicate| division.has_replicate(estimand, replicate);
+                    asked.reach(samplers, is_meant, is_paused, |count| samples.add(count, progress));
                 }
             });
             divide_time(&mut self.asked, begin);
@@ -193,10 +193,10 @@ impl<'w> Work<'w> {
     fn begin(&mut self) -> bool {
         let division = self.division;
         let mut has_begun = false;
-        for (question, asked) in self.asked.iter_mut().enumerate() {
+        for (estimand, asked) in self.asked.iter_mut().enumerate() {
             if asked.target == 0
                 && asked.computed.is_none()
-                && (asked.cell.is_some() || division.has(question))
+                && (asked.cell.is_some() || division.has(estimand))
             {
                 asked.aim(MOST);
                 has_begun = true;
@@ -215,7 +215,7 @@ impl<'w> Work<'w> {
                 false
             }
             Err(open) => {
-                open.into_iter().for_each(|question| self.asked[question].aim(MOST));
+                open.into_iter().for_each(|estimand| self.asked[estimand].aim(MOST));
                 true
             }
         }
@@ -223,8 +223,8 @@ impl<'w> Work<'w> {
 
     /// Requests twice as many samples where the budget is not spent or the error is too large.
     fn refine(&mut self) -> bool {
-        let is_open = |&question: &usize| {
-            let asked = &self.asked[question];
+        let is_open = |&estimand: &usize| {
+            let asked = &self.asked[estimand];
             match self.division.budget {
                 _ if asked.computed.is_some() => false,
                 Some(budget) => asked.replicates.samples < budget.of_replicate(),
@@ -234,10 +234,10 @@ impl<'w> Work<'w> {
                 }
             }
         };
-        let own = (0..self.asked.len()).into_par_iter().filter(|&question| self.division.has(question));
+        let own = (0..self.asked.len()).into_par_iter().filter(|&estimand| self.division.has(estimand));
         let open: Vec<usize> = own.filter(is_open).collect();
         let most = self.division.budget.map_or(MOST, |budget| budget.of_replicate());
-        open.iter().for_each(|&question| self.asked[question].aim(most));
+        open.iter().for_each(|&estimand| self.asked[estimand].aim(most));
         !open.is_empty()
     }
 
@@ -258,7 +258,7 @@ impl<'w> Work<'w> {
     /// Records the present accuracy of the units of the shard.
     fn note(&mut self) {
         let Division { share, budget } = self.division;
-        let own = || self.asked.iter().enumerate().filter(|(question, _)| self.division.has(*question));
+        let own = || self.asked.iter().enumerate().filter(|(estimand, _)| self.division.has(*estimand));
         let answered: Vec<&Asked> =
             own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
         let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();

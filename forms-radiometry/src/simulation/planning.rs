@@ -10,7 +10,7 @@
 //! once.
 
 use super::effects::{SimulatedEffects, forcing};
-use super::followed::{Computable, all_questions, is_followed};
+use super::followed::{Computable, all_estimands, is_followed};
 use super::left_out::{without, without_forced};
 use super::survey::Survey;
 use crate::effects::EffectSet;
@@ -62,8 +62,8 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if let Some(trap) = trap(&world) {
         return Err(vec![trap]);
     }
-    let questions = || all_questions(&working.scene);
-    if let Some(endless) = endless(&world, questions, &SimulatedEffects::of(&effects).limits()) {
+    let estimands = || all_estimands(&working.scene);
+    if let Some(endless) = endless(&world, estimands, &SimulatedEffects::of(&effects).limits()) {
         return Err(vec![endless]);
     }
     if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {

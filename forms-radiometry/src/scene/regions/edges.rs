@@ -1,7 +1,7 @@
 //! Edges: sorts the faces that share a line segment by their angle around it, and pairs the sides
 //! that face each other there.
 
-use super::sheets::{Piece, Sheet, Side};
+use super::interfaces::{Interface, Piece, Side};
 use crate::geometry::Vector;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ pub(super) struct Edge {
 /// A face that ends at an edge.
 #[derive(Clone, Copy)]
 struct Wing {
-    sheet: usize,
+    interface: usize,
     /// Whether the face runs along the edge from its first end to its second.
     forward: bool,
     angle: f64,
@@ -27,7 +27,7 @@ impl Wing {
     /// runs forward has its inside on the left, seen from its front: its normal points to larger
     /// angles.
     fn sides(self) -> [Side; 2] {
-        let sides = [Side::Front(self.sheet), Side::Back(self.sheet)];
+        let sides = [Side::Front(self.interface), Side::Back(self.interface)];
         if self.forward { sides } else { [sides[1], sides[0]] }
     }
 }
@@ -44,7 +44,7 @@ impl Edge {
     pub(super) fn overlapping(&self) -> Option<(usize, usize)> {
         let mut neighbours = self.around.windows(2);
         let pair = neighbours.find(|pair| pair[1].angle - pair[0].angle < 1e-9)?;
-        Some((pair[0].sheet, pair[1].sheet))
+        Some((pair[0].interface, pair[1].interface))
     }
 
     /// Whether only one face ends here.
@@ -54,11 +54,11 @@ impl Edge {
 
     /// Returns one of the faces.
     pub(super) fn first(&self) -> usize {
-        self.around[0].sheet
+        self.around[0].interface
     }
 
-    pub(super) fn sheets(&self) -> impl Iterator<Item = usize> {
-        self.around.iter().map(|wing| wing.sheet)
+    pub(super) fn interfaces(&self) -> impl Iterator<Item = usize> {
+        self.around.iter().map(|wing| wing.interface)
     }
 }
 
@@ -67,10 +67,10 @@ pub(super) type Ends = (usize, usize);
 
 /// Returns the edges of all faces. An edge that belongs to a single face is split at the ends of
 /// other such edges on it.
-pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
+pub(super) fn edges(interfaces: &[Interface], vertices: &[Vector]) -> Vec<Edge> {
     let mut by_ends: HashMap<Ends, Vec<(usize, bool)>> = HashMap::new();
-    for (index, sheet) in sheets.iter().enumerate() {
-        let Piece::Face(_, edges) = &sheet.shape else { continue };
+    for (index, interface) in interfaces.iter().enumerate() {
+        let Piece::Face(_, edges) = &interface.shape else { continue };
         for &[a, b] in edges {
             if a != b {
                 by_ends.entry((a.min(b), a.max(b))).or_default().push((index, a < b));
@@ -80,7 +80,7 @@ pub(super) fn edges(sheets: &[Sheet], vertices: &[Vector]) -> Vec<Edge> {
     split_free(&mut by_ends, vertices);
     let mut edges: Vec<(Ends, Edge)> = by_ends
         .into_iter()
-        .map(|(ends, faces)| (ends, edge(sheets, [vertices[ends.0], vertices[ends.1]], &faces)))
+        .map(|(ends, faces)| (ends, edge(interfaces, [vertices[ends.0], vertices[ends.1]], &faces)))
         .collect();
     edges.sort_by_key(|(ends, _)| *ends);
     edges.into_iter().map(|(_, edge)| edge).collect()
@@ -130,21 +130,21 @@ pub(super) fn vertices_on((a, b): Ends, vertices: &[Vector], candidates: &[usize
     on_it
 }
 
-fn edge(sheets: &[Sheet], ends: [Vector; 2], faces: &[(usize, bool)]) -> Edge {
+fn edge(interfaces: &[Interface], ends: [Vector; 2], faces: &[(usize, bool)]) -> Edge {
     let axis = (ends[1] - ends[0]).unit().unwrap_or_default();
-    let into = |sheet: usize, forward: bool| match &sheets[sheet].shape {
+    let into = |interface: usize, forward: bool| match &interfaces[interface].shape {
         Piece::Face(polygon, _) if forward => polygon.normal().cross(axis),
         Piece::Face(polygon, _) => axis.cross(polygon.normal()),
         Piece::Sphere(_) | Piece::Disk(_) => Vector::default(),
     };
-    let zero = faces.first().map_or(Vector::default(), |&(sheet, forward)| into(sheet, forward));
+    let zero = faces.first().map_or(Vector::default(), |&(interface, forward)| into(interface, forward));
     let quarter = axis.cross(zero);
-    let wing = |&(sheet, forward): &(usize, bool)| {
-        let into = into(sheet, forward);
+    let wing = |&(interface, forward): &(usize, bool)| {
+        let into = into(interface, forward);
         let angle = into.dot(quarter).atan2(into.dot(zero));
         // an angle that rounding makes slightly negative stays first
         let angle = if angle < -1e-9 { angle + TAU } else { angle };
-        Wing { sheet, forward, angle }
+        Wing { interface, forward, angle }
     };
     let mut around: Vec<Wing> = faces.iter().map(wing).collect();
     around.sort_by(|a, b| a.angle.total_cmp(&b.angle));

@@ -1,7 +1,7 @@
 //! Rays: connects bodies that share no edge with their surroundings to them along a straight line.
 
 use super::edges::Edge;
-use super::sheets::{Piece, Sheet, Side};
+use super::interfaces::{Interface, Piece, Side};
 use crate::geometry::{Polygon, Vector};
 
 /// A direction with which no model is aligned.
@@ -11,60 +11,61 @@ const DIRECTION: Vector = Vector::new(0.486_204_391_7, 0.293_518_640_3, 0.823_10
 /// `is_asked_for` holds: the first side of the body that the ray meets, and the side that the ray
 /// leaves before it.
 pub(super) fn seen(
-    sheets: &[Sheet],
+    interfaces: &[Interface],
     edges: &[Edge],
-    is_asked_for: impl Fn(&Sheet) -> bool,
+    is_asked_for: impl Fn(&Interface) -> bool,
 ) -> Vec<(Side, Side)> {
-    let bodies = bodies(sheets, edges);
-    let asked_for = |body: &&Body| body.sheets.iter().any(|&sheet| is_asked_for(&sheets[sheet]));
-    bodies.iter().filter(asked_for).filter_map(|body| first_sight(sheets, &bodies, body)).collect()
+    let bodies = bodies(interfaces, edges);
+    let asked_for =
+        |body: &&Body| body.interfaces.iter().any(|&interface| is_asked_for(&interfaces[interface]));
+    bodies.iter().filter(asked_for).filter_map(|body| first_sight(interfaces, &bodies, body)).collect()
 }
 
 /// Sheets that are connected by edges, and a bounding ball.
 struct Body {
-    sheets: Vec<usize>,
+    interfaces: Vec<usize>,
     middle: Vector,
     radius: f64,
 }
 
-fn bodies(sheets: &[Sheet], edges: &[Edge]) -> Vec<Body> {
-    let mut neighbours = vec![Vec::new(); sheets.len()];
+fn bodies(interfaces: &[Interface], edges: &[Edge]) -> Vec<Body> {
+    let mut neighbours = vec![Vec::new(); interfaces.len()];
     for edge in edges {
         let first = edge.first();
-        for sheet in edge.sheets().filter(|&sheet| sheet != first) {
-            neighbours[first].push(sheet);
-            neighbours[sheet].push(first);
+        for interface in edge.interfaces().filter(|&interface| interface != first) {
+            neighbours[first].push(interface);
+            neighbours[interface].push(first);
         }
     }
-    let mut is_reached = vec![false; sheets.len()];
+    let mut is_reached = vec![false; interfaces.len()];
     let mut bodies = Vec::new();
-    for start in 0..sheets.len() {
+    for start in 0..interfaces.len() {
         let (mut members, mut reached) = (Vec::new(), vec![start]);
-        while let Some(sheet) = reached.pop() {
-            if !std::mem::replace(&mut is_reached[sheet], true) {
-                members.push(sheet);
-                reached.extend(&neighbours[sheet]);
+        while let Some(interface) = reached.pop() {
+            if !std::mem::replace(&mut is_reached[interface], true) {
+                members.push(interface);
+                reached.extend(&neighbours[interface]);
             }
         }
         if !members.is_empty() {
-            bodies.push(Body::of(sheets, members));
+            bodies.push(Body::of(interfaces, members));
         }
     }
     bodies
 }
 
 impl Body {
-    fn of(all: &[Sheet], sheets: Vec<usize>) -> Self {
-        let middle = middle(&all[sheets[0]].shape);
-        let reach = |sheet: &usize| match &all[*sheet].shape {
+    fn of(all: &[Interface], interfaces: Vec<usize>) -> Self {
+        let middle = middle(&all[interfaces[0]].shape);
+        let reach = |interface: &usize| match &all[*interface].shape {
             Piece::Face(polygon, _) => {
                 polygon.vertices().iter().map(|&v| (v - middle).length()).fold(0.0, f64::max)
             }
             Piece::Sphere(sphere) => (sphere.center - middle).length() + sphere.radius,
             Piece::Disk(disk) => (disk.center - middle).length() + disk.radius,
         };
-        let radius = sheets.iter().map(reach).fold(0.0, f64::max);
-        Self { sheets, middle, radius }
+        let radius = interfaces.iter().map(reach).fold(0.0, f64::max);
+        Self { interfaces, middle, radius }
     }
 
     /// Whether the line through a point comes near the bounding ball, with a margin for rounding.
@@ -76,13 +77,13 @@ impl Body {
 }
 
 /// Returns the first side of a body on a ray through one of its sheets, and the side before it.
-fn first_sight(sheets: &[Sheet], bodies: &[Body], body: &Body) -> Option<(Side, Side)> {
+fn first_sight(interfaces: &[Interface], bodies: &[Body], body: &Body) -> Option<(Side, Side)> {
     let through = body.middle;
     let mut hits: Vec<Hit> = Vec::new();
     for other in bodies.iter().filter(|other| other.is_near(through)) {
         let is_body = std::ptr::eq(other, body);
-        for &index in &other.sheets {
-            let crossings = crossings(&sheets[index].shape, through).into_iter();
+        for &index in &other.interfaces {
+            let crossings = crossings(&interfaces[index].shape, through).into_iter();
             hits.extend(crossings.map(|(at, from_front)| Hit { at, index, from_front, is_body }));
         }
     }

@@ -9,7 +9,7 @@ use crate::answer::{ErrorKind, ErrorParts};
 use crate::effects::EffectSet;
 use crate::faces::faces;
 use crate::geometry::Screens;
-use crate::paths::{Bins, Follow, LEFT_OUT, Question, REPLICATES, Replicates, Seen, World};
+use crate::paths::{Bins, Estimand, FirstHit, LEFT_OUT, PathSampler, REPLICATES, Replicates, World};
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
@@ -45,10 +45,10 @@ pub(super) struct Asked {
     /// The cell of a map or the pixel of an image, if it is one.
     pub(super) cell: Option<usize>,
     /// Direct view of a pixel or a ray.
-    pub(super) seen: Seen,
+    pub(super) seen: FirstHit,
     /// Part of a pixel in which surfaces that send light may be visible.
     shown: f64,
-    pub(super) question: Question,
+    pub(super) estimand: Estimand,
     pub(super) replicates: Replicates,
     /// Analytic values by number and band, where no samples are needed.
     pub(super) computed: Option<Vec<Computed>>,
@@ -82,22 +82,22 @@ pub(super) struct Division {
 
 impl Division {
     /// Whether any part of a question belongs to it.
-    pub(super) fn has(self, question: usize) -> bool {
+    pub(super) fn has(self, estimand: usize) -> bool {
         match self.budget {
-            Some(_) => (0..REPLICATES).any(|replicate| self.has_replicate(question, replicate)),
-            None => self.share.has(question),
+            Some(_) => (0..REPLICATES).any(|replicate| self.has_replicate(estimand, replicate)),
+            None => self.share.has(estimand),
         }
     }
 
     /// Returns the number of units of work that belong to it, and the number of all units.
-    pub(super) fn units(self, questions: usize) -> [usize; 2] {
-        let all = if self.budget.is_some() { questions * REPLICATES } else { questions };
+    pub(super) fn units(self, estimands: usize) -> [usize; 2] {
+        let all = if self.budget.is_some() { estimands * REPLICATES } else { estimands };
         [(0..all).filter(|&unit| self.share.has(unit)).count(), all]
     }
 
     /// Whether a replicate of a question gets samples, if any of the replicates do.
-    pub(super) fn has_replicate(self, question: usize, replicate: usize) -> bool {
-        self.budget.is_none() || self.share.has(question * REPLICATES + replicate)
+    pub(super) fn has_replicate(self, estimand: usize, replicate: usize) -> bool {
+        self.budget.is_none() || self.share.has(estimand * REPLICATES + replicate)
     }
 }
 
@@ -122,20 +122,20 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
             ReceiverKind::Camera(camera) => shown(scene, &unhidden.faces, camera),
             _ => Vec::new(),
         };
-        for (cell, question) in questions(receiver, scene, &unhidden) {
+        for (cell, estimand) in estimands(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
-            let replicates = Replicates::new(key, &question, scene.band_count(), bins);
+            let replicates = Replicates::new(key, &estimand, scene.band_count(), bins);
             // luminaires are sampled by next-event estimation, but from nowhere along the first ray
             // of an eye
-            let is_looked_for = !matches!(question, Question::Sight { .. } | Question::Pixel { .. });
+            let is_looked_for = !matches!(estimand, Estimand::Sight { .. } | Estimand::Pixel { .. });
             let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
-                .map(|radiances| radiances.iter().map(|&radiance| question.largest(radiance)).collect());
+                .map(|radiances| radiances.iter().map(|&radiance| estimand.largest(radiance)).collect());
             all.push(Asked {
                 receiver: index,
                 cell,
-                seen: Seen::NOTHING,
+                seen: FirstHit::NOTHING,
                 shown: cell.and_then(|cell| shown.get(cell).copied()).unwrap_or(1.0),
-                question,
+                estimand,
                 replicates,
                 computed: None,
                 left_out,
@@ -150,7 +150,7 @@ pub(super) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         }
     }
     let begin = Instant::now();
-    all.par_iter_mut().for_each(|asked| asked.seen = asked.question.seen(world));
+    all.par_iter_mut().for_each(|asked| asked.seen = asked.estimand.seen(world));
     // light in time bins is sampled
     let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
     instant.for_each(|asked| asked.compute(computing));
@@ -168,31 +168,31 @@ pub(super) fn divide_time(all: &mut [Asked], begin: Instant) {
 }
 
 /// Returns the questions of a scene, receiver by receiver.
-pub(in super::super) fn all_questions(scene: &Scene) -> Vec<Question> {
+pub(in super::super) fn all_estimands(scene: &Scene) -> Vec<Estimand> {
     let unhidden = unhidden(scene);
     let of_receiver =
-        |receiver| questions(receiver, scene, &unhidden).into_iter().map(|(_, question)| question);
+        |receiver| estimands(receiver, scene, &unhidden).into_iter().map(|(_, estimand)| estimand);
     scene.receivers.iter().flat_map(of_receiver).collect()
 }
 
 /// Returns the questions of a receiver: its number, if it asks for one, and its cells or pixels.
-fn questions(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(Option<usize>, Question)> {
+fn estimands(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(Option<usize>, Estimand)> {
     match &receiver.kind {
         ReceiverKind::Point { position, normal } => {
-            vec![(None, Question::Plane { position: *position, normal: *normal })]
+            vec![(None, Estimand::Plane { position: *position, normal: *normal })]
         }
         ReceiverKind::Ray { origin, direction } => {
-            vec![(None, Question::Sight { origin: *origin, direction: *direction })]
+            vec![(None, Estimand::Sight { origin: *origin, direction: *direction })]
         }
-        ReceiverKind::Sphere { position } => vec![(None, Question::Sphere { position: *position })],
+        ReceiverKind::Sphere { position } => vec![(None, Estimand::Sphere { position: *position })],
         ReceiverKind::Surface { surface, grid: size } => {
-            let mean = (None, Question::Surface { surface: *surface });
+            let mean = (None, Estimand::Surface { surface: *surface });
             let Some(grid) = size.and_then(|size| grid(scene, unhidden, *surface, size)) else {
                 return vec![mean];
             };
             let normal = grid.normal();
             let cell = |(cell, position): (usize, &Option<_>)| {
-                position.map(|position| (Some(cell), Question::Plane { position, normal }))
+                position.map(|position| (Some(cell), Estimand::Plane { position, normal }))
             };
             std::iter::once(mean).chain(grid.cells().iter().enumerate().filter_map(cell)).collect()
         }
@@ -200,7 +200,7 @@ fn questions(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(O
             let [columns, rows] = camera.resolution;
             let pixel = |cell: usize| {
                 let pixel = [cell % columns, cell / columns];
-                (Some(cell), Question::Pixel { camera: camera.clone(), pixel })
+                (Some(cell), Estimand::Pixel { camera: camera.clone(), pixel })
             };
             (0..columns * rows).map(pixel).collect()
         }
@@ -211,7 +211,7 @@ impl Asked {
     /// Computes the answer, if it needs no samples.
     fn compute(&mut self, computing: &Computing<'_>) {
         let begin = Instant::now();
-        self.computed = computing.answer(&self.question);
+        self.computed = computing.answer(&self.estimand);
         self.elapsed = begin.elapsed().as_secs_f64();
     }
 
@@ -229,7 +229,7 @@ impl Asked {
     /// receives the number of samples of each step.
     pub(super) fn reach(
         &mut self,
-        followers: &[Box<dyn Follow + '_>],
+        samplers: &[Box<dyn PathSampler + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
         is_paused: impl Fn() -> bool,
         note: impl Fn(u32),
@@ -238,7 +238,7 @@ impl Asked {
         loop {
             let before = self.replicates.samples;
             let next = self.target.min(before.saturating_add(STEP));
-            self.replicates.extend(next, &self.question, followers, &is_meant);
+            self.replicates.extend(next, &self.estimand, samplers, &is_meant);
             note(next - before);
             if self.is_there() || is_paused() {
                 break;

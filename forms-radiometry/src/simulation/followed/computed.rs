@@ -12,7 +12,7 @@
 //! None of the numbers depends on the seed.
 
 use crate::answer::ErrorParts;
-use crate::paths::{Follow, Limits, Question, extinction_alone, scattering_once};
+use crate::paths::{Estimand, Limits, PathSampler, extinction_alone, scattering_once};
 use crate::radiosity::{Measure, Reached, Transmitted, has_exact_pieces};
 use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
 use serde::{Deserialize, Serialize};
@@ -26,18 +26,18 @@ pub(super) struct Computed {
 
 /// Solvers of questions that need no samples.
 pub(super) struct Computing<'s> {
-    followers: &'s [Box<dyn Follow + 's>],
+    samplers: &'s [Box<dyn PathSampler + 's>],
     transmitted: Option<Transmitted<'s>>,
     scattered: Option<(&'s Medium, Transmitted<'s>)>,
 }
 
 impl<'s> Computing<'s> {
-    pub(super) fn of(scene: &'s Scene, limits: &Limits, followers: &'s [Box<dyn Follow + 's>]) -> Self {
+    pub(super) fn of(scene: &'s Scene, limits: &Limits, samplers: &'s [Box<dyn PathSampler + 's>]) -> Self {
         let exact = has_exact_pieces(scene);
         let transmitted = extinction_alone(scene, limits).filter(|_| exact);
         let scattered = scattering_once(scene, limits).filter(|_| exact);
         Self {
-            followers,
+            samplers,
             transmitted: transmitted.map(|extinction| Transmitted::of(scene, extinction)),
             scattered: scattered.map(|(medium, extinction)| (medium, Transmitted::of(scene, extinction))),
         }
@@ -45,29 +45,29 @@ impl<'s> Computing<'s> {
 
     /// Returns no solver, for a scene whose answers are known already.
     pub(super) fn nothing() -> Self {
-        Self { followers: &[], transmitted: None, scattered: None }
+        Self { samplers: &[], transmitted: None, scattered: None }
     }
 
     /// Answers a question without samples, number by number and band by band, if that is possible.
-    pub(super) fn answer(&self, question: &Question) -> Option<Vec<Computed>> {
-        let reached = match *question {
-            Question::Plane { position, normal } => {
+    pub(super) fn answer(&self, estimand: &Estimand) -> Option<Vec<Computed>> {
+        let reached = match *estimand {
+            Estimand::Plane { position, normal } => {
                 self.transmitted.as_ref()?.at(position, &[Measure::Plane(normal)])
             }
-            Question::Sphere { position } => self.transmitted.as_ref()?.at(position, &Measure::ALL_SIDES),
-            Question::Sight { origin, direction } => match &self.scattered {
+            Estimand::Sphere { position } => self.transmitted.as_ref()?.at(position, &Measure::ALL_SIDES),
+            Estimand::Sight { origin, direction } => match &self.scattered {
                 Some((medium, lights)) => lights.scattered_once([origin, direction], medium),
-                None => return self.expanded(question),
+                None => return self.expanded(estimand),
             },
-            Question::Surface { .. } | Question::Pixel { .. } => return None,
+            Estimand::Surface { .. } | Estimand::Pixel { .. } => return None,
         };
         Some(reached.into_iter().map(Computed::from).collect())
     }
 
     /// Returns the sum over rays for each band, if all tracers can take it.
-    fn expanded(&self, question: &Question) -> Option<Vec<Computed>> {
+    fn expanded(&self, estimand: &Estimand) -> Option<Vec<Computed>> {
         let groups: Option<Vec<_>> =
-            self.followers.iter().map(|follower| follower.expanded(question)).collect();
+            self.samplers.iter().map(|path_samplers| path_samplers.expanded(estimand)).collect();
         let found = groups.filter(|groups| !groups.is_empty())?.concat();
         let computed = |[value, orders]: [f64; 2]| Computed {
             value,

@@ -42,9 +42,9 @@ impl Work<'_> {
     pub(super) fn foreseen(&self) -> Samples {
         let is_pilot = self.division.budget.is_none() && self.scales.is_none();
         let tolerance = self.scene.solve.tolerance;
-        let foreseen = |(question, asked): (usize, &Asked)| match self.division.budget {
+        let foreseen = |(estimand, asked): (usize, &Asked)| match self.division.budget {
             _ if asked.computed.is_some() => [0.0; 2],
-            Some(budget) if self.division.has(question) => [f64::from(budget.of_replicate()), 0.0],
+            Some(budget) if self.division.has(estimand) => [f64::from(budget.of_replicate()), 0.0],
             _ if is_pilot || asked.is_there() || !asked.is_answered() => {
                 [f64::from(asked.target.max(asked.replicates.samples)), 0.0]
             }

@@ -67,10 +67,10 @@ impl Work<'_> {
     /// Returns the state, to be written.
     pub(in crate::simulation) fn written<'s>(&'s self) -> WrittenOfPaths<'s> {
         let division = self.division;
-        let asked = |(question, asked): (usize, &'s Asked)| {
+        let asked = |(estimand, asked): (usize, &'s Asked)| {
             // once the work is done, nobody needs the pilot's results for other shards
-            let is_kept = !self.is_done || division.has(question);
-            let is_meant = |replicate| division.has_replicate(question, replicate);
+            let is_kept = !self.is_done || division.has(estimand);
+            let is_meant = |replicate| division.has_replicate(estimand, replicate);
             WrittenAsked {
                 target: if is_kept { asked.target } else { 0 },
                 samples: if is_kept { asked.replicates.samples } else { 0 },
@@ -114,12 +114,12 @@ impl Work<'_> {
         if state.asked.len() != self.asked.len() {
             return Err(Misfit);
         }
-        for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
+        for (estimand, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             (asked.target, asked.spreads, asked.seconds) = (kept.target, kept.spreads, kept.seconds);
             if kept.computed.is_some() {
                 asked.computed = kept.computed;
             }
-            let is_meant = |replicate| self.division.has_replicate(question, replicate);
+            let is_meant = |replicate| self.division.has_replicate(estimand, replicate);
             if !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
             }
@@ -137,13 +137,13 @@ impl Work<'_> {
             return Err(Misfit);
         }
         let division = Division { share, ..self.division };
-        for (question, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
+        for (estimand, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
             asked.seconds += kept.seconds;
-            if division.has(question) {
+            if division.has(estimand) {
                 (asked.computed, asked.spreads) = (kept.computed, kept.spreads);
             }
-            let is_meant = |replicate| division.has_replicate(question, replicate);
-            if division.has(question) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
+            let is_meant = |replicate| division.has_replicate(estimand, replicate);
+            if division.has(estimand) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
             }
         }

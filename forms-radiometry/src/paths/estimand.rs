@@ -1,5 +1,6 @@
 //! Estimands: the quantities that receivers request; each sample evaluates a part of one.
 
+use super::first_hit::FirstHit;
 use super::world::World;
 use crate::camera::Camera;
 use crate::geometry::{Start, Vector};
@@ -12,7 +13,7 @@ const PARTS: usize = 4;
 
 /// An estimand.
 #[derive(Clone, Debug)]
-pub(crate) enum Question {
+pub(crate) enum Estimand {
     /// Irradiance at a point with this unit normal.
     Plane { position: Vector, normal: Vector },
     /// Fluence rate at a point, and the three components of the vector irradiance.
@@ -25,30 +26,6 @@ pub(crate) enum Question {
     Pixel { camera: Camera, pixel: [usize; 2] },
 }
 
-/// First hits of one or several rays.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Seen {
-    /// Whether any first hit emits light.
-    pub(crate) is_emitter: bool,
-    /// The surface that all rays hit, or `None` if all rays miss; an error if the rays differ.
-    pub(crate) surface: Result<Option<usize>, Several>,
-}
-
-/// Rays that hit several surfaces, or that partly hit and partly miss.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Several;
-
-impl Seen {
-    /// First hits of rays that all miss.
-    pub(crate) const NOTHING: Self = Self { is_emitter: false, surface: Ok(None) };
-
-    /// Combines the first hits of two sets of rays.
-    fn with(self, other: Self) -> Self {
-        let surface = if self.surface == other.surface { self.surface } else { Err(Several) };
-        Self { is_emitter: self.is_emitter || other.is_emitter, surface }
-    }
-}
-
 /// Start of a path.
 pub(super) enum Begin {
     /// At a receiver with this unit normal, or with none.
@@ -57,7 +34,7 @@ pub(super) enum Begin {
     Sight { start: Start, direction: Vector },
 }
 
-impl Question {
+impl Estimand {
     /// Returns the number of values of the estimand.
     pub(crate) fn numbers(&self) -> usize {
         if matches!(self, Self::Sphere { .. }) { 4 } else { 1 }
@@ -80,7 +57,7 @@ impl Question {
 
     /// Returns the first hit along a ray, or in a pixel the first hits of rays through the corners
     /// of its parts.
-    pub(crate) fn seen(&self, world: &World) -> Seen {
+    pub(crate) fn seen(&self, world: &World) -> FirstHit {
         let seen = |origin: Vector, direction: Vector| world.seen(world.walls.start_at(origin), direction);
         match self {
             Self::Sight { origin, direction } => seen(*origin, *direction),
@@ -92,10 +69,10 @@ impl Question {
                 };
                 let all = (0..(PARTS + 1) * (PARTS + 1)).filter_map(direction);
                 all.map(|direction| seen(camera.origin, direction))
-                    .reduce(Seen::with)
-                    .unwrap_or(Seen::NOTHING)
+                    .reduce(FirstHit::with)
+                    .unwrap_or(FirstHit::NOTHING)
             }
-            Self::Plane { .. } | Self::Sphere { .. } | Self::Surface { .. } => Seen::NOTHING,
+            Self::Plane { .. } | Self::Sphere { .. } | Self::Surface { .. } => FirstHit::NOTHING,
         }
     }
 

@@ -2,51 +2,41 @@
 //! which is added to the sums of the estimand.
 
 use super::choice::Sought;
-use super::question::{Begin, Question};
-use super::replicates::Sums;
-use super::specialisation::Lattice;
+use super::estimand::{Begin, Estimand};
+use super::path_sampler::PathSampler;
+use super::specialisation::Specialisation;
+use super::sums::Sums;
 use super::tracer::{Path, Tracer};
 use super::vertex::{Law, Vertex};
 use crate::geometry::{Start, Vector};
 use crate::sampling::Draws;
 
-/// Path tracer for a group of bands.
-pub(crate) trait Follow: Sync {
-    /// Returns the first band and the number of bands.
-    fn bands(&self) -> [usize; 2];
-
-    /// Returns the value of an estimand without samples, with its error in each band, if it can be
-    /// expanded.
-    fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>>;
-
-    /// Adds one sample of an estimand to the sums.
-    fn sample(&self, question: &Question, draws: &mut Draws, sums: &mut Sums);
-}
-
-impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> PathSampler for Tracer<'_, L, N> {
     fn bands(&self) -> [usize; 2] {
         self.optics.bands
     }
 
-    fn expanded(&self, question: &Question) -> Option<Vec<[f64; 2]>> {
-        let Question::Sight { origin, direction } = question else { return None };
+    fn expanded(&self, estimand: &Estimand) -> Option<Vec<[f64; 2]>> {
+        let Estimand::Sight { origin, direction } = estimand else { return None };
         self.expansion(self.world.walls.start_at(*origin), *direction)
     }
 
-    fn sample(&self, question: &Question, draws: &mut Draws, sums: &mut Sums) {
+    fn sample(&self, estimand: &Estimand, draws: &mut Draws, sums: &mut Sums) {
         let [first, count] = self.optics.bands;
-        let mut add = |direction: Vector, value: &[f64; N], way: f64| {
-            let Some(bin) = sums.bin(way) else { return };
-            question.measure(direction, &mut |number, factor| {
+        let mut add = |direction: Vector, value: &[f64; N], optical_path_length: f64| {
+            let Some(bin) = sums.bin(optical_path_length) else { return };
+            estimand.measure(direction, &mut |number, factor| {
                 (0..count).for_each(|band| sums.add([number, first + band, bin], factor * value[band]));
             });
         };
-        let is_same = question.is_of_one_place();
-        match question.begin(self.world, &mut draws.path) {
+        let is_same = estimand.is_of_one_place();
+        match estimand.begin(self.world, &mut draws.path) {
             Some(Begin::Sight { start, direction }) => {
                 let most = self.limits.reflections.map(|most| most.saturating_add(1));
                 let path = Path { is_same, most, ..self.begin(start, direction) };
-                self.follow(path, draws, &mut |value, way| add(direction, value, way));
+                self.follow(path, draws, &mut |value, optical_path_length| {
+                    add(direction, value, optical_path_length)
+                });
             }
             Some(Begin::Receiver { start, normal }) => {
                 self.receive((start, normal, is_same), draws, &mut add);
@@ -54,12 +44,12 @@ impl<L: Lattice, const N: usize> Follow for Tracer<'_, L, N> {
             None => {}
         }
         for (band, hidden) in (first..first + count).zip(draws.hidden) {
-            sums.miss(band, question.largest(hidden));
+            sums.miss(band, estimand.largest(hidden));
         }
     }
 }
 
-impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns a new path with this start and direction.
     fn begin(&self, start: Start, direction: Vector) -> Path<N> {
         Path {
@@ -67,7 +57,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             direction,
             filling: self.world.medium_at(start, direction),
             throughput: [1.0; N],
-            way: 0.0,
+            optical_path_length: 0.0,
             vertex: start.position,
             sought: Sought::at(start.position, None),
             density: f64::INFINITY,
@@ -75,7 +65,7 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
             reflections: 0,
             most: self.limits.reflections,
             scatterings: 0,
-            turns: 0,
+            specular_depth: 0,
             is_straight: true,
             is_same: false,
         }
@@ -93,11 +83,13 @@ impl<L: Lattice, const N: usize> Tracer<'_, L, N> {
         let vertex = Vertex { start, law };
         self.by_images(&path, &vertex, draws, add);
         if self.limits.direct {
-            self.straight(&path, &vertex, draws, add);
+            self.sample_direct_light(&path, &vertex, draws, add);
         }
-        self.leaves(&mut path, &vertex, &mut draws.path);
+        self.scatter(&mut path, &vertex, &mut draws.path);
         path.is_straight = true;
         let direction = path.direction;
-        self.follow(path, draws, &mut |value, way| add(direction, value, way));
+        self.follow(path, draws, &mut |value, optical_path_length| {
+            add(direction, value, optical_path_length)
+        });
     }
 }

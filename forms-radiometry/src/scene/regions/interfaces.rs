@@ -5,7 +5,7 @@ use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
 /// A piece of a surface.
-pub(crate) struct Sheet {
+pub(crate) struct Interface {
     /// The index of its surface.
     pub(crate) surface: usize,
     pub(crate) shape: Piece,
@@ -22,26 +22,26 @@ pub(crate) enum Piece {
 
 /// A side of a sheet, or the outside of the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(crate) enum Side {
     Front(usize),
     Back(usize),
     Outside,
 }
 
-impl Sheet {
+impl Interface {
     /// Returns the disk, if the sheet is one. No other sheet can share its rim.
-    pub(super) fn disk(&self) -> Option<&Disk> {
+    pub(crate) fn disk(&self) -> Option<&Disk> {
         if let Piece::Disk(disk) = &self.shape { Some(disk) } else { None }
     }
 
     /// Whether this disk was cut out of the sheet.
-    pub(super) fn has_round_hole(&self, disk: &Disk) -> bool {
+    pub(crate) fn has_round_hole(&self, disk: &Disk) -> bool {
         matches!(&self.shape, Piece::Face(polygon, _) if polygon.round_holes().contains(disk))
     }
 }
 
 /// Returns the sheets of a scene, and the numbered vertices of their faces.
-pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
+pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
     let mut pieces = Vec::new();
     for (surface, shape) in scene.surfaces.iter().map(|surface| &surface.shape).enumerate() {
         match shape {
@@ -66,6 +66,6 @@ pub(super) fn sheets(scene: &Scene) -> (Vec<Sheet>, Vec<Vector>) {
             *edges = boundary(&outline, &holes, &welded.vertices);
         }
     }
-    let sheets = pieces.into_iter().map(|(surface, shape)| Sheet { surface, shape }).collect();
-    (sheets, welded.vertices)
+    let interfaces = pieces.into_iter().map(|(surface, shape)| Interface { surface, shape }).collect();
+    (interfaces, welded.vertices)
 }
