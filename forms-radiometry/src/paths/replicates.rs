@@ -91,6 +91,7 @@ impl Replicates {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::paths::sums::Sum;
 
     /// Number of samples of each replicate for 2³⁰ samples in total.
     const SAMPLES: u64 = 1 << 25;

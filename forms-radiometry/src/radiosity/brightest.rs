@@ -11,7 +11,7 @@
 //! factor are at most 1.
 
 use super::gather::Transport;
-use super::shadows::spectrum;
+use super::point_lights::spectrum;
 use super::system::{is_reflecting, reflectance};
 use crate::faces::emits;
 use crate::geometry::{Face, distance_of_boxes};

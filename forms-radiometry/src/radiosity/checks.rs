@@ -15,6 +15,7 @@
 use super::element::Element;
 use super::gather::{Group, Scratch};
 use super::measure::Measure;
+use super::residual::{Check, Residual};
 use super::system::Radiosity;
 use crate::geometry::Vector;
 use crate::kernels::gathered_light::Effects as LightKinds;
@@ -29,24 +30,6 @@ const OPERATIONS: f64 = 4e8;
 const SURE: f64 = 2.0;
 /// Key that distinguishes the random numbers of these points from others.
 const KEY: u64 = 0x63_6865_636b;
-
-/// Direct light at a point.
-pub(super) struct Check {
-    face: usize,
-    position: Vector,
-    /// The area that the point represents.
-    area: f64,
-    /// Direct light of faces and surroundings in each band.
-    straight: Vec<f64>,
-}
-
-/// Excess of the direct light at a point over its interpolation from the nodes.
-#[derive(Clone, Debug)]
-pub(super) struct Residual {
-    element: usize,
-    /// In each band, as a flux.
-    flux: Vec<f64>,
-}
 
 impl Radiosity<'_> {
     /// Computes the direct light at random points, if nodes represent light that can be occluded at

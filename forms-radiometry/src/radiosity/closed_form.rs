@@ -10,6 +10,7 @@
 //! for answers, and not for the cells of maps.
 
 use super::direct::{Lights, kinds, sources};
+use super::emission::emitted;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::round::{bulges, sees};
@@ -302,16 +303,6 @@ fn add(sums: &mut [Rounded], measure: Rounded, radiance: &[f64]) {
     for (sum, &radiance) in sums.iter_mut().zip(radiance).filter(|(_, radiance)| **radiance != 0.0) {
         *sum = *sum + measure.times_datum(radiance);
     }
-}
-
-/// Returns the light of a surface with this visible measure in each band. The exitance has the
-/// value in the scene file; the radiance is rounded from it.
-pub(super) fn emitted(measure: Rounded, surface: &Surface) -> impl Iterator<Item = Rounded> {
-    let of_band = move |(band, &radiance): (usize, &f64)| match surface.exitance_of(band) {
-        Some(exitance) => measure.times_datum(exitance).over_pi(),
-        None => measure.times_datum(radiance),
-    };
-    surface.radiance.iter().enumerate().map(of_band)
 }
 
 /// Returns the intensity or irradiance of a point or distant light in each band, and its factor in

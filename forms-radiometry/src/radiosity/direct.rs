@@ -11,15 +11,16 @@
 //! [`arriving`](super::arriving) combines it into the gathered light of the receiver.
 
 use super::arriving::{Arriving, Kinds};
-use super::closed_form::emitted;
+use super::emission::emitted;
 use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
-use super::shadows::{Shadows, spectrum};
+use super::point_lights::{hides, reaching_factor, spectrum};
+use super::shadows::Shadows;
 use crate::faces::emits;
 use crate::geometry::precise::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
 use crate::kernels::gathered_light::Effects as LightKinds;
-use crate::scene::{Light, LightKind, ReceiverKind, Scene};
+use crate::scene::{LightKind, ReceiverKind, Scene};
 use crate::simulation::Watch;
 use std::f64::consts::PI;
 
@@ -272,28 +273,6 @@ pub(super) fn lights_at(
             each(spectrum(light), factor, distance);
         }
     }
-}
-
-/// Returns the factor of the intensity, or of the irradiance, of a light in its unoccluded light at
-/// a point.
-pub(super) fn reaching_factor(light: &Light, point: Vector, measure: Measure) -> f64 {
-    let (towards, squared) = match light.kind {
-        LightKind::Point { position, .. } => {
-            let way = position - point;
-            (way, way.dot(way))
-        }
-        LightKind::Distant { direction, .. } => (-direction, 1.0),
-    };
-    towards.unit().map_or(0.0, |unit| measure.factor(unit) / squared)
-}
-
-/// Whether a point or distant light is hidden from a point.
-pub(super) fn hides(light: &Light, point: Vector, transport: &Transport) -> bool {
-    transport.occlusion
-        && match light.kind {
-            LightKind::Point { position, .. } => transport.screens.hides(point, position),
-            LightKind::Distant { direction, .. } => transport.screens.hides_direction(point, -direction),
-        }
 }
 
 /// Returns the kinds of direct light in a scene with these faces.

@@ -20,8 +20,7 @@
 //! to be simulated. They are not used either if there is neither occlusion nor reflection and all
 //! light has closed forms, or if there are images.
 
-use super::paths::{RAYS, VIEW};
-use super::probe::{FEWEST_PATHS, PATH, STUDENT};
+use super::costs::{FEWEST_PATHS, PATH, RAYS, STUDENT, VIEW};
 use super::reference::{Shape, reference};
 use super::system::{MOST_NODES, Question, first_order, is_reflecting};
 use crate::geometry::Face;

@@ -15,6 +15,7 @@
 //! a small difference.
 
 use super::brightest::most_of_beams;
+use super::costs::{RAYS, VIEW};
 use super::direct::Lights;
 use super::directions::above;
 use super::element::Element;
@@ -34,15 +35,10 @@ use crate::simulation::Watch;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Number of rays from each node of the rough solution, and from each point where the emitting part
-/// of the hemisphere is sampled.
-pub(super) const RAYS: u32 = 32;
 /// Number of nodes where the emitting part of the hemisphere is sampled.
 const ASKED: usize = 512;
 /// Number of emitters for which occluders are counted at such a node.
 const LIGHTS_ASKED: usize = 4;
-/// Cost of one exact view of a face, in rays.
-pub(super) const VIEW: f64 = 16.0;
 /// Relative standard deviation below which rays that hit the emitters count as equivalent to their
 /// exact sum.
 const DEVIATION: f64 = 0.25;

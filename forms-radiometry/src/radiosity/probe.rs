@@ -13,6 +13,7 @@
 //! spread of the batches shows this. A spread that is small by chance would end the sampling too
 //! early, so a doubling is assumed to reduce the error by no more than half.
 
+use super::costs::{BATCHES, FIRST, PATH, STUDENT};
 use super::directions::towards;
 use super::gather::Scratch;
 use super::importance::GoalKind;
@@ -23,20 +24,10 @@ use crate::geometry::Vector;
 use crate::sampling::{Net, Random, key};
 use rayon::prelude::*;
 
-/// Number of independent batches.
-const BATCHES: usize = 16;
-/// The two-sided 99.99 % quantile of Student's distribution with 15 degrees of freedom.
-pub(super) const STUDENT: f64 = 5.239;
 /// An event that never occurred in n trials is rarer than this over n, with the same confidence.
 const UNSEEN: f64 = 9.210;
-/// Initial numbers of rays and of paths of a batch.
-const FIRST: [u32; 2] = [64, 16];
-/// Minimum number of paths of an estimand.
-pub(super) const FEWEST_PATHS: f64 = (BATCHES as u32 * FIRST[1]) as f64;
 /// Maximum numbers of rays and of paths of a batch.
 const MOST: [u32; 2] = [1 << 18, 1 << 16];
-/// Cost of a path, in rays.
-pub(super) const PATH: f64 = 16.0;
 
 /// Number of points of a batch between two checks whether the work is stopped.
 const ASKED: u32 = 32;

@@ -7,9 +7,10 @@
 //!         └─ a piece before all of it ─▶ whether the shape itself hides the face
 //! ```
 
-use super::direct::{Lights, hides};
+use super::direct::Lights;
 use super::gather::{Scratch, Transport};
 use super::measure::Measure;
+use super::point_lights::hides;
 use crate::faces::round_surfaces;
 use crate::geometry::precise::{Rounded, SeenWhole};
 use crate::geometry::{Between, Face, Round, Vector, bulge};

@@ -8,7 +8,8 @@
 
 use super::contact::Contact;
 use super::gather::Transport;
-use crate::geometry::precise::{Rounded, area_across, solid_angle};
+use super::point_lights::{measure, spectrum};
+use crate::geometry::precise::Rounded;
 use crate::geometry::{Beam, Face, Lit, Vector, edges};
 use crate::scene::{Light, LightKind, Scene};
 use crate::sharing::Sharing;
@@ -101,23 +102,6 @@ impl Transport {
             sum.error += perimeter * self.screens.rounding() / squared;
         }
         sum
-    }
-}
-
-/// Returns the factor of the intensity, or of the irradiance, of a light in its flux onto a convex
-/// outline without occluders.
-pub(super) fn measure(light: &Light, outline: &[Vector]) -> Rounded {
-    match light.kind {
-        LightKind::Point { position, .. } => solid_angle(position, outline),
-        LightKind::Distant { direction, .. } => area_across(outline, direction),
-    }
-}
-
-/// Returns the intensity, or the irradiance, of a light in each band.
-pub(super) fn spectrum(light: &Light) -> &[f64] {
-    match &light.kind {
-        LightKind::Point { intensity, .. } => intensity,
-        LightKind::Distant { irradiance, .. } => irradiance,
     }
 }
 

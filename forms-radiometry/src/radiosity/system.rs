@@ -3,7 +3,6 @@
 
 use super::arriving::Kinds;
 use super::change::Change;
-use super::checks::{Check, Residual};
 use super::contact;
 use super::direct::{Integral, Lights};
 use super::element::{Element, HIGHEST_ORDER};
@@ -11,6 +10,7 @@ use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::partial::OnElement;
+use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
 use crate::faces::is_bright;

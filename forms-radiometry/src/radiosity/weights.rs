@@ -16,19 +16,12 @@
 use super::element::Element;
 use super::gather::{Group, Scratch, Seen, Transport};
 use super::measure::Measure;
+use super::patch_rule::{SMALL, rule};
 use super::reference::MOST_NODES;
 use super::system::Radiosity;
 use super::whole::FEWEST;
-use crate::geometry::{Face, Patch, Vector, gauss, patches};
+use crate::geometry::{Face, Patch, Vector, patches};
 use crate::kernels::exchange_density;
-
-/// Maximum number of points of a rule along one side; patches that would need more are cut.
-const MOST_POINTS: usize = 4;
-/// Maximum number of times that a patch is halved. A millionth of its area is left then.
-const DEEPEST: u32 = 20;
-/// Pieces whose radius is below this fraction of their distance are measured by the rule alone: in
-/// the closed form, the sum over the edges would cancel.
-pub(super) const SMALL: f64 = 1e-3;
 
 /// Visibility of a face from a group, where it determines the visibility of the elements of the
 /// face.
@@ -229,32 +222,5 @@ impl Piece<'_> {
                 self.solid[k] += solid * value;
             }
         });
-    }
-}
-
-/// Calls `each` with the points of a rule on a patch, and the area of each; `nearest` is the
-/// distance of a point from the nearest receiver.
-pub(super) fn rule(
-    patch: &Patch,
-    nearest: &impl Fn(Vector) -> f64,
-    accuracy: f64,
-    depth: u32,
-    each: &mut impl FnMut(Vector, f64),
-) {
-    let (centre, _) = patch.at(0.5, 0.5);
-    let ratio = nearest(centre) / patch.radius(centre);
-    let points = if ratio > 1.0 {
-        let ellipse = ratio + (ratio * ratio - 1.0).sqrt();
-        (-0.5 * accuracy.ln() / ellipse.ln()).ceil()
-    } else {
-        f64::INFINITY
-    };
-    if points <= MOST_POINTS as f64 || depth >= DEEPEST {
-        let points = gauss((points.min(MOST_POINTS as f64) as usize).max(1));
-        patch.by_rule(points, each);
-    } else if let Some(halves) = patch.halves() {
-        halves.iter().for_each(|half| rule(half, nearest, accuracy, depth + 1, each));
-    } else {
-        patch.quarters().iter().for_each(|quarter| rule(quarter, nearest, accuracy, depth + 2, each));
     }
 }

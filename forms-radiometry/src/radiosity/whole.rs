@@ -10,8 +10,8 @@
 //! [`weights`](super::weights).
 
 use super::element::Element;
+use super::patch_rule::{SMALL, rule};
 use super::reference::MOST_NODES;
-use super::weights::{SMALL, rule};
 use crate::geometry::{Edges, Vector, fill, patches};
 use crate::kernels::exchange_density;
 
