@@ -7,6 +7,7 @@ mod effect;
 mod element;
 mod error;
 mod file;
+mod known;
 mod light;
 mod material;
 mod medium;

@@ -2,8 +2,8 @@
 
 use super::element::{Element, Names};
 use super::error::Report;
+use super::known::Known;
 use super::model::{Material, MaterialKind};
-use super::read::Known;
 use super::value::{FRACTION, NOT_NEGATIVE, POSITIVE, choice};
 
 #[derive(Clone, Copy)]

@@ -3,8 +3,8 @@
 
 use super::element::{Element, Names};
 use super::error::Report;
+use super::known::Known;
 use super::model::Medium;
-use super::read::Known;
 use super::value::{COEFFICIENT, MEAN_COSINE, POSITIVE};
 
 const KEYS: &[&str] = &["name", "sigma_a", "sigma_s", "g", "n"];

@@ -1,18 +1,18 @@
 //! Parsing: the text of a scene file becomes a [`Scene`], or the list of all its errors.
 
-use super::element::{Element, Indices, Names};
+use super::element::{Element, Names};
 use super::error::Report;
 use super::file::{LARGEST_MESH, LARGEST_SCENE, read_file};
+use super::known::Known;
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Scene};
 use super::overlaps::Format;
 use super::place::Source;
-use super::subsurfaces::{OnKey, Subsurface};
+use super::subsurfaces::Subsurface;
 use super::value::{Domain, NOT_NEGATIVE, Value, array, choice, number, text};
 use super::{
     SceneError, light, material, medium, mitsuba, overlaps, receiver, regions, solve, subsurfaces, surface,
 };
-use std::collections::HashSet;
 use std::io;
 use std::path::Path;
 use toml::de::DeTable;
@@ -111,20 +111,6 @@ fn read_toml(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<R
         report.error(error.span().unwrap_or(0..0), error.message(), "");
     }
     report.is_empty().then(|| read_root(report, root.get_ref(), files))
-}
-
-/// Names and numbers to which the elements of a scene refer.
-#[derive(Default)]
-pub(super) struct Known {
-    /// The number of bands; unknown if the bands themselves are invalid.
-    pub(super) bands: Option<usize>,
-    pub(super) media: Indices,
-    pub(super) materials: Indices,
-    /// The materials that are dielectrics.
-    pub(super) dielectrics: HashSet<usize>,
-    pub(super) surfaces: Indices,
-    /// The keys `on` of surfaces.
-    pub(super) on: Vec<OnKey>,
 }
 
 fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read {

@@ -2,8 +2,8 @@
 
 use super::element::{Element, Names};
 use super::error::Report;
+use super::known::Known;
 use super::model::{Receiver, ReceiverKind, TimeBins};
-use super::read::Known;
 use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels};
 use crate::camera::Camera;
 

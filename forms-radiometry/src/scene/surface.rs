@@ -3,9 +3,9 @@
 
 use super::element::{Element, Names};
 use super::error::Report;
+use super::known::Known;
 use super::mesh_file::MeshFiles;
 use super::model::{Shape, Surface};
-use super::read::Known;
 use super::subsurfaces::OnKey;
 use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
 use crate::geometry::{Disk, Polygon, Sphere, Vector};
