@@ -1,6 +1,12 @@
 //! Sets of effects of light transport: the effects that a scene contains, and those that a plan
 //! turns on.
 
+mod planned;
+mod simulated;
+
+pub use planned::PlannedEffect;
+pub(crate) use simulated::{Hiding, SimulatedEffects, forced, forcing, reflects_nothing};
+
 use crate::scene::{Effect, Filling, MaterialKind, Scene};
 use std::ops::BitOr;
 

@@ -36,17 +36,20 @@
 
 mod answer;
 pub mod camera;
+mod checkpoint;
 mod effects;
 mod extinction;
 mod faces;
 pub mod geometry;
 pub mod irradiance;
+mod job;
 pub mod kernels;
 mod library;
 pub mod output;
 mod paths;
 pub mod picture;
 mod plan;
+mod progress;
 mod radiosity;
 mod sampling;
 pub mod scene;

@@ -1,5 +1,17 @@
 //! Plans: decisions about the effects that are simulated.
 
+pub(crate) mod decision;
+mod kernels;
+pub(crate) mod method;
+mod occlusion_bound;
+pub(crate) mod reduced_scene;
+mod reflection_bound;
+mod solver;
+mod survey;
+pub(crate) mod working_scene;
+
+use crate::effects::PlannedEffect;
+#[cfg(doc)]
 use crate::scene::Effect;
 use crate::used_kernel::UsedKernel;
 
@@ -13,20 +25,4 @@ pub struct Plan {
     /// Error budget spent on omitted effects: the largest change of an answer, relative to it, by
     /// all effects that were omitted because they matter less than the tolerance.
     pub dropped: f64,
-}
-
-/// Decision of a plan about one effect.
-#[derive(Clone, Debug)]
-pub struct PlannedEffect {
-    /// The effect.
-    pub effect: Effect,
-    /// Whether it is simulated.
-    pub on: bool,
-    /// Number of orders that are simulated; all orders if `None`.
-    pub orders: Option<u32>,
-    /// Reason: the trigger in the scene, or that there is no trigger.
-    pub why: String,
-    /// Largest change of an answer, in the answer's unit, by omitting the effect or its higher
-    /// orders; `None` where no bound is known.
-    pub bound: Option<f64>,
 }

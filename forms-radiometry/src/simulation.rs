@@ -9,48 +9,27 @@
 //! returned.
 
 mod arithmetic;
-mod digits;
-mod divided;
-mod effects;
-mod estimate;
-mod file;
-mod followed;
-mod forecast;
-mod goals;
-mod images;
-mod interpolation;
+mod checkpoint_file;
 mod job;
-mod left_out;
-mod map;
-mod maps;
-mod method;
-mod obstacles;
-mod planning;
-mod prepared;
-mod progress;
-mod readings;
-mod sampled;
-mod scales;
-mod shapes;
-mod solver;
+mod run;
 mod state;
-mod surroundings;
-mod survey;
 #[cfg(test)]
 mod tests;
-mod times;
 
 pub use crate::answer::{
     Accuracy, Answer, ErrorKind, ErrorParts, Exposure, Map, MissedCells, Moment, NoTime, Quantity, Rated,
     Simulation,
 };
-pub use crate::plan::{Plan, PlannedEffect};
+pub use crate::checkpoint::{Keeper, Misfit, Snapshot};
+pub use crate::effects::PlannedEffect;
+pub use crate::job::{Budget, NoBudget, NoShare, Share};
+pub use crate::plan::Plan;
+pub use crate::plan::decision::plan;
+pub use crate::plan::method::{Method, methods};
 pub use crate::used_kernel::UsedKernel;
 pub use crate::watch::{Unwatched, Watch};
 pub use arithmetic::Arithmetic;
-pub use divided::{is_by_paths, merge, simulate, simulate_job};
-pub use file::{Identity, NoState, StateFile};
-pub use job::{Budget, Job, Keeper, NoBudget, NoShare, Share};
-pub use method::{Method, methods};
-pub use planning::plan;
-pub use state::{Misfit, Snapshot, State};
+pub use checkpoint_file::{Identity, NoState, StateFile};
+pub use job::Job;
+pub use run::{is_by_paths, merge, simulate, simulate_job};
+pub use state::State;

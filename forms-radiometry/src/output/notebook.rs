@@ -2,7 +2,8 @@
 
 use super::{measured, png, rough, total};
 use crate::answer::{Answer, Map, Simulation};
-use crate::plan::{Plan, PlannedEffect};
+use crate::effects::PlannedEffect;
+use crate::plan::Plan;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use forms::core::notebook::{Table, print_content};

@@ -12,11 +12,9 @@
 use super::estimand::Estimand;
 use super::path_sampler::PathSampler;
 use super::sums::{Bins, Sums};
+use crate::job::REPLICATES;
 use crate::sampling::{Draws, key};
 use rayon::prelude::*;
-
-/// Number of replicates of a single value, and of a pixel or a cell.
-pub(crate) const REPLICATES: usize = 32;
 
 /// The replicates of an estimand.
 #[derive(Clone, Debug)]

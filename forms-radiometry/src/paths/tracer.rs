@@ -24,9 +24,10 @@ use super::specialisation::Specialisation;
 use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
+use crate::effects::SimulatedEffects;
 use crate::geometry::{Met, Start, Vector};
 use crate::sampling::{Draws, Random, Samples};
-use crate::scene::{Filling, MaterialKind};
+use crate::scene::{Effect, Filling, MaterialKind};
 use std::marker::PhantomData;
 
 /// Russian roulette starts below this throughput. A smaller value makes paths longer, and reduces
@@ -44,6 +45,14 @@ pub(crate) struct Limits {
     pub(crate) scatterings: Option<u32>,
     /// Whether direct light from light sources to a receiver counts.
     pub(crate) direct: bool,
+}
+
+impl Limits {
+    /// Returns the limits of simulated effects.
+    pub(crate) fn of(effects: &SimulatedEffects) -> Self {
+        let SimulatedEffects { orders, scatterings, .. } = *effects;
+        Self { reflections: orders, scatterings, direct: effects.has(Effect::Direct) }
+    }
 }
 
 /// Path tracer, specialised for the effects of a member of the lattice.

@@ -21,8 +21,10 @@
 //! light has closed forms, or if there are images.
 
 use super::costs::{FEWEST_PATHS, PATH, RAYS, STUDENT, VIEW};
+use super::question::Question;
 use super::reference::{Shape, reference};
-use super::system::{MOST_NODES, Question, first_order, is_reflecting};
+use super::system::{MOST_NODES, first_order, is_reflecting};
+use crate::effects::Hiding;
 use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
 
@@ -47,17 +49,6 @@ pub(crate) enum Gathering {
     /// By rays, and by paths for the light that rays do not cover, as long as no more than `most`
     /// rays are needed.
     Rays { most: f64 },
-}
-
-/// Occlusion between surfaces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Hiding {
-    /// Surfaces can occlude each other, and this is simulated.
-    Simulated,
-    /// Surfaces can occlude each other, and this is omitted.
-    LeftOut,
-    /// No surface occludes another one.
-    Nothing,
 }
 
 impl Gathering {

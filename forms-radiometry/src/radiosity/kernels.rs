@@ -10,8 +10,10 @@
 use super::contact::ConvexPiece;
 use super::direct::kinds;
 use super::element::Element;
-use super::gathering::{Gathering, Hiding};
-use super::system::{Question, is_reflecting};
+use super::gathering::Gathering;
+use super::question::Question;
+use super::system::is_reflecting;
+use crate::effects::Hiding;
 use crate::geometry::Face;
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::kernels::{

@@ -10,6 +10,7 @@ use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::partial::OnElement;
+use super::question::Question;
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
@@ -40,27 +41,6 @@ const ORDER_ON_ROUND: usize = 2;
 pub(super) fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
     let lower = |order, (lower, most)| if nodes(order) > most { lower } else { order };
     MOST_OF_ORDERS.into_iter().fold(HIGHEST_ORDER, lower)
-}
-
-/// Requirements for the solution.
-#[derive(Clone, Debug)]
-pub(crate) struct Question {
-    /// Maximum number of reflections, if there is one; 0 if light is not reflected.
-    pub(crate) orders: Option<u32>,
-    /// Whether each surface is a receiver.
-    pub(crate) receives: Vec<bool>,
-    /// Whether receivers get direct light.
-    pub(crate) direct: bool,
-    /// Whether rays or cameras look at surfaces.
-    pub(crate) is_seen: bool,
-}
-
-impl Question {
-    /// Returns the kinds of light that receivers gather if these are the kinds of direct light.
-    pub(super) fn kinds(&self, straight: LightKinds) -> LightKinds {
-        let straight = if self.direct { straight } else { LightKinds::NONE };
-        LightKinds { interreflection: self.orders != Some(0), ..straight }
-    }
 }
 
 /// Rows and direct light of the nodes of an element.

@@ -6,21 +6,11 @@
 //! solved as a whole   the result, or nothing in a shard without it
 //! ```
 
-use super::followed::{OfPaths, Work, WrittenOfPaths};
 use crate::answer::Simulation;
-use serde::{Deserialize, Serialize};
-use std::fmt;
+use crate::checkpoint::{Content, Written};
+use crate::paths::driver::OfPaths;
+use serde::Deserialize;
 use std::io::{self, Write};
-
-/// State of a simulation at some time, to be written.
-pub struct Snapshot<'w>(pub(super) Of<'w>);
-
-/// Content of a snapshot.
-pub(super) enum Of<'w> {
-    Paths(&'w Work<'w>),
-    /// At the end of the work.
-    Whole(Option<&'w Simulation>),
-}
 
 /// State that was written before.
 #[derive(Clone, Debug, Deserialize)]
@@ -32,50 +22,20 @@ enum Kept {
     Whole(Option<Simulation>),
 }
 
-/// Serialised form of a [`Kept`].
-#[derive(Serialize)]
-enum Written<'w> {
-    Paths(WrittenOfPaths<'w>),
-    Whole(Option<&'w Simulation>),
-}
+/// Result of a scene that is solved as a whole, or nothing in a shard without it, at the end.
+pub(super) struct Whole<'w>(pub(super) Option<&'w Simulation>);
 
-/// Error: the state belongs to another simulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Misfit;
-
-impl fmt::Display for Misfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the checkpoint belongs to another simulation")
-    }
-}
-
-impl std::error::Error for Misfit {}
-
-impl Snapshot<'_> {
-    /// Whether all work is done.
-    pub fn is_done(&self) -> bool {
-        match &self.0 {
-            Of::Paths(work) => work.is_done(),
-            Of::Whole(_) => true,
-        }
+impl Content for Whole<'_> {
+    fn is_done(&self) -> bool {
+        true
     }
 
-    /// Returns the number of units of work in the shard, and in all shards. Units are numbers,
-    /// cells and pixels, or with a budget their replicates. Work as a whole is a single unit.
-    pub fn units(&self) -> [usize; 2] {
-        match &self.0 {
-            Of::Paths(work) => work.units(),
-            Of::Whole(found) => [usize::from(found.is_some()), 1],
-        }
+    fn units(&self) -> [usize; 2] {
+        [usize::from(self.0.is_some()), 1]
     }
 
-    /// Writes the state, every number with all its bits.
-    pub fn write(&self, output: &mut dyn Write) -> io::Result<()> {
-        let written = match &self.0 {
-            Of::Paths(work) => Written::Paths(work.written()),
-            Of::Whole(found) => Written::Whole(*found),
-        };
-        postcard::to_io(&written, output).map(|_| ()).map_err(io::Error::other)
+    fn write(&self, output: &mut dyn Write) -> io::Result<()> {
+        Written::<(), _>::Whole(self.0).write(output)
     }
 }
 

@@ -1,12 +1,13 @@
 //! Light gathered by rays and light gathered by exact visibility are the same.
 
-use super::prepared::Prepared;
-use super::progress::Progress;
-use super::solver::solved;
 use super::{Answer, Unwatched, plan};
+use crate::effects::Hiding;
 use crate::faces::faces;
 use crate::geometry::Face;
-use crate::radiosity::{Gathering, Hiding, Question};
+use crate::plan::working_scene::Prepared;
+use crate::progress::Progress;
+use crate::radiosity::driver::solved;
+use crate::radiosity::{Gathering, Question};
 use crate::scene::{Scene, read};
 use crate::scene_text::{
     CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
@@ -93,7 +94,9 @@ fn by(gathering: Choose, text: &str) -> Vec<Answer> {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let prepared = Prepared::of(&scene, &plan);
     let working = prepared.working();
-    prepared.finished(solved(gathering, &prepared, &working, &Progress::new(&Unwatched)), &working).answers
+    prepared
+        .finished(solved(gathering, (&working.scene, prepared.effects), &Progress::new(&Unwatched)), &working)
+        .answers
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {

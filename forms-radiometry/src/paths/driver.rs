@@ -1,0 +1,282 @@
+//! Path driver: receivers become estimands, and these get more samples until their errors meet the
+//! tolerance.
+//!
+//! ```text
+//! receivers ─▶ estimands ─▶ pilot: scales ─▶ replicates ─▶ answers, maps, images
+//!                                            │  samples are doubled where the error is too large
+//!                                            └─▶ checkpoints, from which the work continues,
+//!                                                and shards, which are merged
+//! ```
+//! An estimand that is computed without samples has its answer from the beginning. The tolerance
+//! applies to one standard error, relative to the answer. For the components of a vector and the
+//! bins of a time, it is relative to the largest of them. For the cells of a map and the pixels of
+//! an image, it is relative to their own value, or to the mean that a pilot found if that is
+//! larger. After the pilot, the number of samples of an estimand depends on that estimand alone:
+//! not on threads, on pauses, or on the other estimands of the run.
+
+pub(crate) mod analytic;
+mod checkpoint;
+mod foresight;
+mod neighbours;
+mod pixels;
+mod radiances;
+pub(crate) mod request;
+mod results;
+mod scale;
+
+use super::{Limits, PathSampler, World, path_samplers};
+use crate::answer::{Moment, Simulation};
+use crate::checkpoint::{Keeper, Misfit, Snapshot};
+use crate::effects::{EffectSet, SimulatedEffects};
+use crate::job::{MOST_SAMPLES, Share};
+use crate::progress::Progress;
+use crate::scene::Scene;
+use crate::watch::Watch;
+pub(crate) use analytic::Computable;
+use analytic::Computing;
+pub(crate) use checkpoint::OfPaths;
+use neighbours::spreads;
+use rayon::prelude::*;
+use request::{Asked, asked, divide_time};
+pub(crate) use request::{Division, all_estimands};
+use scale::{Scales, known, settled};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+/// Scene in working units, the simulated effects, and the working unit of length in metres.
+#[derive(Clone, Copy)]
+pub(crate) struct Task<'s> {
+    pub(crate) scene: &'s Scene,
+    pub(crate) effects: &'s SimulatedEffects,
+    pub(crate) metres: f64,
+}
+
+/// Simulates a scene, or a part of the work on it, by path tracing.
+///
+/// # Errors
+/// The state does not belong to this scene.
+pub(crate) fn simulate(
+    task: Task<'_>,
+    division: Division,
+    (state, keeper): (Option<OfPaths>, Option<&dyn Keeper>),
+    progress: &Progress<'_>,
+) -> Result<Simulation, Misfit> {
+    let world = World::new(task.scene);
+    let limits = Limits::of(task.effects);
+    // effects that the file turns on are part of the specialised tracer, even where the scene
+    // contains none of them
+    let contained = EffectSet::of_scene(task.scene);
+    let samplers = path_samplers(&world, contained | task.effects.on, limits);
+    let computing = Computing::of(task.scene, &limits, &samplers);
+    let mut work = Work::new(&world, task.metres, (division, keeper), &computing, progress);
+    if let Some(state) = state {
+        work.restore(state)?;
+    }
+    work.run(&samplers);
+    Ok(work.simulation())
+}
+
+/// Merges the final states of all shards of a scene into its answers.
+pub(crate) fn merge(
+    task: Task<'_>,
+    division: Division,
+    parts: Vec<(Share, OfPaths)>,
+    progress: &Progress<'_>,
+) -> Result<Simulation, Misfit> {
+    let world = World::new(task.scene);
+    let mut work = Work::new(&world, task.metres, (division, None), &Computing::nothing(), progress);
+    parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
+    if !work.asked.iter().all(Asked::is_answered) {
+        return Err(Misfit);
+    }
+    work.is_done = true;
+    work.note();
+    Ok(work.simulation())
+}
+
+/// State of the path driver.
+pub(crate) struct Work<'w> {
+    scene: &'w Scene,
+    division: Division,
+    asked: Vec<Asked>,
+    /// Scales of the cells, once the pilot has found them.
+    scales: Option<Scales>,
+    keeper: Option<&'w dyn Keeper>,
+    progress: &'w Progress<'w>,
+    history: Vec<Moment>,
+    is_done: bool,
+}
+
+impl<'w> Work<'w> {
+    fn new(
+        world: &World<'w>,
+        metres: f64,
+        (division, keeper): (Division, Option<&'w dyn Keeper>),
+        computing: &Computing<'_>,
+        progress: &'w Progress<'w>,
+    ) -> Self {
+        Self {
+            scene: world.scene,
+            division,
+            asked: asked(world, metres, computing),
+            scales: None,
+            keeper,
+            progress,
+            history: Vec::new(),
+            is_done: false,
+        }
+    }
+
+    /// Runs rounds of samples until every error meets the tolerance, nothing can be gained, or the
+    /// work is stopped.
+    fn run(&mut self, samplers: &[Box<dyn PathSampler + '_>]) {
+        self.keep_if(true);
+        let mut is_noted = true;
+        while !self.is_done && self.reach(samplers) {
+            // a pilot has many short rounds
+            is_noted = self.scales.is_some() || self.division.budget.is_some() || self.history.is_empty();
+            if is_noted {
+                self.note();
+            }
+            self.is_done = !self.aim();
+        }
+        if !(self.is_done && is_noted) {
+            self.note();
+        }
+        self.keep_if(true);
+    }
+
+    /// Adds samples to all estimands up to their targets. Returns whether the targets were reached
+    /// before the work was stopped.
+    fn reach(&mut self, samplers: &[Box<dyn PathSampler + '_>]) -> bool {
+        let (division, progress, keeper) = (self.division, self.progress, self.keeper);
+        let samples = self.foreseen();
+        while self.asked.iter().any(|asked| !asked.is_there()) {
+            // the first estimand runs in any case, so that the work advances under constant pauses
+            let has_begun = AtomicBool::new(false);
+            let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
+            let begin = Instant::now();
+            let estimands = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
+            estimands.for_each(|(estimand, asked)| {
+                if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
+                    let is_meant = |replicate| division.has_replicate(estimand, replicate);
+                    asked.reach(samplers, is_meant, is_paused, |count| samples.add(count, progress));
+                }
+            });
+            divide_time(&mut self.asked, begin);
+            if progress.is_stopped() {
+                return false;
+            }
+            self.keep_if(keeper.is_some_and(Keeper::is_due));
+        }
+        true
+    }
+
+    /// Sets new targets: those of the pilot until it has found the scales, then twice as many
+    /// samples where the error is too large. Returns whether there are any.
+    fn aim(&mut self) -> bool {
+        if self.division.budget.is_none() && self.scales.is_none() {
+            return self.begin() || self.pilot() || self.refine();
+        }
+        self.refine()
+    }
+
+    /// Sets the first targets, for all cells and for the units of the shard. Returns whether there
+    /// are any.
+    fn begin(&mut self) -> bool {
+        let division = self.division;
+        let mut has_begun = false;
+        for (estimand, asked) in self.asked.iter_mut().enumerate() {
+            if asked.target == 0
+                && asked.computed.is_none()
+                && (asked.cell.is_some() || division.has(estimand))
+            {
+                asked.aim(MOST_SAMPLES);
+                has_begun = true;
+            }
+        }
+        has_begun
+    }
+
+    /// Requests more samples where these determine the scales; otherwise stores the scales.
+    fn pilot(&mut self) -> bool {
+        match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
+            Ok(scales) => {
+                let spreads = spreads(&self.asked, self.scene);
+                self.asked.iter_mut().zip(spreads).for_each(|(asked, spreads)| asked.spreads = spreads);
+                self.scales = Some(scales);
+                false
+            }
+            Err(open) => {
+                open.into_iter().for_each(|estimand| self.asked[estimand].aim(MOST_SAMPLES));
+                true
+            }
+        }
+    }
+
+    /// Requests twice as many samples where the budget is not spent or the error is too large.
+    fn refine(&mut self) -> bool {
+        let is_open = |&estimand: &usize| {
+            let asked = &self.asked[estimand];
+            match self.division.budget {
+                _ if asked.computed.is_some() => false,
+                Some(budget) => asked.replicates.samples < budget.of_replicate(),
+                None => {
+                    let error = asked.error(&self.scales_of(asked, self.scales.as_ref()));
+                    error > self.scene.solve.tolerance && asked.may_go_on()
+                }
+            }
+        };
+        let own = (0..self.asked.len()).into_par_iter().filter(|&estimand| self.division.has(estimand));
+        let open: Vec<usize> = own.filter(is_open).collect();
+        let most = self.division.budget.map_or(MOST_SAMPLES, |budget| budget.of_replicate());
+        open.iter().for_each(|&estimand| self.asked[estimand].aim(most));
+        !open.is_empty()
+    }
+
+    /// Returns the scale of an estimand's tolerance in each band, given these scales of cells.
+    fn scales_of(&self, asked: &Asked, scales: Option<&Scales>) -> Vec<f64> {
+        match (scales, asked.cell) {
+            (Some(scales), Some(_)) => scales[asked.receiver].clone(),
+            _ => asked.largest(self.scene.band_count()),
+        }
+    }
+
+    fn keep_if(&self, is_time: bool) {
+        if let Some(keeper) = self.keeper.filter(|_| is_time) {
+            keeper.keep(&Snapshot(self));
+        }
+    }
+
+    /// Records the present accuracy of the units of the shard.
+    fn note(&mut self) {
+        let Division { share, budget } = self.division;
+        let own = || self.asked.iter().enumerate().filter(|(estimand, _)| self.division.has(*estimand));
+        let answered: Vec<&Asked> =
+            own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
+        let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();
+        let error = is_told.then(|| {
+            let cells = self.scales_of_cells();
+            let scales = |asked: &Asked| self.scales_of(asked, Some(&cells));
+            answered.par_iter().map(|asked| asked.error(&scales(asked))).reduce(|| 0.0, f64::max)
+        });
+        let seconds = self.progress.seconds();
+        self.history.extend(error.map(|error| Moment { seconds, error }));
+    }
+
+    /// Returns the scales of cells: those of the pilot, or an estimate from all samples so far.
+    fn scales_of_cells(&self) -> Scales {
+        let all = || known(&self.asked, self.scene.receivers.len(), self.scene.band_count());
+        self.scales.clone().unwrap_or_else(all)
+    }
+
+    fn simulation(self) -> Simulation {
+        Simulation {
+            answers: self.answers(),
+            maps: self.maps(),
+            stopped: !self.is_done,
+            seconds: self.progress.seconds(),
+            history: self.history,
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! The plan: the contents of a scene and its queries decide which effects are simulated.
+//!
+//! ```text
+//! forced by the file ─▶ as it says
+//! no trigger         ─▶ off, and nothing is lost
+//! a bound            ─▶ off, while all such effects stay within half the tolerance of every answer
+//! else               ─▶ on
+//! ```
+//! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): all reflections pass on light that is omitted
+//! once.
+
+use super::reduced_scene::{without, without_forced};
+use super::solver::is_by_paths;
+use super::survey::Survey;
+use super::{Plan, kernels};
+use crate::effects::{EffectSet, PlannedEffect, SimulatedEffects, forcing};
+use crate::paths::driver::{Computable, all_estimands};
+use crate::paths::{Limits, World, endless, has_too_many_images, trap};
+use crate::radiosity::orders;
+use crate::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SceneError, not_simulated};
+
+/// Part of the tolerance left for omitted effects.
+const DROPPED: f64 = 0.5;
+
+/// Decides which effects of a scene are simulated.
+///
+/// # Errors
+/// Everything that the scene asks for and that is not simulated, and light that could never leave.
+pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
+    let refused = not_simulated(scene);
+    if !refused.is_empty() {
+        return Err(refused);
+    }
+    if is_by_paths(&without_forced(scene)) {
+        return plan_of_paths(scene);
+    }
+    let survey = Survey::of(&scene.in_working_units());
+    if let Some(surface) = survey.trap(scene) {
+        let surface = &scene.surfaces[surface];
+        let message =
+            format!("light that reaches the surface `{}` never leaves and is never absorbed", surface.name);
+        let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
+        return Err(vec![SceneError::new(&surface.place, message, expected)]);
+    }
+    let (effects, dropped) = decided(scene, survey);
+    let kernels = kernels::of_whole(&SimulatedEffects::of(&effects), scene);
+    Ok(Plan { effects, kernels, dropped })
+}
+
+/// Returns the plan of a scene that is simulated by path tracing.
+fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
+    let is_pervious =
+        |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
+    if let Some(forced) = scene.solve.forced.iter().find(is_pervious) {
+        let message = "path tracing cannot ignore occlusion";
+        return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
+    }
+    let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
+    let left = without(scene, &effects);
+    let working = left.in_working_units();
+    let world = World::new(&working.scene);
+    if let Some(trap) = trap(&world) {
+        return Err(vec![trap]);
+    }
+    let estimands = || all_estimands(&working.scene);
+    if let Some(endless) = endless(&world, estimands, &Limits::of(&SimulatedEffects::of(&effects))) {
+        return Err(vec![endless]);
+    }
+    if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
+        let message = "flat surfaces have too many image sources of point or distant lights";
+        let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
+        return Err(vec![SceneError::new(&light.place, message, expected)]);
+    }
+    let kernels = kernels::of_paths(&SimulatedEffects::of(&effects), &left);
+    tell_computed(&mut effects, &left);
+    Ok(Plan { effects, kernels, dropped })
+}
+
+/// Adds to the reasons of absorption and scattering where these need no samples.
+fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
+    let computable = Computable::of(left, &Limits::of(&SimulatedEffects::of(effects)));
+    let computed: Vec<&Receiver> =
+        left.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
+    let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
+    let rays = computed.iter().filter(is_along).count();
+    for planned in effects.iter_mut() {
+        match planned.effect {
+            Effect::Absorption if rays < computed.len() => {
+                planned.why.push_str("; without samples at points");
+            }
+            Effect::Scattering if rays > 0 => planned.why.push_str("; without samples along rays"),
+            _ => {}
+        }
+    }
+}
+
+/// Decides about every effect in turn. Returns the decisions, and the largest change by all omitted
+/// effects, relative to an answer.
+fn decided(scene: &Scene, survey: Survey) -> (Vec<PlannedEffect>, f64) {
+    let contains = EffectSet::of_scene(scene);
+    let most = DROPPED * scene.solve.tolerance;
+    let mut planning = Planning { scene, survey, contains, left: most, dropped: 0.0 };
+    let effects = Effect::ALL.iter().map(|&(_, effect)| planning.decide(effect)).collect();
+    (effects, planning.dropped)
+}
+
+struct Planning<'s> {
+    scene: &'s Scene,
+    survey: Survey,
+    contains: EffectSet,
+    /// Remaining error budget for omitted effects, relative to every answer.
+    left: f64,
+    /// Error budget spent on omitted effects so far, relative to every answer.
+    dropped: f64,
+}
+
+/// Finding about an effect.
+struct Finding {
+    /// Whether the scene contains the effect.
+    present: bool,
+    why: String,
+    /// Largest change by omitting it: the largest in the units of the answers, and the change
+    /// relative to the answer that it matters most to.
+    bound: Option<[f64; 2]>,
+}
+
+impl Planning<'_> {
+    fn decide(&mut self, effect: Effect) -> PlannedEffect {
+        let finding = self.find(effect);
+        let Finding { present, why, bound } = finding;
+        let absolute = bound.map(|[absolute, _]| absolute);
+        let planned = |on, orders, why, bound| PlannedEffect { effect, on, orders, why, bound };
+        let forced = forcing(self.scene, effect);
+        let who =
+            if forced.is_some_and(|forced| forced.place.is_option()) { "--effects" } else { "the file" };
+        match forced.map(|forced| forced.force) {
+            Some(Force::Off) => planned(false, None, format!("{who} turns it off; {why}"), absolute),
+            Some(Force::On) => planned(true, None, format!("{who} turns it on; {why}"), Some(0.0)),
+            Some(Force::Orders(count)) => {
+                let rest = self.survey.after_orders(count);
+                planned(true, Some(count), format!("{who} limits it to order {count}; {why}"), rest)
+            }
+            None if !present => planned(false, None, why, Some(0.0)),
+            None => match bound {
+                Some([absolute, relative]) if relative <= self.left => {
+                    self.left -= relative;
+                    self.dropped += relative;
+                    planned(false, None, format!("its bound is within the tolerance; {why}"), Some(absolute))
+                }
+                _ => planned(true, None, why, Some(0.0)),
+            },
+        }
+    }
+
+    fn find(&self, effect: Effect) -> Finding {
+        let absent = |why: &str| Finding { present: false, why: why.to_string(), bound: Some([0.0; 2]) };
+        let present = |why: String, bound| Finding { present: true, why, bound };
+        let survey = &self.survey;
+        match effect {
+            Effect::Direct if survey.emits => present("there are lights".to_string(), None),
+            Effect::Direct => absent("nothing emits light"),
+            Effect::Occlusion => match &survey.in_between {
+                Some(why) => present(why.clone(), survey.occlusion),
+                None => absent("there are no occluders between surfaces or receivers"),
+            },
+            Effect::Interreflection if !survey.reflects => absent("no surface reflects"),
+            Effect::Interreflection => present(self.interreflection(), survey.interreflection),
+            Effect::Bands if self.scene.band_count() == 1 => absent("there is a single band"),
+            Effect::Bands => match survey.band_spread {
+                None => absent("all optical properties are the same in every band"),
+                Some(bound) => present("optical properties differ between bands".to_string(), Some(bound)),
+            },
+            Effect::Mirror if self.contains.has(Effect::Mirror) => {
+                present("there are mirrors or metals".to_string(), None)
+            }
+            Effect::Mirror => absent("no surface is a mirror or a metal"),
+            Effect::Absorption if self.contains.has(Effect::Absorption) => {
+                present("a medium absorbs".to_string(), None)
+            }
+            Effect::Absorption => absent("no medium absorbs"),
+            Effect::Scattering if self.contains.has(Effect::Scattering) => {
+                present("a medium scatters".to_string(), None)
+            }
+            Effect::Scattering => absent("no medium scatters"),
+            Effect::Refraction if self.contains.has(Effect::Refraction) => {
+                present("the refractive index differs between media".to_string(), None)
+            }
+            Effect::Refraction => absent("the refractive index is the same everywhere"),
+            Effect::Dispersion if self.contains.has(Effect::Dispersion) => {
+                present("a refractive index differs between bands".to_string(), None)
+            }
+            Effect::Dispersion => absent("no refractive index differs between bands"),
+            Effect::Time if self.contains.has(Effect::Time) => {
+                present("a receiver is time-resolved".to_string(), None)
+            }
+            Effect::Time => absent("no receiver is time-resolved"),
+        }
+    }
+
+    fn interreflection(&self) -> String {
+        if self.survey.interreflection.is_none() && self.survey.contraction >= 1.0 {
+            return "diffuse surfaces reflect".to_string();
+        }
+        let k = self.survey.contraction;
+        let tolerance = self.scene.solve.tolerance;
+        let Some(count) = orders(k, tolerance) else {
+            return "reflecting surfaces see each other, and hardly any light is lost".to_string();
+        };
+        let plural = if count == 1 { "reflection" } else { "reflections" };
+        let most = at_most(k);
+        format!(
+            "each reflection keeps at most {most} of the light: {count} {plural} for tolerance {tolerance:e}"
+        )
+    }
+}
+
+/// Formats a number below 1, rounded up: to hundredths, or to one digit where hundredths would hide
+/// it.
+fn at_most(number: f64) -> String {
+    if number > 0.0 && number < 0.01 {
+        let unit = 10_f64.powf(number.log10().floor());
+        return format!("{:.0e}", (number / unit).ceil() * unit);
+    }
+    // a rounding error on top of 0.9 does not make it 0.91
+    format!("{:.2}", (100.0 * number * (1.0 - 1e-9)).ceil() / 100.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::at_most;
+
+    #[test]
+    fn a_bound_is_rounded_up() {
+        let cases = [
+            (0.0, "0.00"),
+            (0.0021, "3e-3"),
+            (0.5, "0.50"),
+            (0.501, "0.51"),
+            (0.9 + 1e-15, "0.90"),
+            (1.2e-7, "2e-7"),
+        ];
+        cases.into_iter().for_each(|(number, text)| assert_eq!(at_most(number), text, "{number}"));
+    }
+}

@@ -1,0 +1,113 @@
+//! Working scene: a scene and its plan become the simulated scene in working units, and its results
+//! become the requested answers.
+
+use super::Plan;
+use super::reduced_scene::without;
+use super::solver::is_by_paths;
+use crate::answer::{Answer, ErrorParts, Simulation};
+use crate::effects::SimulatedEffects;
+use crate::paths::driver::Task;
+use crate::scene::{Effect, Scene, WorkingScene};
+
+/// Scene as it is simulated.
+pub(crate) struct Prepared {
+    pub(crate) effects: SimulatedEffects,
+    /// Reduced scene.
+    left: Scene,
+    /// Number of bands that are simulated as a single one, if they are.
+    merged: Option<usize>,
+    /// Error budget spent on omitted effects, relative to every answer; the solver gets the
+    /// remaining tolerance.
+    dropped: f64,
+}
+
+impl Prepared {
+    pub(crate) fn of(scene: &Scene, plan: &Plan) -> Self {
+        let effects = SimulatedEffects::of(&plan.effects);
+        let left = without(scene, &plan.effects);
+        let merged = (!effects.has(Effect::Bands) && scene.band_count() > 1).then_some(scene.band_count());
+        let mut left = if merged.is_some() { left.with_one_band() } else { left };
+        left.solve.tolerance -= plan.dropped;
+        Self { effects, left, merged, dropped: plan.dropped }
+    }
+
+    /// Whether light is simulated by path tracing.
+    pub(crate) fn is_by_paths(&self) -> bool {
+        is_by_paths(&self.left)
+    }
+
+    /// Returns the reduced scene in working units.
+    pub(crate) fn working(&self) -> WorkingScene<'_> {
+        self.left.in_working_units()
+    }
+
+    /// Returns the task of the path driver.
+    pub(crate) fn task<'s>(&'s self, working: &'s WorkingScene) -> Task<'s> {
+        Task { scene: &working.scene, effects: &self.effects, metres: working.square_metres.sqrt() }
+    }
+
+    /// Converts the results to the units of their quantities and to all bands.
+    pub(crate) fn finished(&self, mut simulation: Simulation, working: &WorkingScene) -> Simulation {
+        simulation.leave_working_units(working);
+        if self.dropped > 0.0 {
+            add_dropped(&mut simulation, self.dropped);
+        }
+        if let Some(bands) = self.merged {
+            spread(&mut simulation, bands);
+        }
+        divide_times(&mut simulation);
+        conclude(&mut simulation);
+        simulation
+    }
+}
+
+/// Adds the error budget of omitted effects to every error. It is a bound for the smallest answer
+/// of a receiver. So the change of a component of a vector is at most the change of the
+/// largest component, and the change of a cell at most the change of the mean.
+fn add_dropped(simulation: &mut Simulation, dropped: f64) {
+    let scales: Vec<f64> = simulation.accuracy().answers().map(|rated| rated.scale).collect();
+    for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
+        answer.add(ErrorParts { effects: dropped * scale, ..ErrorParts::default() });
+        answer.kind = answer.kind.with_estimate();
+    }
+    let Simulation { answers, maps, history, .. } = simulation;
+    for map in maps {
+        map.kind = map.kind.with_estimate();
+        let is_mean = |answer: &&Answer| answer.receiver == map.receiver && answer.quantity == map.quantity;
+        for (errors, mean) in map.errors.iter_mut().zip(answers.iter().filter(is_mean)) {
+            errors.iter_mut().for_each(|error| *error += mean.parts.effects);
+        }
+    }
+    history.iter_mut().for_each(|moment| moment.error += dropped);
+}
+
+/// Divides the time of each receiver among its answers, each of which holds all of it before.
+fn divide_times(simulation: &mut Simulation) {
+    for answers in simulation.answers.chunk_by_mut(|a, b| a.receiver == b.receiver) {
+        let count = answers.len() as f64;
+        answers.iter_mut().for_each(|answer| answer.seconds /= count);
+    }
+}
+
+/// Copies the answers of one band to each band.
+fn spread(simulation: &mut Simulation, bands: usize) {
+    let of_bands = |answer: Answer| {
+        (0..bands).map(move |band| Answer { band: Some(band), ..answer.clone() }).collect::<Vec<_>>()
+    };
+    simulation.answers = std::mem::take(&mut simulation.answers).into_iter().flat_map(of_bands).collect();
+    for map in &mut simulation.maps {
+        map.values = vec![map.values[0].clone(); bands];
+        map.errors = vec![map.errors[0].clone(); bands];
+        map.scales = vec![map.scales[0]; bands];
+    }
+}
+
+/// Ends the history with the accuracy of the results. Where the work was stopped, receivers that
+/// were not reached keep the error at that time.
+fn conclude(simulation: &mut Simulation) {
+    let error = simulation.accuracy().largest_error();
+    let is_stopped = simulation.stopped;
+    if let Some(last) = simulation.history.last_mut() {
+        last.error = if is_stopped { error.max(last.error) } else { error };
+    }
+}

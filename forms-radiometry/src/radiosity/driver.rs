@@ -1,0 +1,433 @@
+//! The solver: a scene and its plan become answers.
+//!
+//! ```text
+//! elements ─▶ readings ─▶ finer elements ─▶ readings ─▶ … ─▶ maps
+//!             until the readings change no more than the tolerance
+//! ```
+//! The error of a reading is estimated from its changes (see [`estimate`](super::driver::estimate)); the
+//! error of the solution of the equations and rounding are added. For curved shapes, everything is
+//! done with two polyhedra, one finer than the other, and the change between them is added too.
+
+pub(crate) mod estimate;
+mod goals;
+pub(crate) mod grid;
+pub(crate) mod images;
+mod interpolation;
+mod maps;
+mod precision;
+pub(crate) mod readings;
+mod sampled;
+pub(crate) mod scales;
+mod tessellation;
+
+use super::question::asks_for_rays;
+use super::{Gathering, Lights, Paths, Question, Radiosity, Scratch, Transport};
+use crate::answer::{Answer, ErrorParts, Moment, Simulation};
+use crate::effects::{Hiding, SimulatedEffects};
+use crate::faces::{faces, is_round};
+use crate::geometry::{Face, Screens};
+use crate::progress::times::{Times, timed};
+use crate::progress::{Outlook, Progress, foreseen};
+use crate::scene::{Effect, Scene};
+use crate::sharing::Sharing;
+use crate::watch::Watch;
+use estimate::{Estimate, Found, pool};
+use goals::Earlier;
+use grid::Grid;
+use images::Image;
+use precision::{Digits, Value};
+use readings::{Reading, groups};
+use scales::Pictures;
+use std::time::Instant;
+use tessellation::Shapes;
+
+/// Part of the tolerance left for rules of integration.
+pub(crate) const RULES: f64 = 0.02;
+/// Part of the tolerance left for integrals of direct light where nothing is reflected: nothing
+/// else has an error there.
+const STRAIGHT: f64 = 0.25;
+/// Rounding error of an answer, relative to it.
+pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Fineness of the finest polyhedra.
+pub(crate) const FINEST: usize = 4;
+/// Largest number of times that maps and images are computed: again only where their means are less
+/// than the watched cells indicated.
+const ATTEMPTS: usize = 2;
+/// Least future change after each refinement, relative to its change, where surfaces may occlude
+/// each other. Shadows that fall between the nodes appear when the nodes are closer, and the
+/// boundaries of shadows converge no faster than elements shrink.
+const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
+
+/// Solves a scene as a whole, in working units. `choose` decides how light is gathered.
+pub(crate) fn solved(
+    choose: Choose,
+    (scene, effects): (&Scene, SimulatedEffects),
+    progress: &Progress<'_>,
+) -> Simulation {
+    Work::new(scene, effects, choose, progress).run()
+}
+
+/// Returns the faces that occlude light or that rays meet. The rays are those of receivers, or
+/// those that gather light. Where disks and spheres may be seen as whole shapes, occluders are
+/// needed in any case: an occluder that hides nothing of the tessellated faces may hide some of
+/// the rest of the shape.
+fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face], gathering: Gathering) -> Screens {
+    let may_be_whole = effects.orders == Some(0) && gathering == Gathering::Pieces && is_round(scene);
+    if effects.has(Effect::Occlusion) || may_be_whole {
+        Screens::of(faces)
+    } else if asks_for_rays(scene) || gathering != Gathering::Pieces {
+        Screens::met_by_rays(faces)
+    } else {
+        Screens::none(faces)
+    }
+}
+
+/// Function that chooses how light is gathered in a scene with these faces and this occlusion.
+type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
+
+/// State of the solver.
+pub(crate) struct Work<'s> {
+    pub(crate) scene: &'s Scene,
+    effects: SimulatedEffects,
+    choose: Choose,
+    pub(crate) watch: &'s dyn Watch,
+    pub(crate) progress: &'s Progress<'s>,
+    pub(crate) times: Times,
+    pub(crate) readings: Vec<Reading>,
+    /// Number of readings that are answers; the readings after them are watched cells of maps.
+    pub(crate) answers: usize,
+    /// Group of each reading.
+    pub(crate) groups: Vec<usize>,
+    /// For each watched cell, the radiance emitted directly into it in each band; empty for cells
+    /// of maps.
+    pub(crate) emitted: Vec<Vec<f64>>,
+    /// For each receiver, the scales of its map or image in all bands, once they are known.
+    pub(crate) known_scales: Vec<Option<Vec<f64>>>,
+}
+
+/// Solution that readings and maps are evaluated from.
+enum Solution<'t> {
+    Elements(Box<Radiosity<'t>>),
+    Paths(Box<Paths<'t>>),
+}
+
+impl<'s> Work<'s> {
+    fn new(scene: &'s Scene, effects: SimulatedEffects, choose: Choose, progress: &'s Progress<'s>) -> Self {
+        let of = |(index, receiver)| Reading::of(index, receiver);
+        let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
+        let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
+        Self {
+            scene,
+            effects,
+            choose,
+            watch: progress,
+            progress,
+            times: Times::new(scene.receivers.len()),
+            readings,
+            answers,
+            groups,
+            emitted: Vec::new(),
+            known_scales: vec![None; scene.receivers.len()],
+        }
+    }
+
+    fn run(mut self) -> Simulation {
+        let mut shapes = Shapes::new(self.scene, self.effects.orders == Some(0), &self.readings);
+        let is_round_anywhere = shapes.are_round();
+        let mut history = Vec::new();
+        let mut attempts = 1;
+        for fineness in 0.. {
+            self.progress.begin(Outlook::Unknown);
+            let faces = faces(self.scene, fineness);
+            let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
+            let transport = self.transport(faces, gathering);
+            let lights = Lights::of(self.scene, &transport);
+            let grids = self.grids(&transport);
+            let own_sight = self.sight(&transport);
+            let sight = own_sight.as_ref().unwrap_or(&transport);
+            if fineness == 0 {
+                let is_watched = is_round_anywhere || !self.is_straight(gathering);
+                self.watch_some(if is_watched { &grids } else { &[] }, sight);
+            }
+            let sharing = self.sharing(gathering, &lights, &transport, &grids);
+            let (found, pictures) = sharing.enter(|| {
+                let straight = || self.straight(&grids, &lights, &transport);
+                // these are the last faces, and maps are not sampled: the direct light of cells
+                // waits for no solution
+                let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
+                let ((solution, mut found), known) = self.both(
+                    sharing,
+                    || self.solved(gathering, &transport, &lights, &mut history),
+                    || is_known_before.then(straight),
+                );
+                let is_compared = self.compare(&mut shapes, &mut found);
+                // includes readings that were settled, and the error by tessellation
+                if let Some(now) = history.last_mut() {
+                    now.error = self.relative_errors(&found).fold(0.0, f64::max);
+                }
+                let is_whole = grids.is_empty()
+                    && self.cameras().next().is_none()
+                    && !found.iter().any(|found| found.has_pieces);
+                let is_last = !is_round_anywhere
+                    || is_whole
+                    || self.watch.is_stopped()
+                    || fineness == FINEST
+                    || (is_compared && self.is_enough(&found));
+                let pictures = is_last.then(|| match &solution {
+                    Solution::Elements(radiosity) => {
+                        let grids = (&grids[..], known.unwrap_or_else(straight));
+                        let cameras = self.cameras().count();
+                        self.progress.begin(Outlook::Stages(1 + cameras));
+                        let maps = self.maps(radiosity, grids, &found);
+                        self.progress.begin(Outlook::Stages(cameras));
+                        let images = self.images(radiosity, sight, &found);
+                        Pictures { maps, images, is_sampled: false }
+                    }
+                    Solution::Paths(paths) => {
+                        self.progress.begin(Outlook::Stages(grids.len()));
+                        Pictures::sampled(self.sampled_maps(paths, &grids, &found))
+                    }
+                });
+                (found, pictures)
+            });
+            if let Some(pictures) = pictures {
+                let is_final = attempts == ATTEMPTS || fineness == FINEST;
+                if is_final || !self.rescale(&pictures, &found) {
+                    return self.simulation(&found, pictures, history);
+                }
+                attempts += 1;
+            }
+            if is_round_anywhere {
+                shapes.remember(found);
+            }
+        }
+        unreachable!("the finest polyhedra are the last")
+    }
+
+    /// Returns the results of two tasks that do not depend on each other. Where they run at the
+    /// same time, their receivers divide the elapsed time.
+    fn both<A: Send, B: Send>(
+        &self,
+        sharing: Sharing,
+        one: impl FnOnce() -> A + Send,
+        other: impl FnOnce() -> B + Send,
+    ) -> (A, B) {
+        let (begin, before) = (Instant::now(), self.times.all());
+        let ((one, first), (other, second)) = sharing.both(|| timed(one), || timed(other));
+        self.times.rejoin(begin, &before, [first, second]);
+        (one, other)
+    }
+
+    /// Adds the error by tessellation of curved shapes. Returns whether it is known.
+    fn compare(&self, shapes: &mut Shapes, found: &mut Vec<Found>) -> bool {
+        let is_compared = shapes.compare(found, &self.readings);
+        if shapes.are_round() && self.watch.is_stopped() && !is_compared {
+            let of_pieces = found.iter_mut().filter(|found| found.has_pieces);
+            let estimates = of_pieces.flat_map(|found| &mut found.bands);
+            estimates.for_each(|estimate| estimate.floor.quadrature = f64::INFINITY);
+        }
+        is_compared
+    }
+
+    /// Whether all light at points is direct light, in closed forms.
+    fn is_straight(&self, gathering: Gathering) -> bool {
+        self.effects.orders == Some(0) && gathering == Gathering::Pieces
+    }
+
+    /// Returns whether the loops over readings and cells are worth more than one thread.
+    fn sharing(
+        &self,
+        gathering: Gathering,
+        lights: &Lights,
+        transport: &Transport,
+        grids: &[(usize, Grid)],
+    ) -> Sharing {
+        if !self.is_straight(gathering) {
+            return Sharing::Shared;
+        }
+        if self.cameras().next().is_some() {
+            return Sharing::Shared;
+        }
+        let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
+        Sharing::of(lights.operations(self.readings.len() + cells, transport))
+    }
+
+    fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
+        let screens = screens(self.scene, &self.effects, &faces, gathering);
+        let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
+        let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
+        Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), accuracy }
+    }
+
+    /// Returns a solution and the readings by the cheaper method; by exact visibility where rays
+    /// were not enough.
+    fn solved<'t>(
+        &self,
+        gathering: Gathering,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        history: &mut Vec<Moment>,
+    ) -> (Solution<'t>, Vec<Found>)
+    where
+        's: 't,
+    {
+        if let Gathering::Rays { most } = gathering {
+            let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
+            let found = self.sampled(&paths, is_round(self.scene), most, history);
+            if most.is_infinite() || self.watch.is_stopped() || self.is_enough(&found) {
+                return (Solution::Paths(Box::new(paths)), found);
+            }
+        }
+        let (radiosity, found) = self.refined(transport, lights, history);
+        (Solution::Elements(Box::new(radiosity)), found)
+    }
+
+    pub(crate) fn question(&self) -> Question {
+        Question::of(self.scene, &self.effects)
+    }
+
+    /// Returns the solution on elements that are fine enough for all readings, and the readings.
+    fn refined<'t>(
+        &self,
+        transport: &'t Transport,
+        lights: &'t Lights<'t>,
+        history: &mut Vec<Moment>,
+    ) -> (Radiosity<'t>, Vec<Found>)
+    where
+        's: 't,
+    {
+        let (begin, first) = (self.progress.seconds(), history.len());
+        let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
+        let mut found = self.read(&radiosity, None);
+        let mut splits = 0;
+        loop {
+            let seconds = self.progress.seconds();
+            history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
+            let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
+            self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
+            if self.watch.is_stopped() || self.is_enough(&found) {
+                return (radiosity, found);
+            }
+            let (asking, open) = self.asking(&radiosity, &found);
+            let Some(mut refined) = radiosity.refine(&asking) else {
+                self.settle(&radiosity, &mut found);
+                return (radiosity, found);
+            };
+            if transport.occlusion {
+                refined.left = refined.left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
+            }
+            splits += 1;
+            let earlier = Earlier::new(&found, &open, refined);
+            let finer = self.read(&radiosity, Some(&earlier));
+            if self.watch.is_stopped() {
+                return (radiosity, found);
+            }
+            found = finer;
+        }
+    }
+
+    /// Removes the error by elements from readings that no element reaches, or that have no goal.
+    fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
+        for (reading, found) in self.readings.iter().zip(found) {
+            let goal = reading.goal(self.scene, radiosity.transport());
+            let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
+            // where the work was stopped, it is not known which elements reach the reading
+            if !is_reached && !self.watch.is_stopped() {
+                found.bands.iter_mut().for_each(Estimate::settle);
+            }
+        }
+    }
+
+    /// Evaluates all readings in all bands; in none where the work was stopped before.
+    fn read(&self, radiosity: &Radiosity, earlier: Option<&Earlier>) -> Vec<Found> {
+        let is_straight = self.effects.orders == Some(0);
+        let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
+        let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
+            let begin = Instant::now();
+            let found = (!self.watch.is_stopped())
+                .then(|| digits.value((reading, index >= self.answers), self.scene, radiosity, scratch))
+                .filter(|_| !self.watch.is_stopped());
+            let Some(Value { bands, rounding, has_pieces }) = found else {
+                return (Found { bands: Vec::new(), has_pieces: true }, begin.elapsed().as_secs_f64());
+            };
+            let largest = reading.largest(radiosity.transport());
+            let doubts = reading.doubts(self.scene, radiosity, scratch);
+            let of_band = |(band, value): (usize, f64)| {
+                let straight = reading.straight_error(radiosity, band);
+                let [of_rules, of_rounding] = straight.unwrap_or_default();
+                let quadrature = of_rules + doubts[band];
+                let rounding = rounding.get(band).copied().unwrap_or(0.0) + of_rounding;
+                let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
+                if self.effects.orders == Some(0) && straight.is_some() {
+                    return Estimate::exact(value, integral);
+                }
+                let before = earlier.map(|earlier| earlier.of(index, band));
+                let orders = largest * radiosity.floor(band);
+                Estimate::new(value, before, ErrorParts { orders, ..integral })
+            };
+            let bands = bands.into_iter().enumerate().map(of_band).collect();
+            (Found { bands, has_pieces }, begin.elapsed().as_secs_f64())
+        };
+        let sharing = Sharing::of(radiosity.operations(self.readings.len()));
+        let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
+        let begin = Instant::now();
+        let (mut found, seconds): (Vec<Found>, Vec<f64>) = sharing.map(readings, one).into_iter().unzip();
+        self.times.add(begin, self.readings.iter().map(|reading| reading.receiver).zip(seconds));
+        let scales = self.scales(&found);
+        pool(&mut found, &scales, &self.groups);
+        let spared = earlier.map_or(0.0, |earlier| earlier.refined.spared);
+        for (found, scales) in found.iter_mut().zip(scales) {
+            for (estimate, scale) in found.bands.iter_mut().zip(scales) {
+                if estimate.is_exact() {
+                    continue;
+                }
+                estimate.floor.quadrature += (radiosity.rules() + spared) * scale;
+                estimate.floor.rounding += ROUNDING * scale;
+            }
+        }
+        found
+    }
+
+    /// Returns the results, in the order of the receivers.
+    fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
+        let Pictures { mut maps, images, .. } = pictures;
+        let mut answers = self.answered(found);
+        for Image { receiver, map, means } in images {
+            answers.extend(means.into_iter().map(|mean| (receiver, mean)));
+            maps.push((receiver, map));
+        }
+        answers.iter_mut().for_each(|(receiver, answer)| answer.seconds = self.times.of(*receiver));
+        answers.sort_by_key(|(receiver, _)| *receiver);
+        maps.sort_by_key(|(receiver, _)| *receiver);
+        Simulation {
+            answers: answers.into_iter().map(|(_, answer)| answer).collect(),
+            maps: maps.into_iter().map(|(_, map)| map).collect(),
+            history,
+            seconds: self.progress.seconds(),
+            stopped: self.watch.is_stopped(),
+        }
+    }
+
+    /// Returns the answers that are readings, each with the index of its receiver.
+    fn answered(&self, found: &[Found]) -> Vec<(usize, Answer)> {
+        let mut answers = Vec::new();
+        let is_round = is_round(self.scene);
+        for (reading, found) in self.readings[..self.answers].iter().zip(found) {
+            for (band, estimate) in found.bands.iter().enumerate() {
+                let answer = Answer {
+                    receiver: self.scene.receivers[reading.receiver].name.clone(),
+                    quantity: reading.quantity,
+                    band: (found.bands.len() > 1).then_some(band),
+                    bin: None,
+                    value: estimate.value,
+                    error: estimate.error(),
+                    parts: estimate.parts(),
+                    kind: estimate.kind(found.has_pieces && is_round),
+                    seconds: 0.0,
+                };
+                answers.push((reading.receiver, answer));
+            }
+        }
+        answers
+    }
+}
