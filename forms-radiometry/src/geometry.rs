@@ -2,25 +2,24 @@
 //! point spans a cone of directions; subtracting the cones of all occluders from it leaves the
 //! visible part. The exchange area of two polygons is a sum over their edges.
 
-mod bulge;
 mod clip;
 mod cone;
+pub(crate) mod double_double;
 mod edges;
 mod exchange;
 mod form_factor;
 mod mesh;
 mod overlap;
 mod polygon;
-pub(crate) mod precise;
 mod round;
 pub(crate) mod scale;
 mod sides;
+mod tessellation_gap;
 mod triangulation;
 mod vector;
 mod visibility;
 mod weld;
 
-pub(crate) use bulge::bulge;
 pub(crate) use clip::split;
 pub(crate) use edges::{Edges, fill};
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
@@ -34,6 +33,7 @@ pub use polygon::{Polygon, PolygonError};
 pub(crate) use polygon::{area, edges, intersection};
 pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
+pub(crate) use tessellation_gap::bulge;
 pub use vector::Vector;
 pub(crate) use visibility::{
     Beam, Between, Borders, Boxes, Face, Lit, Looking, Met, Plane, Screens, Start, Wall, Walls, Workspace,

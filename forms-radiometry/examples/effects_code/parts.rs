@@ -22,10 +22,10 @@ const MODULES: [(Effect, &[&str]); 7] = [
             "geometry::exchange::obstructed",
             "geometry::visibility::arrangement",
             "geometry::visibility::aspect",
-            "geometry::visibility::between",
+            "geometry::visibility::occluder_search",
             "geometry::visibility::body",
-            "geometry::visibility::border",
-            "geometry::visibility::crossing",
+            "geometry::visibility::silhouette_columns",
+            "geometry::visibility::silhouette_crossing",
             "geometry::visibility::shaft",
             "geometry::visibility::visible",
         ],
@@ -41,14 +41,13 @@ const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Inter
 
 /// Modules that trace light along rays, which occluders block and which continue at reflecting
 /// surfaces.
-const RAYS: [&str; 9] = [
+const RAYS: [&str; 8] = [
     "geometry::visibility::branches",
     "geometry::visibility::ray",
     "radiosity::clusters",
     "radiosity::directions",
-    "radiosity::paths",
+    "radiosity::final_gathering",
     "radiosity::probe",
-    "radiosity::sequence",
     "radiosity::subdivision",
     "radiosity::walk",
 ];
@@ -130,7 +129,7 @@ pub(crate) fn kernel_files(counts: &Counts) -> BTreeSet<&'static str> {
 /// Function that calls the members of `gathered_light`. It is called by a pointer and is therefore
 /// never inlined, while optimised members have no line of their own, since a member can be a single
 /// operation.
-const GATHERED: &str = "radiosity::arriving::gathered";
+const GATHERED: &str = "radiosity::gathered_light::gathered";
 
 /// Returns the kernels that have run, as determined from functions: inlined kernels have none.
 pub(crate) fn kernels(counts: &Counts) -> BTreeSet<String> {

@@ -20,7 +20,7 @@ pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
 use super::clip::split;
-use super::precise::{Rounded, heights, way};
+use super::double_double::{Rounded, heights, way};
 use super::scale::power_of_two;
 use super::{Face, Polygon, Vector};
 use contour::{Edge, integral};

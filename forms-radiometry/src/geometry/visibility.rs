@@ -20,26 +20,26 @@
 mod arrangement;
 mod aspect;
 mod beam;
-mod between;
 mod body;
-mod border;
 mod bounds;
 mod boxes;
 mod branches;
-mod crossing;
 mod horizon;
+mod occluder_search;
 mod ray;
+mod ray_walls;
 mod shaft;
+mod silhouette_columns;
+mod silhouette_crossing;
 mod tree;
 mod visible;
-mod walls;
 
 pub(crate) use beam::{Beam, Lit};
-pub(crate) use between::Between;
-pub(crate) use border::{Borders, Looking};
 pub(crate) use boxes::{Boxes, distance_of_boxes};
 pub(crate) use horizon::Workspace;
-pub(crate) use walls::{Met, Start, Wall, Walls};
+pub(crate) use occluder_search::Between;
+pub(crate) use ray_walls::{Met, Start, Wall, Walls};
+pub(crate) use silhouette_columns::{Borders, Looking};
 
 use super::{Polygon, Vector, edges};
 use body::{Body, bodies};

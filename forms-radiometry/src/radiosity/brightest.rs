@@ -10,9 +10,9 @@
 //! extend beyond their tessellation. For them the only bounds used are that a cosine and a form
 //! factor are at most 1.
 
-use super::gather::Transport;
 use super::point_lights::spectrum;
 use super::system::{is_reflecting, reflectance};
+use super::transport::Transport;
 use crate::faces::emits;
 use crate::geometry::{Face, distance_of_boxes};
 use crate::scene::{Light, LightKind, Scene};

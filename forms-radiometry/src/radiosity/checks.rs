@@ -13,10 +13,10 @@
 //! represents.
 
 use super::element::Element;
-use super::gather::{Group, Scratch};
 use super::measure::Measure;
 use super::residual::{Check, Residual};
 use super::system::Radiosity;
+use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::sampling::{Net, key};

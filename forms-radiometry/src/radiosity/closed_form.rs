@@ -11,11 +11,11 @@
 
 use super::direct::{Lights, kinds, sources};
 use super::emission::emitted;
-use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::round::{bulges, sees};
+use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emits_from, has_round_holes, is_round, round_surfaces};
-use crate::geometry::precise::{
+use crate::geometry::double_double::{
     Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
 use crate::geometry::{Between, Face, Vector};

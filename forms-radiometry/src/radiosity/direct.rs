@@ -8,16 +8,16 @@
 //! a distant light of irradiance E    E where nothing occludes it, times cos θ
 //! ```
 //! μ is the measure of the receiver over π. Everything is exact except for rounding.
-//! [`arriving`](super::arriving) combines it into the gathered light of the receiver.
+//! [`arriving`](super::gathered_light) combines it into the gathered light of the receiver.
 
-use super::arriving::{Arriving, Kinds};
 use super::emission::emitted;
-use super::gather::{Group, Scratch, Transport};
+use super::gathered_light::{Arriving, Kinds};
 use super::measure::Measure;
 use super::point_lights::{hides, reaching_factor, spectrum};
 use super::shadows::Shadows;
+use super::transport::{Group, Scratch, Transport};
 use crate::faces::emits;
-use crate::geometry::precise::Rounded;
+use crate::geometry::double_double::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{LightKind, ReceiverKind, Scene};

@@ -1,8 +1,8 @@
 //! Directions: points of the unit square become directions distributed like the weight of the
 //! receiver, by the library's warps.
 
-use super::gather::Transport;
 use super::measure::Measure;
+use super::transport::Transport;
 use crate::geometry::Vector;
 use crate::kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
 use crate::sampling::{Frame, Net};

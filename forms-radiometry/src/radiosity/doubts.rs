@@ -1,10 +1,10 @@
 //! Doubts: errors of answers due to shadow borders on elements, and to direct light that nodes miss.
 
-use super::gather::{Group, Scratch};
 use super::importance::GoalKind;
 use super::partial::spread;
 use super::solution::of_bands;
 use super::system::Radiosity;
+use super::transport::{Group, Scratch};
 
 /// Returns the value of an element in a band; 0 if there are no values.
 fn of_element(all: &[Vec<f64>], element: usize, band: usize) -> f64 {

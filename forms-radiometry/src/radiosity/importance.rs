@@ -5,9 +5,9 @@
 //! z = w + Gᵀ z        w the direct contributions of the nodes to the goals
 //! ```
 
-use super::gather::{Group, Scratch};
 use super::measure::Measure;
 use super::system::Radiosity;
+use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
 use rayon::prelude::*;
 

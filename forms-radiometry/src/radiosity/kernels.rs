@@ -5,12 +5,12 @@
 //! scene, faces, question ─▶ required computations ─▶ the rows of the table that perform them
 //! ```
 //! If a kernel has effects, its specialisation without the effects that the scene does not need is
-//! used, as [`arriving`](super::arriving) selects it.
+//! used, as [`arriving`](super::gathered_light) selects it.
 
 use super::contact::ConvexPiece;
 use super::direct::kinds;
 use super::element::Element;
-use super::gathering::Gathering;
+use super::method::Gathering;
 use super::question::Question;
 use super::system::is_reflecting;
 use crate::effects::Hiding;

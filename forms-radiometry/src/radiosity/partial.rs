@@ -13,10 +13,10 @@
 //! element, and the effect of this error over all reflections.
 
 use super::element::Element;
-use super::gather::Transport;
 use super::measure::Measure;
 use super::point_lights::{hides, measure, reaching_factor, spectrum};
 use super::shadows::Shadows;
+use super::transport::Transport;
 use crate::geometry::{Lit, Vector, area, intersection};
 use crate::scene::{Light, Scene};
 use forms::math::Real;

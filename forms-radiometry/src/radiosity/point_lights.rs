@@ -1,9 +1,9 @@
 //! Point and distant lights: their spectrum, and its factors in the light at points and on outlines.
 
-use super::gather::Transport;
 use super::measure::Measure;
+use super::transport::Transport;
 use crate::geometry::Vector;
-use crate::geometry::precise::{Rounded, area_across, solid_angle};
+use crate::geometry::double_double::{Rounded, area_across, solid_angle};
 use crate::scene::{Light, LightKind};
 
 /// Returns the factor of the intensity, or of the irradiance, of a light in its unoccluded light at

@@ -15,10 +15,10 @@
 
 use super::costs::{BATCHES, FIRST, PATH, STUDENT};
 use super::directions::towards;
-use super::gather::Scratch;
+use super::final_gathering::{Numbers, Paths, Place, larger};
 use super::importance::GoalKind;
 use super::measure::Measure;
-use super::paths::{Numbers, Paths, Place, larger};
+use super::transport::Scratch;
 use super::walk::Begin;
 use crate::geometry::Vector;
 use crate::sampling::{Net, Random, key};

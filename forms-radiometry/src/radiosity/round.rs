@@ -8,11 +8,11 @@
 //! ```
 
 use super::direct::Lights;
-use super::gather::{Scratch, Transport};
 use super::measure::Measure;
 use super::point_lights::hides;
+use super::transport::{Scratch, Transport};
 use crate::faces::round_surfaces;
-use crate::geometry::precise::{Rounded, SeenWhole};
+use crate::geometry::double_double::{Rounded, SeenWhole};
 use crate::geometry::{Between, Face, Round, Vector, bulge};
 use crate::scene::{Light, LightKind, Scene, Shape};
 use forms::math::Real;

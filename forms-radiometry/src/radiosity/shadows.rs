@@ -7,9 +7,9 @@
 //! ```
 
 use super::contact::Contact;
-use super::gather::Transport;
 use super::point_lights::{measure, spectrum};
-use crate::geometry::precise::Rounded;
+use super::transport::Transport;
+use crate::geometry::double_double::Rounded;
 use crate::geometry::{Beam, Face, Lit, Vector, edges};
 use crate::scene::{Light, LightKind, Scene};
 use crate::sharing::Sharing;

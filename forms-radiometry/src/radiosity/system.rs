@@ -1,12 +1,11 @@
 //! System of equations of a scene: elements give rows of weights and direct light at their nodes,
 //! these give the irradiance of the nodes, and from it any receiver gathers its light.
 
-use super::arriving::Kinds;
-use super::change::Change;
 use super::contact;
+use super::convergence::Change;
 use super::direct::{Integral, Lights};
 use super::element::{Element, HIGHEST_ORDER};
-use super::gather::{Group, Scratch, Transport};
+use super::gathered_light::Kinds;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::partial::OnElement;
@@ -14,8 +13,9 @@ use super::question::Question;
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
+use super::transport::{Group, Scratch, Transport};
 use crate::faces::is_bright;
-use crate::geometry::precise::{Rounded, area};
+use crate::geometry::double_double::{Rounded, area};
 use crate::geometry::{Face, Vector, closeness};
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{MaterialKind, Scene};

@@ -7,7 +7,7 @@ use super::operator::{Operator, Row};
 use super::reference::MOST_NODES;
 use super::solution::{all_orders, neumann, orders};
 use super::weights;
-use super::whole::Whole;
+use super::whole_elements::Whole;
 use crate::geometry::{Face, Vector};
 use crate::kernels::irradiance_linear_luminaire;
 use crate::simulation::Unwatched;

@@ -7,7 +7,7 @@
 //! point lights ─ outside shadows of faces ─▶ segments of a ray ─▶ sums and bounds ─▶ the ray
 //! ```
 //! The results are per band. Occluders are clipped from a face as exactly as in a vacuum
-//! ([`gather`](super::gather)), so that the remaining integrand is smooth (`triangles`).
+//! ([`gather`](super::transport)), so that the remaining integrand is smooth (`triangles`).
 //!
 //! Source: S. Chandrasekhar, Radiative transfer (1950), chapter 1: the formal solution of the
 //! equation of transfer without scattering.
@@ -18,8 +18,8 @@ mod shadows;
 mod triangles;
 
 use super::direct::lights_at;
-use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
+use super::transport::{Group, Scratch, Transport};
 use crate::extinction::{left, transmittance};
 use crate::faces::{emits, faces, is_round};
 use crate::geometry::{Screens, Vector};

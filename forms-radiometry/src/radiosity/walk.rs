@@ -12,8 +12,8 @@
 //! transport and image synthesis (1990), for how paths end.
 
 use super::directions::above;
-use super::gather::Scratch;
-use super::paths::{Paths, Place};
+use super::final_gathering::{Paths, Place};
+use super::transport::Scratch;
 use crate::kernels::irradiance;
 use crate::sampling::Random;
 

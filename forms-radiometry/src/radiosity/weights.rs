@@ -14,12 +14,12 @@
 //! to rounding, however close it is.
 
 use super::element::Element;
-use super::gather::{Group, Scratch, Seen, Transport};
 use super::measure::Measure;
 use super::patch_rule::{SMALL, rule};
 use super::reference::MOST_NODES;
 use super::system::Radiosity;
-use super::whole::FEWEST;
+use super::transport::{Group, Scratch, Seen, Transport};
+use super::whole_elements::FEWEST;
 use crate::geometry::{Face, Patch, Vector, patches};
 use crate::kernels::exchange_density;
 

@@ -18,8 +18,8 @@
 
 use super::arrangement::{Arrangement, Cell, Side};
 use super::body::Body;
-use super::border::Looking;
-use super::crossing::{End, MOST, Signs};
+use super::silhouette_columns::Looking;
+use super::silhouette_crossing::{End, MOST, Signs};
 use super::{Plane, Screen, Screens, Vector};
 
 /// Products below this fraction of their bound have an uncertain sign: far above rounding, far

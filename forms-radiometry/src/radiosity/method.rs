@@ -117,7 +117,7 @@ fn paths(scene: &Scene, numbers: usize) -> f64 {
 }
 
 /// Returns the number of nodes of a rough solution that take as long as the paths of all readings.
-pub(super) fn worthwhile_nodes(scene: &Scene) -> usize {
+pub(crate) fn worthwhile_nodes(scene: &Scene) -> usize {
     let (readings, cells) = asked(scene);
     let nodes = PATH * paths(scene, readings + cells) / (f64::from(RAYS) + PATH);
     (nodes as usize).clamp(FEWEST_NODES, MOST_ROUGH_NODES)

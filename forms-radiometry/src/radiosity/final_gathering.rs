@@ -19,14 +19,14 @@ use super::costs::{RAYS, VIEW};
 use super::direct::Lights;
 use super::directions::above;
 use super::element::Element;
-use super::gather::{Group, Scratch, Transport};
-use super::gathering::worthwhile_nodes;
 use super::measure::Measure;
+use super::method::worthwhile_nodes;
 use super::operator::{Operator, Row};
 use super::question::Question;
 use super::solution::of_bands;
 use super::subdivision::Subdivision;
 use super::system::{is_reflecting, reflectance};
+use super::transport::{Group, Scratch, Transport};
 use crate::faces::emitted;
 use crate::geometry::Vector;
 use crate::kernels::irradiance;
@@ -46,29 +46,29 @@ const DEVIATION: f64 = 0.25;
 
 /// A scene with a rough solution, in which paths are traced.
 pub(crate) struct Paths<'t> {
-    pub(super) scene: &'t Scene,
-    pub(super) transport: &'t Transport,
+    pub(crate) scene: &'t Scene,
+    pub(crate) transport: &'t Transport,
     lights: &'t Lights<'t>,
-    pub(super) watch: &'t dyn Watch,
-    pub(super) question: Question,
+    pub(crate) watch: &'t dyn Watch,
+    pub(crate) question: Question,
     pub(super) subdivision: Subdivision,
     /// Whether rays sample emitting faces and the surroundings, instead of an exact sum over them.
-    pub(super) by_rays: bool,
+    pub(crate) by_rays: bool,
     /// The rough irradiance of each node, band by band: direct, with all requested reflections, and
     /// with all but the last of these.
-    pub(super) direct: Vec<Vec<f64>>,
-    pub(super) irradiance: Vec<Vec<f64>>,
-    pub(super) reflected: Vec<Vec<f64>>,
+    pub(crate) direct: Vec<Vec<f64>>,
+    pub(crate) irradiance: Vec<Vec<f64>>,
+    pub(crate) reflected: Vec<Vec<f64>>,
     /// For each band the largest radiosity that rays have to hit: light sources, nodes, and places
     /// that point or distant lights can reach.
-    pub(super) brightest: Vec<f64>,
+    pub(crate) brightest: Vec<f64>,
     /// Estimated fraction of the light that a reflection leaves.
-    pub(super) contraction: f64,
+    pub(crate) contraction: f64,
 }
 
 /// Purposes of random numbers; the numbers of different purposes are independent.
 #[derive(Clone, Copy)]
-pub(super) enum Numbers {
+pub(crate) enum Numbers {
     /// Points where the emitting part of the hemisphere is sampled.
     Asked,
     /// Rows of the rough solution.
@@ -79,15 +79,15 @@ pub(super) enum Numbers {
 
 /// A point where light is reflected.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
-    pub(super) element: usize,
-    pub(super) position: Vector,
+pub(crate) struct Place {
+    pub(crate) element: usize,
+    pub(crate) position: Vector,
 }
 
 /// End of a ray: in the surroundings, or on a face, which has elements if it reflects or receives.
-pub(super) struct End {
-    pub(super) face: Option<usize>,
-    pub(super) place: Option<Place>,
+pub(crate) struct End {
+    pub(crate) face: Option<usize>,
+    pub(crate) place: Option<Place>,
 }
 
 impl<'t> Paths<'t> {
@@ -232,7 +232,7 @@ impl<'t> Paths<'t> {
     }
 
     /// Returns the key of the random numbers for an item of a purpose, for the seed of the scene.
-    pub(super) fn key(&self, part: Numbers, item: u64) -> u64 {
+    pub(crate) fn key(&self, part: Numbers, item: u64) -> u64 {
         key(key(self.scene.solve.seed, part as u64), item)
     }
 
@@ -241,23 +241,23 @@ impl<'t> Paths<'t> {
         self.transport
     }
 
-    pub(super) fn reflectance(&self, element: usize) -> &[f64] {
+    pub(crate) fn reflectance(&self, element: usize) -> &[f64] {
         let face = &self.transport.faces[self.subdivision.elements[element].face];
         reflectance(self.scene, face.surface)
     }
 
-    pub(super) fn node(&self, place: Place) -> usize {
+    pub(crate) fn node(&self, place: Place) -> usize {
         self.subdivision.node_of[place.element] as usize
     }
 
     /// Returns the direct irradiance of the light sources that rays do not sample.
-    pub(super) fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
+    pub(crate) fn direct(&self, place: Place, scratch: &mut Scratch) -> Vec<f64> {
         let normal = self.subdivision.elements[place.element].normal;
         self.straight(place.position, Measure::Plane(normal), scratch)
     }
 
     /// Returns the same direct light for any measure.
-    pub(super) fn straight(&self, position: Vector, measure: Measure, scratch: &mut Scratch) -> Vec<f64> {
+    pub(crate) fn straight(&self, position: Vector, measure: Measure, scratch: &mut Scratch) -> Vec<f64> {
         let points = [position];
         let group = Group { points: &points, outline: &points, measure };
         if !self.by_rays {
@@ -269,7 +269,7 @@ impl<'t> Paths<'t> {
     }
 
     /// Traces a ray to its end.
-    pub(super) fn trace(&self, from: Vector, direction: Vector) -> End {
+    pub(crate) fn trace(&self, from: Vector, direction: Vector) -> End {
         let Some(hit) = self.transport.screens.first(from, direction) else {
             return End { face: None, place: None };
         };
@@ -280,7 +280,7 @@ impl<'t> Paths<'t> {
 
     /// Returns the radiance that a face emits, or that of the surroundings; an empty slice if it
     /// does not emit.
-    pub(super) fn emitted(&self, face: Option<usize>) -> &[f64] {
+    pub(crate) fn emitted(&self, face: Option<usize>) -> &[f64] {
         let Some(face) = face.map(|face| &self.transport.faces[face]) else {
             return &self.scene.ambient.radiance;
         };
@@ -323,7 +323,7 @@ impl<'t> Paths<'t> {
 
     /// Returns for each band an upper bound on the irradiance of point and distant lights on the
     /// front of a surface.
-    pub(super) fn most_of_beams_on(&self, surface: usize) -> Vec<f64> {
+    pub(crate) fn most_of_beams_on(&self, surface: usize) -> Vec<f64> {
         let on_faces =
             self.transport.fronts(surface).map(|face| most_of_beams(face, self.scene, self.transport));
         on_faces.fold(vec![0.0; self.scene.band_count()], larger)
@@ -332,7 +332,7 @@ impl<'t> Paths<'t> {
     /// Adds the rough value of the light from a direction, over the measure of the direction and
     /// times a weight, to the sums: the emitted light, if rays sample the light sources, and the
     /// reflected light. Returns where the ray ends.
-    pub(super) fn gather(
+    pub(crate) fn gather(
         &self,
         from: Vector,
         direction: Vector,
@@ -353,6 +353,6 @@ impl<'t> Paths<'t> {
 }
 
 /// Returns for each band the larger of two values.
-pub(super) fn larger(one: Vec<f64>, other: Vec<f64>) -> Vec<f64> {
+pub(crate) fn larger(one: Vec<f64>, other: Vec<f64>) -> Vec<f64> {
     one.into_iter().zip(other).map(|(one, other)| f64::max(one, other)).collect()
 }

@@ -10,27 +10,27 @@
 //! each corner relative to each plane through the point and an edge of the other outline.
 
 /// The largest number of edges of an outline.
-pub(super) const MOST: usize = 8;
+pub(crate) const MOST: usize = 8;
 
 /// For each side of an outline, one bit for each corner: whether the corner is inside that side.
-pub(super) type Bits = [u32; MOST];
+pub(crate) type Bits = [u32; MOST];
 
 /// Two outlines as a point sees them.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Signs {
+pub(crate) struct Signs {
     /// The numbers of corners of the luminaire and of the shadow.
-    pub(super) counts: [usize; 2],
+    pub(crate) counts: [usize; 2],
     /// For each corner of the shadow, the corner at the end of its edge. The luminaire's corners
     /// are in order.
-    pub(super) next: [usize; MOST],
+    pub(crate) next: [usize; MOST],
     /// For each edge of the shadow, bits for the luminaire's corners; for each edge of the
     /// luminaire, bits for the shadow's corners.
-    pub(super) inside: [Bits; 2],
+    pub(crate) inside: [Bits; 2],
 }
 
 /// An end point of a contour edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(crate) enum End {
     /// A corner of the luminaire.
     Luminaire(usize),
     /// A corner of the shadow.
@@ -44,7 +44,7 @@ type Passage = [Option<[usize; 2]>; 2];
 
 impl Signs {
     /// Computes the edges of the contour; `None` where signs contradict each other.
-    pub(super) fn border(&self, border: &mut Vec<[End; 2]>) -> Option<()> {
+    pub(crate) fn border(&self, border: &mut Vec<[End; 2]>) -> Option<()> {
         border.clear();
         let [corners, edges] = self.counts;
         let hidden = inside(&self.inside[0][..edges]);

@@ -2,9 +2,9 @@
 //!
 //! Points that are close to each other share the search for possible occluders.
 
-use super::arriving::Arriving;
+use super::gathered_light::Arriving;
 use super::measure::Measure;
-use super::whole::Whole;
+use super::whole_elements::Whole;
 use crate::geometry::{Between, Borders, Edges, Face, Looking, Screens, Vector, Workspace};
 use crate::kernels::edge_form_factor;
 
@@ -33,24 +33,24 @@ pub(crate) struct Transport {
 /// Lists that are reused from group to group.
 #[derive(Default)]
 pub(crate) struct Scratch {
-    pub(super) between: Vec<u32>,
+    pub(crate) between: Vec<u32>,
     /// Possible occluders of any part of a face.
-    pub(super) before_face: Vec<u32>,
-    pub(super) view: Workspace,
+    pub(crate) before_face: Vec<u32>,
+    pub(crate) view: Workspace,
     /// Workspace that only occluders need.
     borders: Option<Box<Borders>>,
     edges: Edges,
     /// For each point of a group the measure, over π, of the visible part of a luminous outline.
     measures: Vec<f64>,
-    pub(super) arriving: Arriving,
-    pub(super) whole: Whole,
+    pub(crate) arriving: Arriving,
+    pub(crate) whole: Whole,
     /// The points of a group that see all of an element.
-    pub(super) seeing: Vec<usize>,
+    pub(crate) seeing: Vec<usize>,
 }
 
 /// Visibility of a luminous outline from a group of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Seen {
+pub(crate) enum Seen {
     Nothing,
     /// Every point sees all of it.
     Whole,
@@ -94,7 +94,7 @@ impl Transport {
 
     /// Returns the visibility of a luminous outline from a group, where it is the same for all
     /// points. Stores the possible occluders, searched among all screens or among some of them.
-    pub(super) fn seen(
+    pub(crate) fn seen(
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),
@@ -117,7 +117,7 @@ impl Transport {
 
     /// Returns the same visibility for these possible occluders, if the outline is neither behind
     /// nor below all points.
-    pub(super) fn seen_past(
+    pub(crate) fn seen_past(
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),
@@ -136,7 +136,7 @@ impl Transport {
 
     /// Calls `each` with the pieces that the points of a group see, after the search for possible
     /// occluders.
-    pub(super) fn see_parts(
+    pub(crate) fn see_parts(
         &self,
         group: Group,
         (outline, normal): (&[Vector], Vector),

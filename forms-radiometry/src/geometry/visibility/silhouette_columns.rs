@@ -14,8 +14,8 @@
 
 use super::arrangement::{Arrangement, Cell};
 use super::aspect::{Aspect, Shadows, edge_after};
-use super::crossing::{End, MOST};
 use super::horizon::Workspace;
+use super::silhouette_crossing::{End, MOST};
 use super::{Screens, Vector};
 use crate::geometry::edges::Edges;
 

@@ -36,17 +36,17 @@ impl Kinds {
 /// Columns with a row for each point and, within it, each band. The columns of absent kinds are
 /// empty.
 #[derive(Default)]
-pub(super) struct Arriving {
-    pub(super) emitted: Vec<f64>,
-    pub(super) open: Vec<f64>,
-    pub(super) outside: Vec<f64>,
-    pub(super) beams: Vec<f64>,
-    pub(super) reflected: Vec<f64>,
+pub(crate) struct Arriving {
+    pub(crate) emitted: Vec<f64>,
+    pub(crate) open: Vec<f64>,
+    pub(crate) outside: Vec<f64>,
+    pub(crate) beams: Vec<f64>,
+    pub(crate) reflected: Vec<f64>,
 }
 
 impl Arriving {
     /// Resets the columns of the present kinds to zero, with this number of rows.
-    pub(super) fn begin(&mut self, kinds: Kinds, rows: usize) {
+    pub(crate) fn begin(&mut self, kinds: Kinds, rows: usize) {
         let LightKinds { luminaires, surroundings, beams, interreflection } = kinds.effects;
         let columns = [
             (&mut self.emitted, luminaires),
@@ -62,7 +62,7 @@ impl Arriving {
     }
 
     /// Computes the gathered light of these kinds for each row.
-    pub(super) fn gather(&self, kinds: Kinds, gathered: &mut [f64]) {
+    pub(crate) fn gather(&self, kinds: Kinds, gathered: &mut [f64]) {
         (kinds.member)(self, gathered);
     }
 }

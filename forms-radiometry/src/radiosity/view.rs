@@ -10,10 +10,10 @@
 
 use super::contact::{self, ConvexPiece};
 use super::element::Element;
-use super::gather::{Group, Scratch, Transport};
 use super::measure::Measure;
 use super::shadows::Shadows;
 use super::system::{Radiosity, is_reflecting, reflectance, reflects};
+use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emitted, is_bright};
 use crate::geometry::{Face, Vector, closeness};
 use crate::sharing::Sharing;

@@ -17,11 +17,11 @@ use crate::kernels::exchange_density;
 
 /// Minimum number of points for a batch. Fewer points evaluate an element one by one: with the
 /// usual rules, of 4 to 16 points, they have fewer rows than it takes for a batch to be faster.
-pub(super) const FEWEST: usize = 4;
+pub(crate) const FEWEST: usize = 4;
 
 /// A rule that points share, and the rows of a batch.
 #[derive(Default)]
-pub(super) struct Whole {
+pub(crate) struct Whole {
     /// The points that see the element.
     seeing: Vec<Vector>,
     /// The points of the rule relative to the element's first corner, with their areas, and the

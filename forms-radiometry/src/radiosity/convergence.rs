@@ -26,11 +26,11 @@ const SLOWEST: f64 = 0.7;
 
 /// Difference between an element and the element that it was split from, in one coordinate.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Change {
+pub(crate) struct Change {
     /// Measured difference, relative to the largest irradiance.
     measured: f64,
     /// Expected difference between the element and its own parts.
-    pub(super) expected: f64,
+    pub(crate) expected: f64,
     /// Highest term of the polynomial when the difference was measured, relative to the largest
     /// irradiance.
     term: f64,
@@ -38,25 +38,25 @@ pub(super) struct Change {
 
 impl Change {
     /// Returns the change of an element before it is split.
-    pub(super) fn unknown(expected: f64, term: f64) -> Self {
+    pub(crate) fn unknown(expected: f64, term: f64) -> Self {
         Self { measured: f64::INFINITY, expected, term }
     }
 
     /// Whether light has reached the element since, so that the measured change is no longer valid;
     /// judged by its current polynomial.
-    pub(super) fn is_outgrown_by(self, now: Self) -> bool {
+    pub(crate) fn is_outgrown_by(self, now: Self) -> bool {
         now.term > GROWN * self.term
     }
 
     /// Returns the sum of all future changes, if each is the same fraction of the one before.
-    pub(super) fn remaining(self) -> f64 {
+    pub(crate) fn remaining(self) -> f64 {
         let part = if self.measured.is_finite() { self.expected / self.measured } else { UNKNOWN };
         if self.expected > 0.0 { self.expected / (1.0 - part.min(SLOWEST)) } else { 0.0 }
     }
 
     /// Returns the change of a part of a split element. The expected next change is at least the
     /// one extrapolated from the last two.
-    pub(super) fn followed_by(self, measured: f64, expected: f64, term: f64) -> Self {
+    pub(crate) fn followed_by(self, measured: f64, expected: f64, term: f64) -> Self {
         let settled = measured / self.measured;
         let by_last = if settled.is_finite() { settled.min(EXPECTED[1]) * measured } else { 0.0 };
         Self { measured, expected: expected.max(by_last), term }
@@ -65,7 +65,7 @@ impl Change {
 
 /// Returns the factors by which the mean of a change, and its size, shrink from an element to a
 /// part of it, in each coordinate, from the highest terms of their polynomials.
-pub(super) fn decay(whole: &Element, part: &Element, highest: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+pub(crate) fn decay(whole: &Element, part: &Element, highest: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let of = |coordinate: usize| {
         let size = match whole.shape {
             Shape::Triangle => 0.5,
