@@ -38,8 +38,8 @@ pub(crate) fn run_with_input(
 ) -> io::Result<Status> {
     match &arguments.command {
         None => tour::tour(output),
-        Some(Command::Prove { files, json, certificate, effort }) => {
-            prove::prove(files, *json, (certificate.as_deref(), *effort), output)
+        Some(Command::Prove { files, json, certificate, budget }) => {
+            prove::prove(files, *json, (certificate.as_deref(), *budget), output)
         }
         Some(Command::Check { file, allow_uncovered }) => check::check(file, *allow_uncovered, output),
         Some(Command::Show { file, name, topology: true, .. }) => topology::topology(file, name, output),

@@ -51,7 +51,7 @@ pub(crate) type Outcome = Result<DecidedFile, Vec<FileError>>;
 /// are visited in order, each as soon as the outcomes before it have been visited.
 pub(crate) fn for_each_file(
     names: &[String],
-    effort: u32,
+    budget: u32,
     mut visit: impl FnMut(Outcome) -> io::Result<()>,
 ) -> io::Result<()> {
     // A file with no more statements than one task holds does not need a thread pool.
@@ -60,10 +60,10 @@ pub(crate) fn for_each_file(
         if file.as_ref().map_or(0, |file| file.theory.statements.len()) <= TASK
             && file.as_ref().map_or(0, |file| file.theory.kernels.len()) <= KERNELS_OF_A_TASK
         {
-            return visit(file.map(|file| decided_file(file, effort)));
+            return visit(file.map(|file| decided_file(file, budget)));
         }
         let pool = workers()?;
-        return visit(file.map(|file| pool.install(|| decided_file(file, effort))));
+        return visit(file.map(|file| pool.install(|| decided_file(file, budget))));
     }
     let pool = workers()?;
     pool.in_place_scope(|scope| {
@@ -72,7 +72,7 @@ pub(crate) fn for_each_file(
             let sender = sender.clone();
             scope.spawn(move |_| {
                 // The receiver is gone if the reader of the output has gone away.
-                let _ = sender.send((place, theory_file::read(name).map(|file| decided_file(file, effort))));
+                let _ = sender.send((place, theory_file::read(name).map(|file| decided_file(file, budget))));
             });
         }
         drop(sender);
@@ -94,9 +94,9 @@ pub(crate) fn workers() -> io::Result<ThreadPool> {
     ThreadPoolBuilder::new().stack_size(STACK_BYTES).build().map_err(io::Error::other)
 }
 
-fn decided_file(file: TheoryFile, effort: u32) -> DecidedFile {
+fn decided_file(file: TheoryFile, budget: u32) -> DecidedFile {
     let TheoryFile { source, mut theory, .. } = file;
-    let statements = decide_all(&mut theory, effort);
+    let statements = decide_all(&mut theory, budget);
     let faults = faults_of_kernels(&mut theory);
     DecidedFile { source, theory, statements, faults }
 }
@@ -124,22 +124,22 @@ fn faults_of(pool: &mut Pool, kernel: &Kernel) -> Vec<DecidedFault> {
 }
 
 /// Decides the statements of one theory, in order.
-fn decide_all(theory: &mut Theory, effort: u32) -> Vec<Decided> {
+fn decide_all(theory: &mut Theory, budget: u32) -> Vec<Decided> {
     let statements = theory.statements.clone();
     if statements.len() <= TASK {
-        return statements.into_iter().map(|statement| timed(theory, statement, effort)).collect();
+        return statements.into_iter().map(|statement| timed(theory, statement, budget)).collect();
     }
     let theory = &*theory;
     let tasks = statements.par_chunks(TASK).flat_map_iter(|task| {
         let mut theory = theory.clone();
-        task.iter().map(move |statement| timed(&mut theory, statement.clone(), effort))
+        task.iter().map(move |statement| timed(&mut theory, statement.clone(), budget))
     });
     tasks.collect()
 }
 
 /// Decides one statement with a multiple of the default work limit, and measures the time.
-pub(crate) fn timed(theory: &mut Theory, statement: Statement, effort: u32) -> Decided {
+pub(crate) fn timed(theory: &mut Theory, statement: Statement, budget: u32) -> Decided {
     let start = Instant::now();
-    let verdict = decide_with_effort(theory, &statement, effort);
+    let verdict = decide_with_effort(theory, &statement, budget);
     Decided { statement, verdict, time: start.elapsed() }
 }

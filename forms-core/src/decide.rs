@@ -43,7 +43,7 @@ mod witness;
 
 pub use account::{Account, Bound, Cancellation, Case, account};
 pub use angle_equation::vanishing_angles;
-pub(crate) use finding::{Effort, Equations, Finding, contradiction};
+pub(crate) use finding::{Budget, Equations, Finding, contradiction};
 pub(crate) use observer::Observer;
 
 pub(crate) use report::simplified;
@@ -77,18 +77,18 @@ pub fn decide(theory: &mut Theory, statement: &Statement) -> Verdict {
     decide_with_effort(theory, statement, 1)
 }
 
-/// Decides one statement with `effort` times the usual steps, which are about a second of work.
-pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
-    let granted = steps::STATEMENT.saturating_mul(effort.max(1).into());
-    steps::limited(granted, || decide_within(theory, statement, effort.max(1)))
+/// Decides one statement with `budget` times the usual steps, which are about a second of work.
+pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, budget: u32) -> Verdict {
+    let granted = steps::STATEMENT.saturating_mul(budget.max(1).into());
+    steps::limited(granted, || decide_within(theory, statement, budget.max(1)))
 }
 
-fn decide_within(theory: &mut Theory, statement: &Statement, effort: u32) -> Verdict {
+fn decide_within(theory: &mut Theory, statement: &Statement, budget: u32) -> Verdict {
     if let Some(reason) = statement.obstacle.clone() {
         return Verdict::Unknown { reason };
     }
     let problem = Problem::new(theory, statement);
-    let found = finding::find(&mut theory.pool, &problem, Effort::STATEMENT.times(effort));
+    let found = finding::find(&mut theory.pool, &problem, Budget::STATEMENT.times(budget));
     // At the point of a refutation the known value of an integral holds.
     if !matches!(found, Finding::Different(_) | Finding::Unknown { .. })
         && let Some(reason) = narrowed(theory, &problem)

@@ -1,20 +1,20 @@
 //! Notebooks: display of a theory in cells, as typeset mathematics.
 //!
 //! ```text
-//! text ─ read ─▶ Sheet ─┬─ show ───▶ Shown       a name with the object it denotes
-//!                       ├─ decide ─▶ Decided     every claim with its verdict
-//!                       └─ derive ─▶ Derivation  the steps that decide one claim
-//! numbers ─────────────────────────▶ Table
+//! text ─ read ─▶ Session ─┬─ show ───▶ Shown       a name with the object it denotes
+//!                         ├─ decide ─▶ Decided     every claim with its verdict
+//!                         └─ derive ─▶ Derivation  the steps that decide one claim
+//! numbers ───────────────────────────▶ Table
 //! ```
 //! The kernel [evcxr](https://github.com/evcxr/evcxr) calls `evcxr_display` of the value at the end
 //! of a cell, and reads the output between two marks as content of one MIME type. Formulas are
 //! LaTeX, which Jupyter typesets, with a plain-text version for terminals.
 
-mod sheet;
+mod session;
 mod table;
 mod verdict;
 
-pub use sheet::{Decided, Sheet, Shown};
+pub use session::{Decided, Session, Shown};
 pub use table::Table;
 
 use crate::derivation::{Derivation, Line};

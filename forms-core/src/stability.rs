@@ -25,4 +25,4 @@ mod validation;
 
 pub use choice::{Choices, EXTENSION, key, written};
 pub(crate) use rules::by_rules;
-pub use search::{Effort, Form, Found, search};
+pub use search::{Budget, Form, Found, search};

@@ -1,6 +1,6 @@
 //! Display of a theory in a notebook.
 
-use forms_core::notebook::{Sheet, Table};
+use forms_core::notebook::{Session, Table};
 
 const TEXT: &str = "
     chart R3(x, y, z) where x**2 + y**2 + z**2 > 0;
@@ -25,22 +25,22 @@ fn a_name_is_shown_as_it_was_written_and_simplified() {
         ("closed", "d(beta) == 0", r"\mathrm{d}\beta = 0"),
         ("nobody", "nothing is named `nobody`", r"\text{nothing is named }\texttt{nobody}"),
     ];
-    let mut sheet = Sheet::read(TEXT);
+    let mut session = Session::read(TEXT);
     for (name, text, latex) in cases {
-        let shown = sheet.show(name);
+        let shown = session.show(name);
         assert_eq!((shown.text.as_str(), shown.latex.as_str()), (text, latex), "{name}");
     }
-    let beta = sheet.show("beta");
+    let beta = session.show("beta");
     assert!(beta.text.starts_with("beta = (x*dy^dz + y*dz^dx + z*dx^dy)/r**3 = "), "{}", beta.text);
-    let flat = sheet.show("flat");
+    let flat = session.show("flat");
     assert!(flat.text.ends_with(" == du^dv where u > 0"), "{}", flat.text);
     assert!(flat.latex.ends_with(r"\quad\text{where}\quad u > 0"), "{}", flat.latex);
-    assert!(sheet.show("UV").text.starts_with("UV(u, v)"));
+    assert!(session.show("UV").text.starts_with("UV(u, v)"));
 }
 
 #[test]
 fn a_claim_is_shown_with_its_verdict_and_whether_it_is_as_claimed() {
-    let decided = Sheet::read(TEXT).decide();
+    let decided = Session::read(TEXT).decide();
     let names: Vec<&str> = decided.verdicts().map(|verdict| verdict.name()).collect();
     assert_eq!(names, ["proved", "refuted", "refuted"]);
     assert!(!decided.are_as_claimed());
@@ -59,7 +59,7 @@ fn a_claim_is_shown_with_its_verdict_and_whether_it_is_as_claimed() {
 
 #[test]
 fn a_derivation_has_a_title_and_a_formula_for_each_step() {
-    let derivation = Sheet::read(TEXT).derive("closed").expect("the claim is there");
+    let derivation = Session::read(TEXT).derive("closed").expect("the claim is there");
     let markdown = derivation.markdown();
     assert_eq!(markdown.matches("**").count(), 2 * derivation.steps.len());
     assert!(markdown.contains("The coefficient of dx^dy^dz:\n\n$$"), "{markdown}");
@@ -68,9 +68,9 @@ fn a_derivation_has_a_title_and_a_formula_for_each_step() {
 
 #[test]
 fn what_is_not_there_is_told_with_what_is() {
-    let error = Sheet::read(TEXT).derive("open").expect_err("no such claim");
+    let error = Session::read(TEXT).derive("open").expect_err("no such claim");
     assert_eq!(error, "no claim is named `open`; the claims are: closed, flat, wrong");
-    let error = Sheet::read("chart L(x); prove s: d(y) == 0;").derive("s").expect_err("y is unknown");
+    let error = Session::read("chart L(x); prove s: d(y) == 0;").derive("s").expect_err("y is unknown");
     assert!(error.contains("--> cell:1:24"), "{error}");
 }
 
@@ -85,8 +85,8 @@ fn the_text_of_a_table_is_no_markup() {
 
 #[test]
 fn a_claim_of_a_kernel_that_does_not_hold_is_told() {
-    let mut sheet = Sheet::read("kernel k(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);");
-    let decided = sheet.decide();
+    let mut session = Session::read("kernel k(u, v) = sqrt(u**2 + v**2) by abs(u)*sqrt(1 + (v/u)**2);");
+    let decided = session.decide();
     assert!(!decided.are_as_claimed());
     assert!(decided.markdown().contains("✗ k, `by`, is **refuted**"), "{}", decided.markdown());
 }

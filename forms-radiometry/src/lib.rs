@@ -46,6 +46,7 @@ mod job;
 pub mod kernels;
 mod library;
 pub mod output;
+mod parallelism;
 mod paths;
 pub mod picture;
 mod plan;
@@ -57,7 +58,6 @@ pub mod scene;
 #[path = "../tests/scene_text/mod.rs"]
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
-mod sharing;
 mod sight;
 pub mod simulation;
 mod spectrum;

@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 pub(crate) fn prove(
     files: &[String],
     json: bool,
-    (certificate, effort): (Option<&str>, u32),
+    (certificate, budget): (Option<&str>, u32),
     output: &mut dyn Write,
 ) -> io::Result<Status> {
     let start = Instant::now();
@@ -27,7 +27,7 @@ pub(crate) fn prove(
     let palette = Palette::of_output();
     let mut report = Report { output, json, palette, totals: Totals::default(), certificate };
     let mut status = Status::AsStated;
-    for_each_file(files, effort, |file| {
+    for_each_file(files, budget, |file| {
         status = status.max(match file {
             Ok(file) => report.file(file)?,
             Err(errors) => {

@@ -6,7 +6,7 @@
 //! if it is proved.
 
 use super::format::{Format, Rounded};
-use crate::decide::{Effort, Equations, Finding};
+use crate::decide::{Budget, Equations, Finding};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose_of_kernel};
 use crate::expression::{Condition, Expr, Node, Pool, Rational, Substitution, Symbol};
 use num_bigint::BigInt;
@@ -28,7 +28,7 @@ const DECIDED_TO: u32 = 592;
 const INTEGRALS_TO: u32 = 592;
 
 /// Budget for such a proof.
-const EFFORT: Effort = Effort { work: 20_000, candidates: 2, points: 1 };
+const EFFORT: Budget = Budget { work: 20_000, candidates: 2, points: 1 };
 
 /// Known value of an expression at a point.
 #[derive(Clone, Debug, PartialEq)]

@@ -23,7 +23,7 @@ const POINTS_BEFORE_ANGLES: usize = 6;
 
 /// Budget for one problem, in steps.
 #[derive(Clone, Copy)]
-pub(crate) struct Effort {
+pub(crate) struct Budget {
     /// Limit on the products of terms in the normal forms.
     pub(crate) work: u64,
     /// Candidate points tried before giving up.
@@ -32,14 +32,14 @@ pub(crate) struct Effort {
     pub(crate) points: usize,
 }
 
-impl Effort {
+impl Budget {
     /// Budget for a statement that its author wants decided.
-    pub(crate) const STATEMENT: Effort =
-        Effort { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
+    pub(crate) const STATEMENT: Budget =
+        Budget { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
 
     /// Multiplies the work limit by a factor.
-    pub(crate) fn times(self, factor: u32) -> Effort {
-        Effort { work: self.work.saturating_mul(factor.into()), ..self }
+    pub(crate) fn times(self, factor: u32) -> Budget {
+        Budget { work: self.work.saturating_mul(factor.into()), ..self }
     }
 }
 
@@ -66,9 +66,9 @@ pub(crate) struct Equations<'a> {
 
 impl Equations<'_> {
     /// Decides the equations wherever both sides are defined.
-    pub(crate) fn decide(&self, pool: &mut Pool, effort: Effort) -> Finding {
+    pub(crate) fn decide(&self, pool: &mut Pool, budget: Budget) -> Finding {
         let problem = Problem::of_scalars(pool, self.sides, self.conditions);
-        find(pool, &problem, effort)
+        find(pool, &problem, budget)
     }
 }
 
@@ -78,9 +78,9 @@ pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option
     empty::contradiction(pool, &problem)
 }
 
-pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Finding {
+pub(super) fn find(pool: &mut Pool, problem: &Problem, budget: Budget) -> Finding {
     let seems_true = Search::new(pool, problem, 0).sees_agreement(FIRST_CANDIDATES);
-    let early = seems_true.then(|| proof::by_normal_forms(pool, problem, effort.work));
+    let early = seems_true.then(|| proof::by_normal_forms(pool, problem, budget.work));
     if early == Some(Outcome::Zero) {
         return Finding::Equal { points: FIRST_POINTS };
     }
@@ -92,7 +92,7 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
     if let Some(difference) = survey.difference.take() {
         return Finding::Different(report::witness(pool, problem, &difference));
     }
-    let outcome = tactics::prove(pool, problem, effort.work, early);
+    let outcome = tactics::prove(pool, problem, budget.work, early);
     if outcome == Outcome::Zero && survey.points > 0 {
         return Finding::Equal { points: survey.points };
     }
@@ -106,12 +106,12 @@ pub(super) fn find(pool: &mut Pool, problem: &Problem, effort: Effort) -> Findin
             }
         }
     }
-    survey.enough = if outcome == Outcome::Zero { 1 } else { effort.points };
+    survey.enough = if outcome == Outcome::Zero { 1 } else { budget.points };
     if outcome != Outcome::Zero && survey.instances.is_some() {
         survey.instances = instances(pool, problem, MORE_CHOICES);
     }
     if survey.difference.is_none() {
-        survey.look(pool, problem, position, effort.candidates);
+        survey.look(pool, problem, position, budget.candidates);
     }
     if survey.difference.is_none() && outcome != Outcome::Zero {
         survey.look_at_strata(pool, problem);

@@ -11,13 +11,13 @@
 //! of circuits (A. Kuehlmann, F. Krohm, "Equivalence checking using cuts and heaps", 1997).
 
 use super::residue::Residues;
-use crate::decide::{Effort, Equations, Finding};
+use crate::decide::{Budget, Equations, Finding};
 use crate::expression::{Expr, Node, Pool, SymbolKind};
 use crate::polynomial::modular::neg;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-/// Effort for the equation that remains after cuts, which is small.
-const EFFORT: Effort = Effort { work: 1_000_000, candidates: 24, points: 4 };
+/// Budget for the equation that remains after cuts, which is small.
+const EFFORT: Budget = Budget { work: 1_000_000, candidates: 24, points: 4 };
 
 /// Sum that equals a shared sum or its negative.
 struct Member {

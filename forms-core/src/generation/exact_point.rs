@@ -9,7 +9,7 @@
 //! branch of a conditional that is taken is evaluated.
 
 use crate::assume::vanishes;
-use crate::decide::{Effort, Equations, Finding};
+use crate::decide::{Budget, Equations, Finding};
 use crate::enclosure::{Precision, Undecided, enclose_number};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational, Symbol};
 use num_rational::Ratio;
@@ -21,8 +21,8 @@ use std::cmp::Ordering;
 /// zero is proved to be zero or left to the others.
 const PRECISIONS: [Precision; 3] = [Precision(80), Precision(256), Precision(1024)];
 
-/// Effort for a proof that a number is zero.
-const EFFORT: Effort = Effort { work: 20_000, candidates: 2, points: 1 };
+/// Budget for a proof that a number is zero.
+const EFFORT: Budget = Budget { work: 20_000, candidates: 2, points: 1 };
 
 /// Largest size in bits of an exact value that is shown in full.
 const LONGEST_EXACT: u64 = 128;

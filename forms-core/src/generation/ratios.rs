@@ -5,7 +5,7 @@
 //! ratios of positive lengths are positive.
 
 use super::limit::follow;
-use crate::decide::{Effort, Equations, Finding};
+use crate::decide::{Budget, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Pool, Relation, SymbolKind};
 use rustc_hash::FxHashMap;
 
@@ -15,7 +15,7 @@ pub(super) fn equal_by_ratios(
     pool: &mut Pool,
     sides: &[(Expr, Expr)],
     conditions: &[Condition],
-    effort: Effort,
+    budget: Budget,
 ) -> Option<usize> {
     let expressions: Vec<Expr> = sides.iter().flat_map(|&(a, b)| [a, b]).collect();
     let ratios: Vec<Expr> =
@@ -32,7 +32,7 @@ pub(super) fn equal_by_ratios(
         }
     }
     let sides: Vec<(Expr, Expr)> = images.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
-    match (Equations { sides: &sides, conditions: &positive }).decide(pool, effort) {
+    match (Equations { sides: &sides, conditions: &positive }).decide(pool, budget) {
         Finding::Equal { points } => Some(points),
         _ => None,
     }
@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use crate::check::read_theory;
 
-    const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+    const EFFORT: Budget = Budget { work: 2_000_000, candidates: 100, points: 12 };
 
     fn seen(outputs: &str) -> Option<usize> {
         let (theory, errors) =

@@ -10,16 +10,16 @@ use super::boundary::{Sheet, Solution, replaced, sheets};
 use super::fault::{Claim, Fault};
 use super::limit::{follow, limit};
 use super::pieces::{MOST_PIECES, negated, pieces};
-use crate::decide::{Effort, Equations, Finding, Witness, contradiction, simplified};
+use crate::decide::{Budget, Equations, Finding, Witness, contradiction, simplified};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::theory::Kernel;
 use rustc_hash::FxHashSet;
 use std::cmp::Ordering;
 
-/// Effort for one seam. A seam is a claim of its author like a statement, but one kernel can have
+/// Budget for one seam. A seam is a claim of its author like a statement, but one kernel can have
 /// many.
-const EFFORT: Effort = Effort { work: 10_000_000, candidates: 200, points: 20 };
+const EFFORT: Budget = Budget { work: 10_000_000, candidates: 200, points: 20 };
 
 /// Largest number of seams of one kernel that are examined; the same `if` on another path counts
 /// again.

@@ -9,19 +9,19 @@ use super::cuts::Cuts;
 use super::opaque::{Depth, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
-use crate::decide::{Effort, Equations, Finding, Witness};
+use crate::decide::{Budget, Equations, Finding, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Pool, Relation};
 use crate::kernel::Program;
 use crate::theory::Kernel;
 use std::fmt;
 
-/// Effort for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
+/// Budget for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
 /// than on a statement.
-pub(super) const EFFORT: Effort = Effort { work: 2_000_000, candidates: 100, points: 12 };
+pub(super) const EFFORT: Budget = Budget { work: 2_000_000, candidates: 100, points: 12 };
 
-/// Effort for a form given after `by`, which is a claim of its author like a statement.
-pub(super) const FORM: Effort = Effort { work: 20_000_000, candidates: 300, points: 20 };
+/// Budget for a form given after `by`, which is a claim of its author like a statement.
+pub(super) const FORM: Budget = Budget { work: 20_000_000, candidates: 300, points: 20 };
 
 /// Verdict on the agreement of a program with its formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -105,7 +105,7 @@ pub(super) fn equality(
     pool: &mut Pool,
     pairs: &[(Expr, Expr)],
     conditions: &[Condition],
-    effort: Effort,
+    budget: Budget,
 ) -> Translation {
     let different: Vec<Expr> =
         pairs.iter().filter(|(raised, written)| raised != written).flat_map(|&(a, b)| [a, b]).collect();
@@ -115,15 +115,15 @@ pub(super) fn equality(
         return Translation::Proved;
     }
     let opaque = opaque(pool, &different, Depth::Functions);
-    if by_pieces(pool, &opaque, &[], effort).is_proved() {
+    if by_pieces(pool, &opaque, &[], budget).is_proved() {
         return Translation::Proved;
     }
-    by_pieces(pool, &different, conditions, effort)
+    by_pieces(pool, &different, conditions, budget)
 }
 
 /// Decides whether each expression at an even index equals the next one under the conditions, piece
 /// by piece.
-fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effort: Effort) -> Translation {
+fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budget: Budget) -> Translation {
     let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
@@ -141,15 +141,15 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], effo
             .map(|(condition, side)| Condition { left: side[0], right: side[1], ..*condition })
             .collect();
         assumed.extend(piece.path);
-        if let Some(points) = equal_by_ratios(pool, &sides, &assumed, effort) {
+        if let Some(points) = equal_by_ratios(pool, &sides, &assumed, budget) {
             seen += points;
             continue;
         }
-        match (Equations { sides: &sides, conditions: &assumed }).decide(pool, effort) {
+        match (Equations { sides: &sides, conditions: &assumed }).decide(pool, budget) {
             Finding::Equal { points } => seen += points,
             Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),
             Finding::Different(witness) => return Translation::Refuted(witness),
-            Finding::Unknown { points, .. } if agree_on_boundary(pool, &sides, &assumed, effort) => {
+            Finding::Unknown { points, .. } if agree_on_boundary(pool, &sides, &assumed, budget) => {
                 seen += points;
             }
             Finding::Unknown { reason, points } => {
@@ -170,7 +170,7 @@ fn agree_on_boundary(
     pool: &mut Pool,
     sides: &[(Expr, Expr)],
     conditions: &[Condition],
-    effort: Effort,
+    budget: Budget,
 ) -> bool {
     let opposite = |a: &Condition, b: &Condition| {
         let same = (a.left, a.right) == (b.left, b.right);
@@ -189,7 +189,7 @@ fn agree_on_boundary(
                 let pairs: Vec<Expr> = sides.iter().flat_map(|&(a, b)| [a, b]).collect();
                 let (pairs, known) = replaced(pool, (solution.part, *value), &pairs, &known);
                 let sides: Vec<(Expr, Expr)> = pairs.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
-                let finding = Equations { sides: &sides, conditions: &known }.decide(pool, effort);
+                let finding = Equations { sides: &sides, conditions: &known }.decide(pool, budget);
                 matches!(finding, Finding::Equal { .. } | Finding::Empty(_))
             })
         })

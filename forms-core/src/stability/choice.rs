@@ -181,7 +181,7 @@ fn fits(entry: &Kernel, pool: &Pool, kernel: &Kernel) -> bool {
 mod tests {
     use super::*;
     use crate::compile::compile_kernel;
-    use crate::stability::{Effort, search};
+    use crate::stability::{Budget, search};
 
     const SOURCE: &str = "kernel root(x) = sqrt(x + 1) - sqrt(x) where x >= 0;\nkernel plain(x) = x + 1;";
 
@@ -196,7 +196,7 @@ mod tests {
         let kernels = theory.kernels.clone();
         let found: Vec<Found> = kernels
             .iter()
-            .map(|kernel| search(&mut theory.pool, kernel, Effort::default()).expect("samples"))
+            .map(|kernel| search(&mut theory.pool, kernel, Budget::default()).expect("samples"))
             .collect();
         let pairs: Vec<(&Kernel, &Found)> = kernels.iter().zip(&found).collect();
         written(&theory.pool, &pairs).expect("a choice")

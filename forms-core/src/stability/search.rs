@@ -13,7 +13,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Search budget for one kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct Budget {
     /// Number of samples in each regime.
     pub samples: usize,
     /// Number of forms that are expanded.
@@ -24,9 +24,9 @@ pub struct Effort {
     pub proofs: usize,
 }
 
-impl Default for Effort {
+impl Default for Budget {
     fn default() -> Self {
-        Effort { samples: 48, expansions: 48, places: 8, proofs: 24 }
+        Budget { samples: 48, expansions: 48, places: 8, proofs: 24 }
     }
 }
 
@@ -96,11 +96,11 @@ struct Candidate {
 
 /// Searches for forms of a kernel that lose fewer bits. The pool is the kernel's; forms are added
 /// to it.
-pub fn search(pool: &mut Pool, kernel: &Kernel, effort: Effort) -> Option<Found> {
-    let samples = sample(pool, kernel, Width::Double, &Regime::ALL, effort.samples, 0);
-    let mut search = Search::new(pool, kernel, &samples, effort)?;
+pub fn search(pool: &mut Pool, kernel: &Kernel, budget: Budget) -> Option<Found> {
+    let samples = sample(pool, kernel, Width::Double, &Regime::ALL, budget.samples, 0);
+    let mut search = Search::new(pool, kernel, &samples, budget)?;
     search.add(kernel.outputs.clone());
-    for _ in 0..effort.expansions {
+    for _ in 0..budget.expansions {
         let Some(next) = search.next() else { break };
         search.expand(next);
     }
@@ -111,7 +111,7 @@ struct Search<'a> {
     pool: &'a mut Pool,
     kernel: &'a Kernel,
     samples: &'a [Samples],
-    effort: Effort,
+    budget: Budget,
     /// Samples of all regimes in sequence, and the weight of each in the mean.
     points: Vec<&'a Sample>,
     weights: Vec<f64>,
@@ -121,7 +121,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(pool: &'a mut Pool, kernel: &'a Kernel, samples: &'a [Samples], effort: Effort) -> Option<Self> {
+    fn new(pool: &'a mut Pool, kernel: &'a Kernel, samples: &'a [Samples], budget: Budget) -> Option<Self> {
         let points: Vec<&Sample> = samples.iter().flat_map(|regime| &regime.samples).collect();
         if points.is_empty() {
             return None;
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
             pool,
             kernel,
             samples,
-            effort,
+            budget,
             points,
             weights,
             candidates: Vec::new(),
@@ -199,7 +199,7 @@ impl<'a> Search<'a> {
         let targets = if nodes.len() <= SMALL {
             nodes
         } else {
-            lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.effort.places)
+            lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.budget.places)
         };
         let mut rewriting = Rewriting::new(self.pool, &self.kernel.domain);
         let proposals: Vec<(Expr, Expr)> = targets
@@ -272,7 +272,7 @@ impl<'a> Search<'a> {
         let mut order: Vec<usize> = (0..self.candidates.len()).collect();
         let key = |&place: &usize| (self.candidates[place].loss * 50.0).round() as u64;
         order.sort_by_key(|place| (key(place), self.candidates[*place].cost));
-        let mut chosen: Vec<usize> = order.into_iter().take(self.effort.proofs).collect();
+        let mut chosen: Vec<usize> = order.into_iter().take(self.budget.proofs).collect();
         for regime in 0..self.samples.len() {
             let best = (0..self.candidates.len()).min_by(|&a, &b| {
                 let loss = |place: usize| self.regime_loss(&self.candidates[place], regime);

@@ -12,7 +12,7 @@ use forms_core::compile::compile_kernel;
 use forms_core::expression::{Expr, Rational};
 use forms_core::generation::Generated;
 use forms_core::kernel::Program;
-use forms_core::stability::{Choices, Effort, search, written};
+use forms_core::stability::{Budget, Choices, search, written};
 use forms_core::theory::{Kernel, Theory};
 use forms_testing::SplitMix;
 
@@ -182,7 +182,7 @@ fn rules_alone_lose_no_value_at_the_ends_of_the_range() {
 
 #[test]
 fn forms_that_a_search_chooses_lose_no_value_at_the_ends_of_the_range() {
-    let effort = Effort { samples: 16, expansions: 12, places: 6, proofs: 8 };
+    let budget = Budget { samples: 16, expansions: 12, places: 6, proofs: 8 };
     let mut random = Random::new(41);
     let count = number_of("FORMS_KERNELS", 300).div_ceil(100);
     let mut chosen = 0;
@@ -190,7 +190,7 @@ fn forms_that_a_search_chooses_lose_no_value_at_the_ends_of_the_range() {
         let text = random.kernel();
         let (mut theory, errors) = read_theory(&text);
         let Some(kernel) = theory.kernels.first().filter(|_| errors.is_empty()).cloned() else { continue };
-        let Some(found) = search(&mut theory.pool, &kernel, effort) else { continue };
+        let Some(found) = search(&mut theory.pool, &kernel, budget) else { continue };
         let Some(choice) = written(&theory.pool, &[(&kernel, &found)]) else { continue };
         Choices::read(&choice).expect("a file of chosen forms").apply(&mut theory);
         let kernel = theory.kernels[0].clone();

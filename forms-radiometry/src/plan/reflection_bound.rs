@@ -8,9 +8,9 @@
 //! The possible occluders of two faces are the same for both.
 
 use crate::geometry::{Between, Face, Vector};
+use crate::parallelism::Parallelism;
 use crate::radiosity::{Group, Measure, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::Scene;
-use crate::sharing::Sharing;
 
 /// Largest number of faces whose surroundings are evaluated.
 const ASKED: usize = 64;
@@ -55,10 +55,10 @@ impl Surroundings {
     pub(crate) fn of(scene: &Scene, transport: &Transport) -> Self {
         let asked = Asked::of(scene, transport);
         let places = || asked.places().collect::<Vec<_>>();
-        let sharing = Sharing::of(asked.operations());
-        let hidden = sharing.map(places(), |_: &mut (), place| asked.hidden(place));
+        let parallelism = Parallelism::of(asked.operations());
+        let hidden = parallelism.map(places(), |_: &mut (), place| asked.hidden(place));
         let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, scratch);
-        let found = sharing.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside);
+        let found = parallelism.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside);
         // nothing is known of the faces that are not evaluated
         Self { may_see: found.may_see || asked.step > 1, ..found }
     }

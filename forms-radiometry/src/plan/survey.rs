@@ -7,6 +7,7 @@ use crate::answer::Quantity;
 use crate::effects::{forced, reflects_nothing};
 use crate::faces::{emits, faces, round_surfaces};
 use crate::geometry::{Between, Face, Screens, Vector};
+use crate::parallelism::Parallelism;
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{
     Lights, Question, Radiosity, Scratch, Transport, bulges, is_reflecting, most_direct, receiving,
@@ -15,7 +16,6 @@ use crate::radiosity::{
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
-use crate::sharing::Sharing;
 use crate::simulation::Unwatched;
 use std::f64::consts::PI;
 
@@ -211,7 +211,7 @@ fn bounds(
     };
     let receivers: Vec<(usize, &Receiver)> = scene.receivers.iter().enumerate().collect();
     let operations = straight.as_ref().map_or(0.0, |straight| straight.operations(receivers.len()));
-    Sharing::of(operations).map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
+    Parallelism::of(operations).map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
 }
 
 /// Returns the change of an image by a radiance from everywhere: each pixel gets all of it, and the
@@ -359,6 +359,8 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
     };
     let corners: usize = faces.iter().map(|face| face.vertices.len()).sum();
     let edges: usize = sources.iter().map(|&index| faces[index].vertices.len()).sum();
-    let sharing = Sharing::of(transport.operations(corners + scene.receivers.len(), edges));
-    sharing.find_map(&scene.receivers, of_receiver).or_else(|| sharing.find_map(0..faces.len(), of_face))
+    let parallelism = Parallelism::of(transport.operations(corners + scene.receivers.len(), edges));
+    parallelism
+        .find_map(&scene.receivers, of_receiver)
+        .or_else(|| parallelism.find_map(0..faces.len(), of_face))
 }

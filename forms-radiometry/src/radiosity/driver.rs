@@ -26,10 +26,10 @@ use crate::answer::{Answer, ErrorParts, Moment, Simulation};
 use crate::effects::{Hiding, SimulatedEffects};
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
+use crate::parallelism::Parallelism;
 use crate::progress::times::{Times, timed};
 use crate::progress::{Outlook, Progress, foreseen};
 use crate::scene::{Effect, Scene};
-use crate::sharing::Sharing;
 use crate::watch::Watch;
 use estimate::{Estimate, Found, pool};
 use goals::Earlier;
@@ -149,14 +149,14 @@ impl<'s> Work<'s> {
                 let is_watched = is_round_anywhere || !self.is_straight(gathering);
                 self.watch_some(if is_watched { &grids } else { &[] }, sight);
             }
-            let sharing = self.sharing(gathering, &lights, &transport, &grids);
-            let (found, pictures) = sharing.enter(|| {
+            let parallelism = self.parallelism(gathering, &lights, &transport, &grids);
+            let (found, pictures) = parallelism.enter(|| {
                 let straight = || self.straight(&grids, &lights, &transport);
                 // these are the last faces, and maps are not sampled: the direct light of cells
                 // waits for no solution
                 let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
                 let ((solution, mut found), known) = self.both(
-                    sharing,
+                    parallelism,
                     || self.solved(gathering, &transport, &lights, &mut history),
                     || is_known_before.then(straight),
                 );
@@ -208,12 +208,12 @@ impl<'s> Work<'s> {
     /// same time, their receivers divide the elapsed time.
     fn both<A: Send, B: Send>(
         &self,
-        sharing: Sharing,
+        parallelism: Parallelism,
         one: impl FnOnce() -> A + Send,
         other: impl FnOnce() -> B + Send,
     ) -> (A, B) {
         let (begin, before) = (Instant::now(), self.times.all());
-        let ((one, first), (other, second)) = sharing.both(|| timed(one), || timed(other));
+        let ((one, first), (other, second)) = parallelism.both(|| timed(one), || timed(other));
         self.times.rejoin(begin, &before, [first, second]);
         (one, other)
     }
@@ -235,21 +235,21 @@ impl<'s> Work<'s> {
     }
 
     /// Returns whether the loops over readings and cells are worth more than one thread.
-    fn sharing(
+    fn parallelism(
         &self,
         gathering: Gathering,
         lights: &Lights,
         transport: &Transport,
         grids: &[(usize, Grid)],
-    ) -> Sharing {
+    ) -> Parallelism {
         if !self.is_straight(gathering) {
-            return Sharing::Shared;
+            return Parallelism::Shared;
         }
         if self.cameras().next().is_some() {
-            return Sharing::Shared;
+            return Parallelism::Shared;
         }
         let cells: usize = grids.iter().map(|(_, grid)| grid.count()).sum();
-        Sharing::of(lights.operations(self.readings.len() + cells, transport))
+        Parallelism::of(lights.operations(self.readings.len() + cells, transport))
     }
 
     fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
@@ -368,10 +368,10 @@ impl<'s> Work<'s> {
             let bands = bands.into_iter().enumerate().map(of_band).collect();
             (Found { bands, has_pieces }, begin.elapsed().as_secs_f64())
         };
-        let sharing = Sharing::of(radiosity.operations(self.readings.len()));
+        let parallelism = Parallelism::of(radiosity.operations(self.readings.len()));
         let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
         let begin = Instant::now();
-        let (mut found, seconds): (Vec<Found>, Vec<f64>) = sharing.map(readings, one).into_iter().unzip();
+        let (mut found, seconds): (Vec<Found>, Vec<f64>) = parallelism.map(readings, one).into_iter().unzip();
         self.times.add(begin, self.readings.iter().map(|reading| reading.receiver).zip(seconds));
         let scales = self.scales(&found);
         pool(&mut found, &scales, &self.groups);

@@ -11,8 +11,8 @@ use super::point_lights::{measure, spectrum};
 use super::transport::Transport;
 use crate::geometry::double_double::Rounded;
 use crate::geometry::{Beam, Face, Lit, Vector, edges};
+use crate::parallelism::Parallelism;
 use crate::scene::{Light, LightKind, Scene};
-use crate::sharing::Sharing;
 use crate::simulation::Watch;
 
 /// Maximum number of segments of a shadow border; a border with more does not cut the face.
@@ -36,9 +36,12 @@ impl Shadows {
             let lights = scene.lights.iter().filter(|_| is_wanted(face) && !watch.is_stopped());
             lights.map(|light| transport.lit(face, light)).collect()
         };
-        let sharing =
-            if transport.occlusion && !scene.lights.is_empty() { Sharing::Shared } else { Sharing::Alone };
-        Self { lit: sharing.map(&transport.faces, of_face) }
+        let parallelism = if transport.occlusion && !scene.lights.is_empty() {
+            Parallelism::Shared
+        } else {
+            Parallelism::Alone
+        };
+        Self { lit: parallelism.map(&transport.faces, of_face) }
     }
 
     /// Returns for each band the direct flux of point and distant lights onto a face; `None` if a

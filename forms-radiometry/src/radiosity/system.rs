@@ -18,8 +18,8 @@ use crate::faces::is_bright;
 use crate::geometry::double_double::{Rounded, area};
 use crate::geometry::{Face, Vector, closeness};
 use crate::kernels::gathered_light::Effects as LightKinds;
+use crate::parallelism::Parallelism;
 use crate::scene::{MaterialKind, Scene};
-use crate::sharing::Sharing;
 use crate::simulation::Watch;
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
@@ -121,8 +121,8 @@ impl<'t> Radiosity<'t> {
             let receives = question.receives[surface];
             receives.then(|| lights.flux((surface, is_all), transport, &shadows, watch))
         };
-        let sharing = if transport.occlusion { Sharing::Shared } else { Sharing::Alone };
-        let straight = sharing.map(0..question.receives.len(), flux);
+        let parallelism = if transport.occlusion { Parallelism::Shared } else { Parallelism::Alone };
+        let straight = parallelism.map(0..question.receives.len(), flux);
         let is_whole = |integral: &Option<Integral>| {
             integral.as_ref().is_some_and(|integral| integral.kinds == lights.kinds())
         };
@@ -221,7 +221,7 @@ impl<'t> Radiosity<'t> {
             }
             rows
         };
-        Sharing::of(self.operations(self.size())).map(0..self.elements.len(), of_element)
+        Parallelism::of(self.operations(self.size())).map(0..self.elements.len(), of_element)
     }
 
     /// Stores the irradiance of the nodes.

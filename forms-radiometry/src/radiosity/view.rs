@@ -16,7 +16,7 @@ use super::system::{Radiosity, is_reflecting, reflectance, reflects};
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emitted, is_bright};
 use crate::geometry::{Face, Vector, closeness};
-use crate::sharing::Sharing;
+use crate::parallelism::Parallelism;
 use std::f64::consts::PI;
 
 /// A convex piece of a face that an eye sees.
@@ -95,8 +95,8 @@ impl Radiosity<'_> {
                     sight.seen_from(eye, (face, element), outline, scratch)
                 }
             };
-        let sharing = Sharing::of(sight.operations(1, 4 * targets.len()));
-        sharing.map(targets, of_target).into_iter().flatten().collect()
+        let parallelism = Parallelism::of(sight.operations(1, 4 * targets.len()));
+        parallelism.map(targets, of_target).into_iter().flatten().collect()
     }
 
     /// Returns for each face the parts without a shadow border of a point or distant light, if

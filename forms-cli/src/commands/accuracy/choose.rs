@@ -6,7 +6,7 @@ use crate::kernel::LIBRARY;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{choices_beside, complain, from_text, text};
-use forms::core::stability::{Effort, Found, search, written};
+use forms::core::stability::{Budget, Found, search, written};
 use std::io::{self, Write};
 
 /// Searches the best form of every kernel in a file that does not specify its own form.
@@ -34,7 +34,7 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
             writeln!(output, "{name}: {}", palette.quiet("says itself how it is computed"))?;
             continue;
         }
-        let Some(found) = search(&mut file.theory.pool, kernel, Effort::default()) else {
+        let Some(found) = search(&mut file.theory.pool, kernel, Budget::default()) else {
             writeln!(output, "{name}: {}", palette.notable("no arguments with a certain value were found"))?;
             continue;
         };

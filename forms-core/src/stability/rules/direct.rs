@@ -6,14 +6,14 @@
 //! is, and both are equal wherever both are defined.
 
 use super::{Rewriting, exponential, fractions, radical, sums, trigonometric};
-use crate::decide::{Effort, Equations, Finding};
+use crate::decide::{Budget, Equations, Finding};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Substitution, SymbolKind};
 use crate::generation::is_kept;
 use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Proof budget of a step. Both sides of a step are small; a step that needs more is not made.
-const EFFORT: Effort = Effort { work: 200_000, candidates: 24, points: 4 };
+const EFFORT: Budget = Budget { work: 200_000, candidates: 24, points: 4 };
 
 /// Maximum number of operations of an expression to be rewritten: a step is found and proved during
 /// macro expansion.

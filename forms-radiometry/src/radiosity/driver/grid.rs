@@ -11,9 +11,9 @@
 
 use super::interpolation::interpolated;
 use crate::geometry::{Face, Polygon, Vector};
+use crate::parallelism::Parallelism;
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::scene::Shape;
-use crate::sharing::Sharing;
 use crate::watch::Watch;
 use smallvec::{SmallVec, smallvec};
 
@@ -234,7 +234,7 @@ impl Grid {
             }
             found
         };
-        let found = Sharing::of(radiosity.operations(cells.len()))
+        let found = Parallelism::of(radiosity.operations(cells.len()))
             .map(&groups, |scratch, group| each(scratch, group));
         let mut values = vec![f64::NAN; bands * cells.len()];
         for (&index, of_cell) in order.iter().zip(found.iter().flat_map(|found| found.chunks_exact(bands))) {

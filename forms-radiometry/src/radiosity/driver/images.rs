@@ -22,9 +22,9 @@ use super::{ROUNDING, Work};
 use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
 use crate::camera::Camera;
 use crate::geometry::Screens;
+use crate::parallelism::Parallelism;
 use crate::radiosity::{Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
-use crate::sharing::Sharing;
 use block::View;
 use film::{Block, blocks};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -126,7 +126,7 @@ impl Work<'_> {
             self.watch.progress("images", done.fetch_add(1, Ordering::Relaxed) as f64 / blocks.len() as f64);
             Some(pixels).filter(|_| !self.watch.is_stopped())
         };
-        let found = Sharing::Shared.map(&blocks, of_block);
+        let found = Parallelism::Shared.map(&blocks, of_block);
         let [columns, rows] = camera.resolution;
         let nothing = vec![vec![f64::NAN; columns * rows]; bands];
         let (mut values, mut errors) = (nothing.clone(), nothing);

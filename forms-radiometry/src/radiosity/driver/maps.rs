@@ -8,10 +8,10 @@ use super::grid::Grid;
 use super::readings::{OF_PRODUCT, Reading, groups};
 use super::scales::{Watched, mean_scale};
 use crate::answer::{ErrorKind, Map, Quantity};
+use crate::parallelism::Parallelism;
 use crate::progress::times::timed;
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
 use crate::scene::ReceiverKind;
-use crate::sharing::Sharing;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -82,7 +82,7 @@ impl Work<'_> {
         }
         let cells = grids.iter().map(|(_, grid)| grid.count()).sum();
         let begin = Instant::now();
-        let seconds = Sharing::of(lights.operations(cells, transport)).map(parts, each);
+        let seconds = Parallelism::of(lights.operations(cells, transport)).map(parts, each);
         self.times.add(begin, seconds.into_iter());
         grids.iter().zip(gathered).map(|((_, grid), gathered)| grid.all_cells(bands, &gathered)).collect()
     }
@@ -103,9 +103,9 @@ impl Work<'_> {
         let map = |_: &mut (), (&(receiver, ref grid), straight): (&(usize, Grid), Vec<f64>)| {
             timed(|| (receiver, self.map(radiosity, (receiver, grid, straight), found, &note)))
         };
-        let sharing = if radiosity.is_reflected() { Sharing::Shared } else { Sharing::Alone };
+        let parallelism = if radiosity.is_reflected() { Parallelism::Shared } else { Parallelism::Alone };
         let begin = Instant::now();
-        let maps = sharing.map(grids.iter().zip(straight).collect::<Vec<_>>(), map);
+        let maps = parallelism.map(grids.iter().zip(straight).collect::<Vec<_>>(), map);
         self.times.add(begin, maps.iter().map(|((receiver, _), seconds)| (*receiver, *seconds)));
         maps.into_iter().map(|(map, _)| map).collect()
     }

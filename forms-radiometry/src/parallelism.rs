@@ -16,12 +16,12 @@ const WORTHWHILE: f64 = 2e6;
 
 /// Whether a loop runs in parallel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sharing {
+pub(crate) enum Parallelism {
     Alone,
     Shared,
 }
 
-impl Sharing {
+impl Parallelism {
     /// Returns the choice for a loop of this many operations.
     pub(crate) fn of(operations: f64) -> Self {
         if operations < WORTHWHILE { Self::Alone } else { Self::Shared }
@@ -113,19 +113,20 @@ mod tests {
 
     #[test]
     fn a_loop_gives_the_same_alone_and_shared() {
-        let squares = |sharing: Sharing| {
-            sharing.map(0..1000_usize, |sum: &mut usize, item| {
+        let squares = |parallelism: Parallelism| {
+            parallelism.map(0..1000_usize, |sum: &mut usize, item| {
                 *sum += 1;
                 item * item
             })
         };
-        assert_eq!(squares(Sharing::Alone), squares(Sharing::Shared));
-        let first_even =
-            |sharing: Sharing| sharing.find_map(1..1000_usize, |item| item.is_multiple_of(2).then_some(item));
-        assert_eq!([first_even(Sharing::Alone), first_even(Sharing::Shared)], [Some(2); 2]);
-        let both = |sharing: Sharing| sharing.both(|| 1, || "two");
-        assert_eq!([both(Sharing::Alone), both(Sharing::Shared)], [(1, "two"); 2]);
-        assert_eq!(Sharing::of(0.9 * WORTHWHILE), Sharing::Alone);
-        assert_eq!(Sharing::of(WORTHWHILE), Sharing::Shared);
+        assert_eq!(squares(Parallelism::Alone), squares(Parallelism::Shared));
+        let first_even = |parallelism: Parallelism| {
+            parallelism.find_map(1..1000_usize, |item| item.is_multiple_of(2).then_some(item))
+        };
+        assert_eq!([first_even(Parallelism::Alone), first_even(Parallelism::Shared)], [Some(2); 2]);
+        let both = |parallelism: Parallelism| parallelism.both(|| 1, || "two");
+        assert_eq!([both(Parallelism::Alone), both(Parallelism::Shared)], [(1, "two"); 2]);
+        assert_eq!(Parallelism::of(0.9 * WORTHWHILE), Parallelism::Alone);
+        assert_eq!(Parallelism::of(WORTHWHILE), Parallelism::Shared);
     }
 }

@@ -16,14 +16,14 @@ use crate::theory::Theory;
 /// errors.
 ///
 /// ```
-/// use forms_core::notebook::Sheet;
-/// let mut sheet = Sheet::read("chart R2(x, y); form w = x*dy; prove area: d(w) == dx^dy;");
-/// assert_eq!(sheet.show("w").text, "w = x*dy");
-/// assert_eq!(sheet.show("area").latex, r"\mathrm{d}w = \mathrm{d}x\wedge \mathrm{d}y");
-/// assert!(sheet.decide().are_as_claimed());
+/// use forms_core::notebook::Session;
+/// let mut session = Session::read("chart R2(x, y); form w = x*dy; prove area: d(w) == dx^dy;");
+/// assert_eq!(session.show("w").text, "w = x*dy");
+/// assert_eq!(session.show("area").latex, r"\mathrm{d}w = \mathrm{d}x\wedge \mathrm{d}y");
+/// assert!(session.decide().are_as_claimed());
 /// ```
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub struct Session {
     source: Source,
     file: File,
     theory: Theory,
@@ -39,7 +39,7 @@ pub struct Shown {
     pub latex: String,
 }
 
-/// Every claim of a sheet with its verdict.
+/// Every claim of a session with its verdict.
 #[derive(Clone, Debug)]
 pub struct Decided {
     claims: Vec<DecidedClaim>,
@@ -55,12 +55,12 @@ struct DecidedClaim {
     verdict: Verdict,
 }
 
-impl Sheet {
+impl Session {
     /// Reads a text. Its errors are shown, and the declarations that do not depend on them can be
     /// used.
     pub fn read(text: &str) -> Self {
         let (file, theory, errors) = read_file(text);
-        Sheet { source: Source::new("cell", text), file, theory, errors }
+        Session { source: Source::new("cell", text), file, theory, errors }
     }
 
     /// Returns the theory that the text declares.
@@ -71,9 +71,9 @@ impl Sheet {
     /// Compiles a kernel of the text in its numerically stable form.
     ///
     /// ```
-    /// use forms_core::notebook::Sheet;
-    /// let mut sheet = Sheet::read("kernel growth(x) = exp(x) - 1;");
-    /// assert_eq!(sheet.kernel("growth").unwrap().values(&[1e-17]), [1e-17]);
+    /// use forms_core::notebook::Session;
+    /// let mut session = Session::read("kernel growth(x) = exp(x) - 1;");
+    /// assert_eq!(session.kernel("growth").unwrap().values(&[1e-17]), [1e-17]);
     /// ```
     ///
     /// # Errors
@@ -211,12 +211,13 @@ impl Shown {
         }
     }
 
-    fn under(self, sheet: &Sheet, conditions: &[Condition]) -> Shown {
+    fn under(self, session: &Session, conditions: &[Condition]) -> Shown {
         if conditions.is_empty() {
             return self;
         }
-        let texts = conditions.iter().map(|condition| sheet.quoted(condition.span.start, condition.span.end));
-        let latex = conditions.iter().map(|condition| latex_of_condition(&sheet.theory, condition));
+        let texts =
+            conditions.iter().map(|condition| session.quoted(condition.span.start, condition.span.end));
+        let latex = conditions.iter().map(|condition| latex_of_condition(&session.theory, condition));
         let [texts, latex] =
             [texts.collect::<Vec<_>>(), latex.collect::<Vec<_>>()].map(|parts| parts.join(", "));
         Shown {
