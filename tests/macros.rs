@@ -187,7 +187,12 @@ fn equations_are_proved_where_they_stand() {
 
 #[test]
 fn forms_are_evaluated_and_simplified() {
-    const AREA: forms::Form = forms::form! { chart Polar(r, t); chart Plane(x, y); map F: Polar -> Plane = (r*cos(t), r*sin(t)); pullback(F, dx^dy) };
+    const AREA: forms::Form = forms::form! {
+        chart Polar(r, t);
+        chart Plane(x, y);
+        map F: Polar -> Plane = (r*cos(t), r*sin(t));
+        pullback(F, dx^dy)
+    };
     assert_eq!((AREA.degree, AREA.terms), (2, [("dr^dt", "r")].as_slice()));
     let scalar = forms::form! { chart Line(x); diff((x**2 - 1)/(x - 1), x) };
     assert_eq!((scalar.degree, scalar.to_string().as_str()), (0, "1"));

@@ -37,7 +37,8 @@ pub(crate) enum Command {
         #[arg(long, value_name = "FILE")]
         certificate: Option<String>,
         /// Multiply the work limit of each statement (by default about one second) by N
-        #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+        #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true,
+            value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
         budget: u32,
     },
     /// Check a certificate of `prove` without the prover

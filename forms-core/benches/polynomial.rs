@@ -119,7 +119,10 @@ fn form_powers(criterion: &mut Criterion) {
 
 criterion_group! {
     name = polynomial;
-    config = Criterion::default().sample_size(20).measurement_time(std::time::Duration::from_secs(2)).warm_up_time(std::time::Duration::from_millis(500));
+    config = Criterion::default()
+        .sample_size(20)
+        .measurement_time(std::time::Duration::from_secs(2))
+        .warm_up_time(std::time::Duration::from_millis(500));
     targets = tiny_operations, form_powers, large_products
 }
 criterion_main!(polynomial);

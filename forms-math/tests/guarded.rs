@@ -100,7 +100,8 @@ fn argument() -> impl Strategy<Value = f64> {
         1 => prop::num::f64::NORMAL,
         1 => prop::num::f64::SUBNORMAL,
         1 => (-40..40_i32).prop_map(|k| f64::from(k) * 0.25),
-        1 => (-60..-10_i32, prop::bool::ANY).prop_map(|(e, sign)| if sign { 1.0 - 2.0_f64.powi(e) } else { 2.0_f64.powi(e) - 1.0 }),
+        1 => (-60..-10_i32, prop::bool::ANY)
+            .prop_map(|(e, sign)| if sign { 1.0 - 2.0_f64.powi(e) } else { 2.0_f64.powi(e) - 1.0 }),
         1 => (-30.0..30.0_f64).prop_map(f64::exp),
     ]
 }

@@ -367,7 +367,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_simplest_number_of_an_interval_has_the_least_denominator(p in -500i64..500, q in 1i64..97, width in 1i64..9999) {
+        fn the_simplest_number_of_an_interval_has_the_least_denominator(
+            p in -500i64..500,
+            q in 1i64..97,
+            width in 1i64..9999,
+        ) {
             let lower = fraction(p, q);
             let upper = &lower + fraction(1, width);
             let found = simplest(lower.clone().into_raw(), upper.clone().into_raw(), MOST_DIGITS);

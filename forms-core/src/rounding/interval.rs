@@ -295,7 +295,10 @@ mod tests {
                 ("three halves", x.power(3, 2), a.powf(1.5)),
             ];
             for (name, range, value) in cases {
-                prop_assert!(value.is_nan() || range.lower <= value && value <= range.upper, "{name} {range:?} {value}");
+                prop_assert!(
+                    value.is_nan() || range.lower <= value && value <= range.upper,
+                    "{name} {range:?} {value}"
+                );
             }
             for row in crate::expression::TABLE {
                 let operands = [x, y];

@@ -109,7 +109,10 @@ pub(crate) trait Word:
 }
 
 macro_rules! word {
-    ($lane:ident, $raw:ident, $bits:ident, $table:ident, $precision:literal, $small:literal, $large:literal, $multiple:literal) => {
+    (
+        $lane:ident, $raw:ident, $bits:ident, $table:ident,
+        $precision:literal, $small:literal, $large:literal, $multiple:literal
+    ) => {
         #[doc = concat!("A lane of `", stringify!($raw), "`, with or without fused multiply-add.")]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $lane<const FMA: bool>(pub $raw);

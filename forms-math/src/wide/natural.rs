@@ -201,7 +201,11 @@ mod tests {
         }
 
         #[test]
-        fn division_by_a_word_is_that_by_a_number(a in number(1..6), wide in 1..u64::MAX, narrow in 1..u64::from(u32::MAX)) {
+        fn division_by_a_word_is_that_by_a_number(
+            a in number(1..6),
+            wide in 1..u64::MAX,
+            narrow in 1..u64::from(u32::MAX),
+        ) {
             for divisor in [wide, narrow] {
                 let (quotient, rest) = quotient_and_remainder(&a, &[divisor]);
                 let mut by_word = a.clone();

@@ -12,6 +12,11 @@ use crate::kernels::{
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
 use crate::used_kernel::UsedKernel;
 
+/// Whether a material reflects diffusely.
+fn reflects(kind: &MaterialKind) -> bool {
+    matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0))
+}
+
 /// Returns the kernels that the paths of a scene run, and those that evaluate the analytic
 /// receivers.
 pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) -> Vec<UsedKernel> {
@@ -23,7 +28,6 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
     let shines = |is: fn(&Shape) -> bool| samples && emits(is);
     let asks = |is: fn(&ReceiverKind) -> bool| sampled().any(|receiver| is(&receiver.kind));
     let is_flat = |shape: &Shape| matches!(shape, Shape::Polygon(_) | Shape::Mesh(_));
-    let reflects = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0));
     let planes = (samples && materials().any(reflects))
         || asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Surface { .. }));
     let surfaces = asks(|kind| matches!(kind, ReceiverKind::Surface { .. }));

@@ -176,7 +176,10 @@ proptest! {
     }
 
     #[test]
-    fn random_pairs_of_boxes_contain_their_points(q in [rational(), rational(), rational(), rational()], n in 0i64..=16) {
+    fn random_pairs_of_boxes_contain_their_points(
+        q in [rational(), rational(), rational(), rational()],
+        n in 0i64..=16,
+    ) {
         let [a, b, c, d] = q;
         for (name, f) in PAIRS {
             let sides = [[a.clone(), b.clone()], [c.clone(), d.clone()]];
@@ -218,7 +221,11 @@ proptest! {
     }
 
     #[test]
-    fn the_logarithm_inverts_the_exponential_and_turns_products_into_sums(n in 1i64..=1000, d in 1i64..=1000, m in 1i64..1000) {
+    fn the_logarithm_inverts_the_exponential_and_turns_products_into_sums(
+        n in 1i64..=1000,
+        d in 1i64..=1000,
+        m in 1i64..1000,
+    ) {
         let (a, b) = (at(n, d, HIGH), at(m, 17, HIGH));
         let (log_a, log_b) = (a.log().unwrap(), b.log().unwrap());
         prop_assert!(log_a.exp().unwrap().contains(&exact(n, d)));

@@ -1,0 +1,193 @@
+//! The rules of the repository, each with its exceptions and their reasons.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::PathBuf;
+
+use forms_tidy::cycles::{cycles_below, edges};
+use forms_tidy::modules::Modules;
+use forms_tidy::prose::{comments, flagged, sentences};
+use forms_tidy::sizes::{functions, long_lines};
+use forms_tidy::workspace::{Package, files, packages, root, shown};
+
+/// Largest number of lines of a file, and of a function.
+const LINES_OF_FILE: usize = 400;
+const LINES_OF_FUNCTION: usize = 60;
+/// Largest number of columns of a line.
+const COLUMNS: usize = 120;
+/// Largest share of comments and sentences with a phrase to reword.
+const FLAGGED: f64 = 0.02;
+
+/// Files of more lines, with the reason.
+const LONG_FILES: [(&str, &str); 11] = [
+    ("forms-check/src/evaluate.rs", "the grammar of expressions, one function for each rule"),
+    ("forms-check/tests/certificates/grammar.rs", "one table of changes to certificates"),
+    ("forms-core/src/generation/entailment.rs", "one proof of entailment by signs"),
+    ("forms-core/src/integral/pieces.rs", "one algorithm on pieces of a range"),
+    ("forms-core/src/normal/nested.rs", "one algorithm of denesting"),
+    ("forms-radiometry/src/paths/luminaires.rs", "one table of light sources, by shape"),
+    ("forms-radiometry/src/radiosity/driver.rs", "the rounds of the solver"),
+    ("forms-radiometry/src/radiosity/system.rs", "the fields of a solution, filled in one order"),
+    ("forms-radiometry/tests/transmitted.rs", "one table of scenes"),
+    ("forms-radiometry/benches/kernels/elsewhere/by_sympy.rs", "written by another program"),
+    ("forms-radiometry/benches/kernels/elsewhere/by_wrenfold.rs", "written by another program"),
+];
+
+/// Functions of more lines in `src`, with the reason.
+const LONG_FUNCTIONS: [(&str, &str); 4] = [
+    ("forms-check/src/certificate.rs: check", "the sections of a certificate in their order"),
+    ("forms-cli/src/commands.rs: run_with_input", "one branch for each command"),
+    ("forms-radiometry/src/paths/image_sources.rs: after", "one step of the enumeration of images"),
+    ("forms-radiometry/src/radiosity/driver.rs: run", "the rounds of the solver"),
+];
+
+/// Files in which long lines stand for themselves.
+const WIDE_FILES: [(&str, &str); 8] = [
+    ("forms-core/src/expression/operation.rs", "the table of operations"),
+    ("forms-core/src/expression/partials.rs", "the pattern of a line of that table"),
+    ("forms-math/src/composed.rs", "a table of functions"),
+    ("forms-math/tests/special.rs", "a table of values"),
+    ("forms-radiometry/benches/kernels/catalogue.rs", "a table of kernels"),
+    ("forms-radiometry/benches/kernels/elsewhere/", "written by another program"),
+    ("forms-core/tests/kernel/targets/", "output of the emitter"),
+    ("forms-math/src/lane/coefficients.rs", "written by another program"),
+];
+
+/// Crates of the workspace that a crate may depend on. The program depends on all of them.
+const LAYERS: [(&str, &[&str]); 11] = [
+    ("forms-math", &[]),
+    ("forms-core", &["forms-math"]),
+    ("forms-check", &[]),
+    ("forms-macros", &["forms-core", "forms-math"]),
+    ("forms", &["forms-math", "forms-core", "forms-macros"]),
+    ("forms-radiometry", &["forms"]),
+    ("forms-book", &["forms", "forms-core"]),
+    ("forms-serve", &["forms", "forms-core", "forms-book", "forms-radiometry"]),
+    ("forms-testing", &[]),
+    ("forms-tidy", &[]),
+    ("forms-notebooks", &["forms", "forms-core", "forms-radiometry", "forms-book"]),
+];
+
+/// Returns the Rust files in some folders of the packages, with their texts.
+fn sources(folders: &[&str]) -> Vec<(String, String)> {
+    let root = root();
+    let of_package = |package: &Package| {
+        let in_folder = |part: &&str| files(&package.folder.join(part), "rs");
+        folders.iter().flat_map(in_folder).collect::<Vec<_>>()
+    };
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(&path).expect("sources are readable");
+        (shown(&path, &root), text)
+    };
+    packages(&root).iter().flat_map(of_package).map(read).collect()
+}
+
+fn everywhere() -> Vec<(String, String)> {
+    sources(&["src", "tests", "benches", "examples"])
+}
+
+/// Fails if there are exceptions from a rule that are not listed, or if a listed one is none.
+fn assert_listed<'a>(rule: &str, found: BTreeSet<String>, listed: impl Iterator<Item = &'a str>) {
+    let listed: BTreeSet<String> = listed.map(str::to_owned).collect();
+    let new: Vec<_> = found.difference(&listed).collect();
+    let old: Vec<_> = listed.difference(&found).collect();
+    assert!(new.is_empty(), "{rule}: {new:#?}");
+    assert!(old.is_empty(), "{rule}: no longer exceptions: {old:#?}");
+}
+
+#[test]
+fn modules_of_the_top_two_levels_have_no_cycles_of_imports() {
+    let mut found = Vec::new();
+    for package in packages(&root()) {
+        let modules = Modules::read(&package.folder.join("src"));
+        let edges = edges(&modules);
+        for parent in modules.0.keys().filter(|path| path.len() <= 1) {
+            let place = format!("{} {}", package.name, parent.join("::"));
+            found.extend(cycles_below(&edges, parent).into_iter().map(|cycle| format!("{place}: {cycle}")));
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn crates_depend_on_the_layers_below_them() {
+    let allowed: BTreeMap<&str, &[&str]> = LAYERS.into_iter().collect();
+    let names: BTreeSet<String> = packages(&root()).into_iter().map(|package| package.name).collect();
+    for package in packages(&root()) {
+        let manifest = fs::read_to_string(package.folder.join("Cargo.toml")).expect("a manifest");
+        let section = manifest.split("\n[dependencies]").nth(1).unwrap_or_default();
+        let section = section.split("\n[").next().unwrap_or_default();
+        let own = section.lines().filter_map(|line| line.split(['.', ' ', '=']).next());
+        for dependency in own.filter(|name| names.contains(*name)) {
+            let may = package.name == "forms-cli" || allowed[package.name.as_str()].contains(&dependency);
+            assert!(may, "{} depends on {dependency}", package.name);
+        }
+    }
+}
+
+#[test]
+fn a_file_is_short() {
+    let found = everywhere().into_iter().filter(|(_, text)| text.lines().count() > LINES_OF_FILE);
+    assert_listed(
+        "long files",
+        found.map(|(path, _)| path).collect(),
+        LONG_FILES.iter().map(|entry| entry.0),
+    );
+}
+
+#[test]
+fn a_function_is_short() {
+    let long = |(path, text): (String, String)| {
+        let long = functions(&text).into_iter().filter(|function| function.lines > LINES_OF_FUNCTION);
+        long.map(move |function| format!("{path}: {}", function.name)).collect::<Vec<_>>()
+    };
+    let found = sources(&["src"]).into_iter().flat_map(long).collect();
+    assert_listed("long functions", found, LONG_FUNCTIONS.iter().map(|entry| entry.0));
+}
+
+#[test]
+fn a_line_is_short() {
+    let is_wide = |path: &str| WIDE_FILES.iter().any(|(wide, _)| path.starts_with(wide));
+    let of_file = |(path, text): (String, String)| {
+        let lines = if is_wide(&path) { Vec::new() } else { long_lines(&text, COLUMNS) };
+        lines.into_iter().map(move |line| format!("{path}:{line}")).collect::<Vec<_>>()
+    };
+    let found: Vec<String> = everywhere().into_iter().flat_map(of_file).collect();
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn a_module_is_a_file_beside_its_folder() {
+    let found: Vec<String> = sources(&["src"]).into_iter().map(|(path, _)| path).collect();
+    let found: Vec<&String> = found.iter().filter(|path| path.ends_with("/mod.rs")).collect();
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn comments_use_the_words_of_the_field() {
+    let of_file = |(path, text): &(String, String)| {
+        let place = |line| format!("{path}:{line}");
+        comments(text).into_iter().map(|comment| (place(comment.line), comment.text)).collect::<Vec<_>>()
+    };
+    let all: Vec<(String, String)> = sources(&["src"]).iter().flat_map(of_file).collect();
+    assert_few_are_flagged(&all);
+}
+
+#[test]
+fn pages_use_the_words_of_the_field() {
+    let root = root();
+    let read = |path: PathBuf| {
+        let page = fs::read_to_string(&path).expect("pages are readable");
+        let path = shown(&path, &root);
+        sentences(&page).into_iter().map(|sentence| (path.clone(), sentence.text)).collect::<Vec<_>>()
+    };
+    let all: Vec<(String, String)> = files(&root, "md").into_iter().flat_map(read).collect();
+    assert_few_are_flagged(&all);
+}
+
+fn assert_few_are_flagged(passages: &[(String, String)]) {
+    let hit = |(place, text): &(String, String)| Some(format!("{place}: “{}”  {text}", flagged(text)?));
+    let found: Vec<String> = passages.iter().filter_map(hit).collect();
+    let share = found.len() as f64 / passages.len() as f64;
+    assert!(share < FLAGGED, "{} of {}: {found:#?}", found.len(), passages.len());
+}
