@@ -123,7 +123,7 @@ impl Modules {
         seen: &mut Vec<(ModulePath, String)>,
     ) -> Option<ModulePath> {
         let Some(name) = path.first() else { return Some(module) };
-        let below = [module.as_slice(), &[name.clone()]].concat();
+        let below = [module.as_slice(), std::slice::from_ref(name)].concat();
         if self.0.contains_key(&below) {
             return self.walk(below, &path[1..], seen);
         }
@@ -140,7 +140,7 @@ impl Modules {
                 let parent = &reexport.path[..reexport.path.len() - 1];
                 match self.base(&module, parent).and_then(|(start, rest)| self.walk(start, rest, seen)) {
                     Some(glob) if self.0.get(&glob).is_some_and(|glob| glob.defines(name)) => {
-                        [parent, &[name.clone()]].concat()
+                        [parent, std::slice::from_ref(name)].concat()
                     }
                     _ => continue,
                 }

@@ -54,10 +54,10 @@ const PHRASES: [(Case, &str); 34] = [
 
 static PATTERNS: LazyLock<Vec<Regex>> = LazyLock::new(|| {
     let pattern = |&(case, phrase): &(Case, &str)| match case {
-        Case::Ignored => Regex::new(&format!("(?i){phrase}")),
-        Case::Kept => Regex::new(phrase),
+        Case::Ignored => format!("(?i){phrase}"),
+        Case::Kept => phrase.to_owned(),
     };
-    PHRASES.iter().map(|phrase| pattern(phrase).expect("a phrase is a pattern")).collect()
+    PHRASES.iter().map(|phrase| Regex::new(&pattern(phrase)).expect("a phrase is a pattern")).collect()
 });
 
 /// Code, formulas and targets of links, whose words do not count.
