@@ -30,7 +30,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         list.push_str(&format!("    ({name:?}, {module}::run),\n"));
     }
     let list = format!(
-        "/// Every notebook, and what runs its cells.\npub(crate) const NOTEBOOKS: &[(&str, fn())] = &[\n{list}];\n"
+        "/// Notebooks with the functions that run their cells.\n\
+         pub(crate) const NOTEBOOKS: &[(&str, fn())] = &[\n{list}];\n"
     );
     let target = PathBuf::from(std::env::var_os("OUT_DIR").ok_or("cargo sets OUT_DIR")?);
     std::fs::write(target.join("notebooks.rs"), modules + &list)?;

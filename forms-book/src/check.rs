@@ -133,7 +133,7 @@ fn answered(page: &Page, common: &str, exercise: &Block, answer: &Block) -> Repo
     let found = findings(&source, common.len());
     report.counted += found.counted;
     if found.complaints.is_empty() && found.counted.statements + found.counted.kernels == 0 {
-        report.problems.push(page.problem(answer.line, "an answer that states nothing"));
+        report.problems.push(page.problem(answer.line, "the answer contains no statement and no kernel"));
     }
     let complaints = found.complaints.into_iter();
     report
@@ -191,14 +191,15 @@ pub fn with_errors_quoted(page: &Page) -> (Page, Report) {
     for (place, block) in blocks.iter().enumerate().rev().filter(|(_, block)| block.kind == "forms,error") {
         let said = message(&block.text);
         let Some(quoted) = blocks.get(place + 1).filter(|next| next.kind == "text") else {
-            report.problems.push(page.problem(block.line, "no block of text with the message follows"));
+            let message = "expected a `text` block with the message after this block";
+            report.problems.push(page.problem(block.line, message));
             continue;
         };
         report.counted.errors += 1;
         if said.is_empty() {
-            report.problems.push(page.problem(block.line, "nothing is wrong with this"));
+            report.problems.push(page.problem(block.line, "this block gives no error"));
         } else if said != quoted.text {
-            report.problems.push(page.problem(quoted.line, format!("what is said is\n{said}")));
+            report.problems.push(page.problem(quoted.line, format!("the current message is\n{said}")));
             mended.replace_range(inside(page, quoted), &said);
         }
     }
@@ -263,10 +264,10 @@ mod tests {
             ),
             (&[("forms,exercise", answer), ("forms,answer", answer)], "an exercise without a hole"),
             (&[("forms,exercise", "// ___"), ("forms,answer", "// this")], "accepted with its hole"),
-            (&[("forms,error", "chart Q(x);"), ("text", "error")], "nothing is wrong"),
+            (&[("forms,error", "chart Q(x);"), ("text", "error")], "gives no error"),
             (
                 &[("forms,error", "chart Q(x)"), ("text", "error: no")],
-                "page.md:11: what is said is\nerror: expected",
+                "page.md:11: the current message is\nerror: expected",
             ),
             (&[("form", "chart Q(x);")], "page.md:7: a block of the unknown kind `form`"),
         ];

@@ -87,7 +87,7 @@ fn calls_of(page: &Page, block: &Block, theory: &str) -> Result<Vec<Call>, (usiz
         }
     }
     match end_of_input {
-        Some(end) => Err((block.line, format!("the input does not end: there is no line {end}"))),
+        Some(end) => Err((block.line, format!("the input is not terminated: the line `{end}` is missing"))),
         None => Ok(calls),
     }
 }

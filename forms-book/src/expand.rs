@@ -31,8 +31,8 @@ pub(crate) fn expanded(page: &Page, targets: Targets<'_>) -> Result<String, Vec<
             Event::Text(text) if !is_code && text.contains('$') => {
                 problems.push(page.problem(
                     page.line(place.start),
-                    "a dollar without a formula: brackets are not in pairs, or \
-                    there is a space inside the dollars",
+                    "`$` without a formula: unbalanced brackets, or a space after the opening or \
+                    before the closing `$`",
                 ));
             }
             _ => {}
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn a_formula_that_cannot_be_read_is_told_with_its_line() {
         for (formula, message) in
-            [("$\\nosuch$", "cannot be read"), ("$\\frac{1$", "a dollar without"), ("$$x^$$", "cannot")]
+            [("$\\nosuch$", "cannot be read"), ("$\\frac{1$", "`$` without"), ("$$x^$$", "cannot")]
         {
             let problems = of(&format!("# Title\n\ntext {formula} text\n")).expect_err("a problem");
             assert_eq!((problems.len(), problems[0].line), (1, 3), "{formula}");

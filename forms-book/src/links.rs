@@ -28,7 +28,8 @@ fn follow(page: &Page, link: &Link, root: &Path) -> Result<(), Problem> {
     }
     let Some(anchor) = anchor else { return Ok(()) };
     if !path.ends_with(".md") {
-        return Err(broken(format!("the link {} names a heading of a file that is no page", link.target)));
+        let message = format!("the link {} names a heading of a file that is not a page", link.target);
+        return Err(broken(message));
     }
     let other = if path == page.path {
         page.clone()

@@ -25,7 +25,9 @@ pub enum PreprocessError {
 impl fmt::Display for PreprocessError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            PreprocessError::Input(message) => write!(f, "the input is no book of mdBook: {message}"),
+            PreprocessError::Input(message) => {
+                write!(f, "the input is not a book in the format of mdBook: {message}")
+            }
             PreprocessError::Pages(problems) => {
                 let lines: Vec<String> = problems.iter().map(ToString::to_string).collect();
                 write!(f, "{}", lines.join("\n"))

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
 ///
 /// Without a command it gives a demonstration: it proves the theory of radiance that comes with it,
-/// generates the library's kernels and lights the Cornell box.
+/// generates the library's kernels and computes the direct light in the Cornell box.
 #[derive(Debug, Parser)]
 #[command(name = "forms", version, max_term_width = 100)]
 pub(crate) struct Arguments {
@@ -43,9 +43,11 @@ pub(crate) enum Command {
     },
     /// Check a certificate of `prove` without the prover
     ///
-    /// Exit status: 0 if every entry is accepted, 1 if some are rejected or not covered, 2 if the
-    /// certificate or a file it names cannot be read, or if the file differs from the certified
-    /// one.
+    /// Certificates do not cover the claims of kernels, which the prover decides again. Exit status:
+    /// 0 if every entry is accepted and shows what its file states, 1 if some are rejected, not
+    /// covered (without --allow-uncovered) or not as stated, or if a claim of a kernel is not
+    /// proved, 2 if the certificate or a file it names cannot be read, or if a file has errors or
+    /// differs from the certified one.
     Check {
         /// A certificate; file names in it are relative to its folder
         file: String,
@@ -55,7 +57,7 @@ pub(crate) enum Command {
     },
     /// Print one named object of a file, simplified
     Show {
-        /// A file of the forms language
+        /// A file of the forms language, or - for the library
         file: String,
         /// A name declared in it, or the name of a statement
         name: String,
@@ -158,8 +160,8 @@ pub(crate) enum Command {
         /// Seconds between two saved states
         #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval, requires = "checkpoint")]
         every: Duration,
-        /// Compute one of n equal shares of the work, i from 1 to n or from 0 to n − 1, and write
-        /// it to the file --out
+        /// Compute the i-th of n shards of the work, i from 1 to n or from 0 to n − 1, and write it
+        /// to the file --out
         #[arg(long, value_name = "i/n", requires = "out")]
         shard: Option<Share>,
         /// Take this number of samples, a multiple of 32, for each number, cell and pixel, instead
@@ -167,11 +169,11 @@ pub(crate) enum Command {
         #[arg(long, value_name = "COUNT", value_parser = budget)]
         samples: Option<Budget>,
         /// Use these vector instructions instead of the best available ones; baseline gives the
-        /// same bits on all processors
+        /// same bits on all processors of one architecture
         #[arg(long, value_name = "NAME", value_parser = instructions)]
         isa: Option<Instructions>,
         /// Also report the exposure for each irradiance, and the fluence for each fluence rate,
-        /// over this time in J/m²
+        /// over this time, in J/m²
         #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
         exposure: Option<Exposure>,
         #[command(flatten)]
@@ -185,9 +187,10 @@ pub(crate) enum Command {
     /// Combine the parts of a simulation that were written with --shard into the results of a
     /// single run
     ///
-    /// The parts can be given in any order, and more than once. A part that is missing, damaged or
-    /// from other work is reported, with the call that creates it. Exit status: 0 if all parts are
-    /// present, 3 if they are but a number is less accurate than requested, 2 otherwise.
+    /// The parts can be given in any order, and more than once. A part that is damaged or belongs
+    /// to another run is reported, and so is a missing shard, with the call that creates it. Exit
+    /// status: 0 if all shards are present, 3 if they are but a number is less accurate than
+    /// requested, 2 otherwise.
     Merge {
         /// Files written by `forms simulate --shard`
         #[arg(required = true, value_name = "PART")]
@@ -203,10 +206,10 @@ pub(crate) enum Command {
     },
     /// Print the view factors between the surfaces of a scene as CSV
     ///
-    /// A row holds the fractions of the flux from one surface that arrive at each of the others,
-    /// and their sum, which is 1 if nothing leaves the scene. A two-sided surface sends flux from
-    /// both sides. Disks and spheres are tessellated; the change with half as many edges around
-    /// them is part of the errors.
+    /// A row holds the fractions of the flux from one surface that arrive at each surface, their
+    /// sum, which is 1 if nothing leaves the scene, and the emitting area of the surface in m². A
+    /// two-sided surface emits from both sides. Disks and spheres are tessellated; the change with
+    /// half as many edges around them is part of the errors.
     ViewFactors {
         /// A scene, in TOML or in the format of Mitsuba 3 (.xml)
         scene: String,
@@ -253,9 +256,9 @@ pub(crate) enum Command {
     },
     /// Serve a local web page: an editor with verdicts, steps, plots and generated kernels
     ///
-    /// Prints the address and runs until Ctrl-C. Worker processes of this program decide the text
-    /// of the editor, each with bounded time and memory. No file except FILE is read, and none is
-    /// written.
+    /// Prints the address and runs until Ctrl-C. Worker processes of this program decide the
+    /// statements in the editor, each with bounded time and memory. No file except FILE is read,
+    /// and none is written.
     Serve {
         /// A file of the forms language to open in the editor
         file: Option<String>,
@@ -331,12 +334,12 @@ fn sample_count(text: &str) -> Result<usize, String> {
     text.parse()
         .ok()
         .filter(|count| (1..=MOST_ARGUMENTS).contains(count))
-        .ok_or_else(|| format!("expected a whole number from 1 to {MOST_ARGUMENTS}"))
+        .ok_or_else(|| format!("expected an integer from 1 to {MOST_ARGUMENTS}"))
 }
 
 /// Parses a number of samples.
 fn budget(text: &str) -> Result<Budget, String> {
-    let samples: u64 = text.parse().map_err(|_| "expected a whole number".to_owned())?;
+    let samples: u64 = text.parse().map_err(|_| "expected an integer".to_owned())?;
     Budget::new(samples).map_err(|error| error.to_string())
 }
 

@@ -34,7 +34,7 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
     all().find(|(_, kernel)| kernel.name == name).ok_or_else(|| {
         let names: Vec<&str> = all().map(|(_, kernel)| kernel.name.as_str()).collect();
         match names.as_slice() {
-            [] => format!("there is no kernel named `{name}`, nor any other"),
+            [] => format!("there is no kernel named `{name}`; there are no kernels"),
             names => format!("there is no kernel named `{name}`; there are {}", names.join(", ")),
         }
     })

@@ -54,7 +54,7 @@ fn main() -> ExitCode {
         Ok(Ok(status)) => status.into(),
         Ok(Err(_)) => Status::Error.into(),
         Err(error) => {
-            tell!("error: no thread to work in: {error}");
+            tell!("error: cannot start a thread: {error}");
             Status::Error.into()
         }
     }

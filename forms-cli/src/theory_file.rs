@@ -79,7 +79,7 @@ pub(crate) fn read(path: &str) -> Result<TheoryFile, Vec<FileError>> {
             let valid = error.utf8_error().valid_up_to();
             let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
             let place = u32::try_from(valid).unwrap_or(u32::MAX);
-            let message = "the file is not UTF-8 text: this byte belongs to no character";
+            let message = "the file is not UTF-8 text: this byte is invalid";
             let diagnostic = Diagnostic::new(Span::new(place, place + 1), message);
             Err(vec![FileError::at(&Source::new(path, text), &diagnostic)])
         }

@@ -161,7 +161,7 @@ fn function(
         }
     };
     let unreadable = |error: proc_macro2::LexError| {
-        let message = format!("the function generated for `{}` cannot be read by Rust: {error}", kernel.name);
+        let message = format!("Rust cannot parse the function generated for `{}`: {error}", kernel.name);
         vec![Diagnostic::new(kernel.span, message)]
     };
     let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
@@ -179,8 +179,8 @@ fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
     let places = removable_singularities(&theory.pool, kernel);
     (!places.is_empty()).then(|| {
         warned(&format!(
-            "`{}` has no value at {}, where its formula has a limit: give an equal form that has one after `by`, or \
-             exclude the place with `where`",
+            "`{}` has no value at {}, where its formula has a limit: give an equal form that is defined there after \
+             `by`, or exclude this place with `where`",
             kernel.name,
             places.join(" and at ")
         ))

@@ -155,7 +155,7 @@ impl Lattice<'_> {
     fn with(&self) -> TokenStream {
         let parameters = self.parameters();
         let docs = self.members.iter().map(|member| format!(" - {}", self.account(member)));
-        let head = format!(" `{}` with some of its effects, for any number:", self.kernel.name);
+        let head = format!(" `{}` with some of its effects, for any number type:", self.kernel.name);
         quote! {
             #[doc = #head]
             #[doc = ""]
@@ -198,7 +198,8 @@ impl Lattice<'_> {
     fn choice(&self) -> TokenStream {
         let Tiers { name, arguments, outputs } = &self.tiers;
         let (count, result) = (arguments.len(), self.tiers.result(&quote!(f64)));
-        let docs = format!(" `{name}` with these effects: what is off is not in the function's code.");
+        let docs =
+            format!(" `{name}` with these effects; effects that are off are not in the function's code.");
         let parameters = self.parameters();
         let number = quote!(f64);
         let types = vec![number.clone(); count];

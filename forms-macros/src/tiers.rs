@@ -56,12 +56,12 @@ pub(crate) fn module(
         #[doc = #about]
         #attributes
         #public mod #name {
-            #[doc = " The formula as it is written, for any number."]
+            #[doc = " The formula as written, for any number type."]
             pub enum Plain {}
             #plain
-            #[doc = " The form that the kernel is computed by, for any number."]
+            #[doc = " The stable form, by which the kernel is computed, for any number type."]
             #stable
-            #[doc = " How many operations a value takes: of arithmetic, calls of functions and choices."]
+            #[doc = " Number of operations per value: arithmetic, function calls and selections."]
             pub const OPERATIONS: usize = #count;
             #(#functions)*
             #more
@@ -144,13 +144,17 @@ impl Tiers {
 
     /// Emits the formula as written, in `f64`.
     fn plain(&self) -> TokenStream {
-        let docs = format!(" `{}` in `f64`, its formula computed as it is written.", self.name);
+        let docs = format!(" `{}` in `f64`, by its formula as written.", self.name);
         self.scalar(&docs, &format_ident!("plain"), &quote!(f64), &quote!(Plain))
     }
 
     /// Emits the stable form in `f32`. A promise does not apply to it.
     fn f32(&self, promised: bool) -> TokenStream {
-        let promise = if promised { ", by its form alone: what `within` promises is not kept" } else { "" };
+        let promise = if promised {
+            ", by its form alone: the accuracy promised by `within` is not ensured"
+        } else {
+            ""
+        };
         let docs = format!(" `{}` in `f32`{promise}.", self.name);
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
@@ -165,7 +169,8 @@ impl Tiers {
             let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
             return self.scalar(&docs, &name, &number, &quote!(Stable));
         }
-        let docs = format!(" `{}` in double-double, its digits bounded: 29 at least, or NaN.", self.name);
+        let docs =
+            format!(" `{}` in double-double arithmetic, with at least 29 correct digits, or NaN.", self.name);
         let escalate = quote!(::forms::math::escalate_double_double);
         let value = quote!(#escalate::<Stable, #count, #outputs>([#(#arguments),*]));
         self.function(&docs, &name, &number, value)
@@ -176,7 +181,7 @@ impl Tiers {
     fn checked(&self, within: f64) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let docs = format!(
-            " `{}` in `f64`, with an error where its value is not known within the promise.",
+            " `{}` in `f64`, with an error where the promised accuracy cannot be ensured.",
             self.name
         );
         let result = self.result(&quote!(f64));
@@ -243,7 +248,7 @@ impl Tiers {
     fn batch_rows(&self, within: Option<f64>) -> TokenStream {
         let (count, outputs) = (self.arguments.len(), self.outputs);
         let docs = format!(
-            " `{}` of each row of a matrix, its columns the arguments; the values are the columns of the other.",
+            " `{}` of each row of a matrix with a column for each argument; the other matrix gets the values.",
             self.name
         );
         let function = if within.is_some() { "batch_rows_within" } else { "batch_rows" };

@@ -54,7 +54,10 @@ impl fmt::Display for NotWithin {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (place, within) = (self.output, self.within);
         let bits = 64 * MOST_WORDS - 8;
-        write!(formatter, "result {place} is not known within {within}·2⁻⁵³ from {bits} bits")
+        write!(
+            formatter,
+            "result {place} could not be computed within a relative error of {within}·2⁻⁵³ with {bits} bits"
+        )
     }
 }
 

@@ -65,10 +65,10 @@ export class Kernels {
 
   async #draw() {
     const kernel = this.#kernel;
-    if (!kernel.arguments.length) return this.#drawing.replaceChildren(note("It has no arguments to draw it over."));
+    if (!kernel.arguments.length) return this.#drawing.replaceChildren(note("This kernel has no arguments to plot it over."));
     this.#axes.show(kernel);
     const request = this.#axes.request;
-    if (!request) return this.#drawing.replaceChildren(note("Each range goes from a smaller number to a greater one, such as 0 to pi/2.", "bad"));
+    if (!request) return this.#drawing.replaceChildren(note("Each range must go from a smaller number to a larger one, such as 0 to pi/2.", "bad"));
     this.#drawing.classList.add("stale");
     await answered(this.#plot, "plot", { text: this.#text, ...request }, ({ drawing, ...rest }) => {
       this.#drawing.classList.remove("stale");

@@ -24,15 +24,15 @@ impl fmt::Display for ServeError {
                 let port = address.port();
                 write!(
                     f,
-                    "port {port} of {} is taken by another program, perhaps by `forms serve` itself; name another with \
-                     --port, or 0 for any that is free",
+                    "port {port} of {} is in use, perhaps by another `forms serve`; choose another with --port, or 0 \
+                     for any free port",
                     address.ip()
                 )
             }
             ServeError::Address(address, error) => {
-                write!(f, "cannot listen at {address}: {error}; choose another with --bind and --port")
+                write!(f, "cannot listen on {address}: {error}; choose another with --bind and --port")
             }
-            ServeError::Runtime(error) => write!(f, "no threads to serve with: {error}"),
+            ServeError::Runtime(error) => write!(f, "cannot start threads: {error}"),
             ServeError::Announcement(error) => write!(f, "cannot write the output: {error}"),
         }
     }

@@ -32,7 +32,7 @@ const HEADERS: [(&str, &str); 6] = [
 pub(crate) async fn guard(request: Request, next: Next) -> Response {
     let mut response = match objection(request.headers()) {
         _ if is_said_twice(request.headers()) => {
-            refusal(StatusCode::BAD_REQUEST, "a request names its host and its origin once")
+            refusal(StatusCode::BAD_REQUEST, "a request must name its host and its origin only once")
         }
         Some(reason) => refusal(StatusCode::FORBIDDEN, reason),
         None => next.run(request).await,
@@ -55,7 +55,7 @@ fn objection(headers: &HeaderMap) -> Option<&'static str> {
     let text = |name| headers.get(name).map(|value: &HeaderValue| value.to_str().unwrap_or_default());
     let Some(host) = text(header::HOST).filter(|host| is_of_this_machine(host)) else {
         return Some(
-            "this page is served as localhost or by its address only; open it as http://localhost or by the address",
+            "this page is served only as localhost or by its IP address; open it at http://localhost or at the address",
         );
     };
     let is_foreign = text(header::ORIGIN).is_some_and(|origin| origin.strip_prefix("http://") != Some(host));

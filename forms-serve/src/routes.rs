@@ -63,19 +63,19 @@ async fn work(
     if !is_json(&headers) {
         return refusal(
             StatusCode::UNSUPPORTED_MEDIA_TYPE,
-            "a request is a JSON object, of type application/json",
+            "a request must be a JSON object of type application/json",
         );
     }
     let request = match timeout(ARRIVAL, to_bytes(body, LONGEST_REQUEST)).await {
         Ok(Ok(request)) => request,
         Ok(Err(_)) => {
-            let reason = format!("a request has to be shorter than {} KiB", LONGEST_REQUEST >> 10);
+            let reason = format!("a request must be shorter than {} KiB", LONGEST_REQUEST >> 10);
             return refusal(StatusCode::PAYLOAD_TOO_LARGE, &reason);
         }
         Err(_) => return refusal(StatusCode::REQUEST_TIMEOUT, "the request took too long to arrive"),
     };
     if let Err(error) = serde_json::from_slice::<serde_json::Map<String, serde_json::Value>>(&request) {
-        return refusal(StatusCode::BAD_REQUEST, &format!("the request is no JSON object: {error}"));
+        return refusal(StatusCode::BAD_REQUEST, &format!("the request is not a JSON object: {error}"));
     }
     match workers.answer(task, &request).await {
         // A refusal by the task means that the request does not have the expected fields.
@@ -84,11 +84,11 @@ async fn work(
             None => json(&answer),
         },
         Err(NoAnswer::Busy) => {
-            let reason = "there is more work than this machine can do; try again in some seconds";
+            let reason = "the server is busy; try again in a few seconds";
             refusal(StatusCode::SERVICE_UNAVAILABLE, reason)
         }
         Err(NoAnswer::Broken(error)) => {
-            refusal(StatusCode::INTERNAL_SERVER_ERROR, &format!("no process to work: {error}"))
+            refusal(StatusCode::INTERNAL_SERVER_ERROR, &format!("cannot start a worker process: {error}"))
         }
     }
 }

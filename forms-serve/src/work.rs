@@ -137,8 +137,8 @@ impl Workers {
                 Some(format!("stopped after {} s, the time limit", self.time_limit.as_secs_f64()))
             }
             End::TooLong => Some(format!("stopped: the answer is longer than {} MiB", LONGEST_ANSWER >> 20)),
-            End::Killed => Some("stopped: it needed more memory or time than it may have".to_owned()),
-            End::Failed => Some("stopped by a fault of this program".to_owned()),
+            End::Killed => Some("stopped: the request exceeded its limit of memory or time".to_owned()),
+            End::Failed => Some("stopped by an internal error".to_owned()),
         }
     }
 }

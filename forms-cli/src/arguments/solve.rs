@@ -43,12 +43,12 @@ impl ThreadArguments {
     pub(crate) fn make(self) -> Result<(), String> {
         let Some(threads) = self.threads else { return Ok(()) };
         let made = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-        made.map_err(|error| format!("{threads} threads cannot be made: {error}"))
+        made.map_err(|error| format!("cannot create {threads} threads: {error}"))
     }
 }
 
 /// Parses a number of threads.
 fn threads(text: &str) -> Result<usize, String> {
     let count = text.parse().ok().filter(|count| (1..=MOST_THREADS).contains(count));
-    count.ok_or_else(|| format!("expected a whole number from 1 to {MOST_THREADS}"))
+    count.ok_or_else(|| format!("expected an integer from 1 to {MOST_THREADS}"))
 }

@@ -28,7 +28,7 @@ pub(crate) fn book(out: &str, output: &mut dyn Write) -> io::Result<Status> {
     if let Err(error) = files.iter().try_for_each(|(name, bytes)| write(&Path::new(out).join(name), bytes)) {
         return Ok(refuse(&format!("cannot write the book to {out}: {error}")));
     }
-    writeln!(output, "{}, from {out}/index.html on", counted(made.len(), "page"))?;
+    writeln!(output, "{} written; start at {out}/index.html", counted(made.len(), "page"))?;
     Ok(Status::AsStated)
 }
 

@@ -91,7 +91,7 @@ fn report(checked: &[Checked], faults: &[DecidedFault], output: &mut dyn Write) 
         }
     }
     if !faults.is_empty() {
-        writeln!(output, "{}", palette.heading("claims of kernels, by the prover"))?;
+        writeln!(output, "{}", palette.heading("claims of kernels, decided by the prover"))?;
     }
     for decided in faults {
         write_fault_lines(output, decided, palette)?;
@@ -104,10 +104,10 @@ fn report(checked: &[Checked], faults: &[DecidedFault], output: &mut dyn Write) 
     let accepted = checked.len() - rejected - open;
     write!(output, "\n{all}: {accepted} accepted, {rejected} rejected, {open} not covered")?;
     if others > 0 {
-        write!(output, "; {others} of the accepted not as stated")?;
+        write!(output, "; {others} of the accepted are not as stated")?;
     }
     if !faults.is_empty() {
-        write!(output, "; {} of kernels not shown", counted(faults.len(), "claim"))?;
+        write!(output, "; {} of kernels not proved", counted(faults.len(), "claim"))?;
     }
     writeln!(output)
 }

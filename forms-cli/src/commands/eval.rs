@@ -94,8 +94,8 @@ impl Undecided {
             let rows =
                 forms::core::diagnostic::counted(usize::try_from(self.rows).unwrap_or(usize::MAX), "row");
             tell!(
-                "warning: {rows} without a value of `{kernel}`: no precision that was tried gives the digits that are \
-                 promised\n --> {INPUT}:{}",
+                "warning: {rows} without a value of `{kernel}`: no available precision reaches the promised accuracy\n \
+                 --> {INPUT}:{}",
                 self.first
             );
         }
@@ -167,7 +167,9 @@ fn rows(kernel: &impl Evaluation, input: impl io::Read, output: &mut dyn Write) 
         begin_row.set(0);
         unread += u64::from(Output::is_gone());
         if unread > MOST_UNREAD_ROWS {
-            return Ok(refuse("nobody reads the output, and the rows do not end"));
+            return Ok(refuse(&format!(
+                "the output is closed, and the input has more than {MOST_UNREAD_ROWS} further rows"
+            )));
         }
         let row = match reader.read_record(&mut record) {
             Ok(false) => break,
@@ -212,7 +214,7 @@ fn columns(kernel: &impl Evaluation, header: &csv::StringRecord) -> Result<Vec<u
     for (place, name) in header.iter().enumerate() {
         if !kernel.arguments().iter().any(|argument| argument == name) {
             let (kernel, wanted) = (kernel.name(), wanted());
-            return Err(format!("`{name}` is no argument of `{kernel}`; expected the columns {wanted}"));
+            return Err(format!("`{name}` is not an argument of `{kernel}`; expected the columns {wanted}"));
         }
         if header[..place].contains(name) {
             return Err(format!("the column `{name}` occurs twice"));

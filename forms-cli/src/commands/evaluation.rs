@@ -42,7 +42,7 @@ impl Unread {
                 format!("expected a number such as 0.5, 1e-3 or 1/3 for `{name}`, found `{found}`")
             }
             Unread::TooLarge(numbers) => format!(
-                "`{found}` for `{name}` is beyond the largest {numbers} number; `--precision exact` takes it"
+                "`{found}` for `{name}` exceeds the largest {numbers} number; use `--precision exact`"
             ),
         }
     }

@@ -202,7 +202,7 @@ impl Report<'_> {
             some => self.palette.bad(&format!("{some} are not as stated")),
         };
         writeln!(self.output, "{}; {end}", totals.sentence())?;
-        let times = format!("{} of deciding in {}", duration(totals.time), duration(all));
+        let times = format!("{} of proof time, {} elapsed", duration(totals.time), duration(all));
         writeln!(self.output, "{}", self.palette.quiet(&times))
     }
 }

@@ -41,7 +41,7 @@ pub(crate) fn serve(
     let words = Words { items: ITEMS, inside: INSIDE, functions: FUNCTIONS };
     let settings = Settings { bind, port, time_limit, worker, opened, words };
     let served = forms_serve::serve(settings, |address| {
-        writeln!(output, "http://{address}/ shows the page; Ctrl-C ends it")?;
+        writeln!(output, "http://{address}/ serves the page; press Ctrl-C to stop")?;
         output.flush()
     });
     match served {

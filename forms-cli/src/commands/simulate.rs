@@ -125,7 +125,7 @@ fn found(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<
     let share = request.share.unwrap_or(Share::WHOLE);
     let job = Job { budget: request.budget, share, state: ready.state.take(), keeper: Some(&ready.kept) };
     let found = simulation::simulate_job(scene, plan, job, &ready.progress)
-        .map_err(|error| format!("the work cannot go on from the checkpoint: {error}"));
+        .map_err(|error| format!("cannot resume from the checkpoint: {error}"));
     ready.progress.end();
     let mut found = found?;
     if let Some(exposure) = request.exposure {
@@ -168,7 +168,7 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     if let Some(file) = request.checkpoint {
         let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
         if found.is_some() {
-            tell!("note: the work goes on from `{file}`");
+            tell!("note: resuming from `{file}`");
         }
         (kept.checkpoint, state) = (Some(checkpoint), found);
     }
@@ -191,13 +191,15 @@ fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
 fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
     let why = "this scene is solved as a whole, without paths";
     if request.budget.is_some() {
-        return Err(format!("{why}, and has no samples that --samples could count: leave it out"));
+        return Err(format!("{why}, so it has no samples: omit --samples"));
     }
     if let Some(share) = request.share.filter(|share| !share.is_whole()) {
-        tell!("note: {why}: all of it belongs to share {}, and nothing to the others", share.first());
+        tell!("note: {why}: all of the work belongs to shard {}, and none to the others", share.first());
     }
     if request.checkpoint.is_some() {
-        tell!("note: {why}: the checkpoint is written at the end; work that is killed begins anew");
+        tell!(
+            "note: {why}: the checkpoint is written only at the end; a run that is killed before then starts again"
+        );
     }
     Ok(())
 }
@@ -228,12 +230,9 @@ fn shared(
         Some(Ok(units)) => units,
         Some(Err(message)) => return Ok(refuse(&message)),
         None => {
-            let rest = if request.checkpoint.is_some() {
-                "the same call goes on with it"
-            } else {
-                "nothing is kept of it"
-            };
-            tell!("stopped: share {share} is not done, and `{file}` is not written; {rest}");
+            let rest =
+                if request.checkpoint.is_some() { "the same call resumes it" } else { "no state is saved" };
+            tell!("stopped: shard {share} is not complete, and `{file}` is not written; {rest}");
             return Ok(Status::Stopped);
         }
     };
@@ -253,12 +252,12 @@ fn shared(
         (false, _) => "all of the work".to_owned(),
     };
     let taken = seconds(found.seconds);
-    let line = format!("share {share}, {what}, in {taken}, written to {file}");
+    let line = format!("shard {share}, {what}, in {taken}, written to {file}");
     writeln!(output, "{}", Palette::of_output().quiet(&line))?;
     if is_by_paths && own == 0 {
         let more =
             if request.budget.is_some() { "" } else { "; with --samples each is divided into 32 replicates" };
-        tell!("note: there are fewer {units} than shares, and none is left for this one{more}");
+        tell!("note: there are fewer {units} than shards, and none is left for this one{more}");
     }
     Ok(Status::AsStated)
 }
@@ -280,7 +279,7 @@ fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
     refused.iter().for_each(|message| tell!("error: {message}"));
     if found.stopped {
-        tell!("stopped: answers may be missing, or be less exact than was asked for");
+        tell!("stopped: answers may be missing or less accurate than requested");
         status = Status::Stopped;
     }
     let missed =

@@ -23,10 +23,10 @@ pub(crate) fn tour(output: &mut dyn Write) -> io::Result<Status> {
     let end = format!("All of this took {}.", duration(start.elapsed()));
     writeln!(output, "{}", palette.quiet(&end))?;
     writeln!(output, "\nTry next:\n")?;
-    writeln!(output, "  forms serve               a page to play with, and the book")?;
-    writeln!(output, "  forms prove FILE.forms    decide what a file of your own states")?;
-    writeln!(output, "  forms simulate SCENE      light a scene, for example scenes/room.toml")?;
-    writeln!(output, "  forms kernels             what the library computes")?;
+    writeln!(output, "  forms serve               a local web page with an editor, and the book")?;
+    writeln!(output, "  forms prove FILE.forms    decide the statements of your own file")?;
+    writeln!(output, "  forms simulate SCENE      simulate a scene, for example scenes/room.toml")?;
+    writeln!(output, "  forms kernels             list the kernels of the library")?;
     writeln!(output, "  forms --help              everything else")?;
     Ok(status)
 }

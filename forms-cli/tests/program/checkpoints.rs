@@ -73,7 +73,7 @@ fn work_that_is_done_is_not_done_again() {
     assert_eq!((first.status, first.errors.as_str()), (0, ""));
     let found = folder.read("out/results.csv");
     let again = forms(&folder, &call);
-    assert_eq!((again.status, again.errors.as_str()), (0, "note: the work goes on from `state`\n"));
+    assert_eq!((again.status, again.errors.as_str()), (0, "note: resuming from `state`\n"));
     assert_eq!(folder.read("out/results.csv"), found);
 }
 
@@ -95,7 +95,7 @@ fn a_checkpoint_of_other_work_or_of_none_is_refused_and_stays() {
     let cases: [(&[&str], &str); 8] = [
         (
             &["other.toml", "--checkpoint", "state"],
-            "`state` is not of this work, it belongs to another scene",
+            "`state` does not match this run: it belongs to another scene",
         ),
         (
             &["hall.toml", "--checkpoint", "state", "--samples", "64"],
@@ -129,10 +129,10 @@ fn a_scene_that_is_solved_as_a_whole_is_kept_at_its_end() {
     let folder = Folder::with(&[("lamp.toml", LAMP)]);
     let call = ["simulate", "lamp.toml", "--checkpoint", "state", "--out", "found"];
     let first = forms(&folder, &call);
-    assert!(first.status == 0 && first.errors.contains("written at the end"), "{}", first.errors);
+    assert!(first.status == 0 && first.errors.contains("written only at the end"), "{}", first.errors);
     let results = folder.read("found/results.csv");
     let again = forms(&folder, &call);
-    assert!(again.status == 0 && again.errors.contains("the work goes on from `state`"), "{}", again.errors);
+    assert!(again.status == 0 && again.errors.contains("resuming from `state`"), "{}", again.errors);
     assert_eq!(folder.read("found/results.csv"), results);
 }
 

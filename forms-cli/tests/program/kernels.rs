@@ -39,7 +39,7 @@ fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
     let cases = [
         ("", "no header", 0),
         ("a\n1\n", "the column `b` is missing", 0),
-        ("a,b,c\n1,2,3\n", "`c` is no argument of `ratio`", 0),
+        ("a,b,c\n1,2,3\n", "`c` is not an argument of `ratio`", 0),
         ("a,a,b\n1,1,2\n", "the column `a` occurs twice", 0),
         ("a,b\n1,2\n1,inf\n", "<stdin>:3", 2),
         ("a,b\n1,2\n1,2\n1\n", "expected 2 numbers in this row, found 1", 3),
@@ -79,11 +79,7 @@ fn an_argument_beyond_the_largest_number_is_refused() {
             &format!("x\n{argument}\n"),
         );
         assert_eq!(run.status, 2, "{}", run.output);
-        assert!(
-            run.errors.contains(&format!("`{argument}` for `x` is beyond the largest")),
-            "{}",
-            run.errors
-        );
+        assert!(run.errors.contains(&format!("`{argument}` for `x` exceeds the largest")), "{}", run.errors);
     }
     let run = forms_on(&folder, &["eval", "plain.forms", "k", "--precision", "exact"], "x\n1e400\n");
     assert_eq!(run.status, 0, "{}", run.errors);

@@ -280,7 +280,7 @@ fn what_a_kernel_claims_is_decided_when_a_certificate_is_checked() {
     assert_eq!(forms(&folder, &["prove", "--certificate", "claims.certificate", "claims.forms"]).status, 1);
     let run = forms(&folder, &["check", "claims.certificate"]);
     assert_eq!((run.status, run.errors.as_str()), (1, ""), "{}", run.output);
-    for line in ["accepted: proved, as stated", "✗ k: by", "1 claim of kernels not shown"] {
+    for line in ["accepted: proved, as stated", "✗ k: by", "1 claim of kernels not proved"] {
         assert!(run.output.contains(line), "{line}: {}", run.output);
     }
 }

@@ -97,8 +97,8 @@ fn wrong_values_are_named_with_what_to_write() {
         (&["--tolerance", "-1"], "expected a number above 0 and below 1"),
         (&["--seed", "-1"], "expected an integer from 0 to 2^53"),
         (&["--seed", "1.5"], "expected an integer from 0 to 2^53"),
-        (&["--threads", "0"], "expected a whole number from 1 to 4096"),
-        (&["--threads", "many"], "expected a whole number from 1 to 4096"),
+        (&["--threads", "0"], "expected an integer from 1 to 4096"),
+        (&["--threads", "many"], "expected an integer from 1 to 4096"),
         (&["--effects", "occlusion"], "`occlusion` has no value: expected effect=value, for example"),
         (
             &["--effects", "shade=on"],
@@ -135,7 +135,7 @@ fn checkpoints_and_shares_are_of_the_values_that_were_given() {
     let coarse = ["--tolerance", "0.1", "--seed", "9"];
     let kept = [&coarse[..], &["--checkpoint", "state"]].concat();
     assert_eq!(simulate(&kept).status, 0);
-    assert!(simulate(&kept).errors.contains("the work goes on from `state`"));
+    assert!(simulate(&kept).errors.contains("resuming from `state`"));
     let cases: [(&[&str], &str); 3] = [
         (&["--seed", "9"], "it was computed with tolerance 0.1, not 0.01"),
         (&["--tolerance", "0.1"], "it was computed with seed 9, not 1"),
@@ -159,7 +159,7 @@ fn checkpoints_and_shares_are_of_the_values_that_were_given() {
     assert_eq!(simulate(&["--seed", "9", "--tolerance", "0.1", "--shard", "2/2", "--out", "c"]).status, 0);
     let run = forms(&folder, &["merge", "a", "c"]);
     assert!(
-        run.status == 2 && run.errors.contains("does not go with `a`: it belongs to the same scene"),
+        run.status == 2 && run.errors.contains("does not match `a`: it belongs to the same scene"),
         "{}",
         run.errors
     );

@@ -95,17 +95,17 @@ fn a_part_that_is_missing_damaged_of_other_work_or_repeated_is_named() {
     folder.write("damaged", &bytes);
     folder.write("cut", &folder.read("b")[..middle]);
     let cases: [(&[&str], &[&str]); 11] = [
-        (&["a"], &["share 2/2 is missing", "forms simulate hall.toml --shard 2/2 --out PART"]),
-        (&["exposed"], &["share 1/2 is missing", "--shard 1/2 --exposure 2 --out PART"]),
-        (&["counted"], &["share 1/2 is missing", "--shard 1/2 --samples 64 --out PART"]),
-        (&["a", "damaged"], &["the part `damaged` is damaged", "share 2/2 is missing"]),
+        (&["a"], &["shard 2/2 is missing", "forms simulate hall.toml --shard 2/2 --out PART"]),
+        (&["exposed"], &["shard 1/2 is missing", "--shard 1/2 --exposure 2 --out PART"]),
+        (&["counted"], &["shard 1/2 is missing", "--shard 1/2 --samples 64 --out PART"]),
+        (&["a", "damaged"], &["the part `damaged` is damaged", "shard 2/2 is missing"]),
         (&["a", "cut"], &["the part `cut` is damaged"]),
         (&["a", "hall.toml"], &["the part `hall.toml` was written by another program"]),
         (&["a", "checkpoint"], &["the part `checkpoint` was written by another program"]),
         (&["a", "nowhere"], &["the part `nowhere` cannot be read"]),
-        (&["a", "of three"], &["the part `of three` does not go with `a`", "it is share 2/3"]),
-        (&["a", "counted"], &["the part `counted` does not go with `a`", "64 samples per value"]),
-        (&["a", "other"], &["the part `other` does not go with `a`", "another scene"]),
+        (&["a", "of three"], &["the part `of three` does not match `a`", "it is shard 2/3"]),
+        (&["a", "counted"], &["the part `counted` does not match `a`", "64 samples per value"]),
+        (&["a", "other"], &["the part `other` does not match `a`", "another scene"]),
     ];
     for (parts, messages) in cases {
         let run = forms(&folder, &[&["merge"], parts].concat());
@@ -116,7 +116,7 @@ fn a_part_that_is_missing_damaged_of_other_work_or_repeated_is_named() {
     }
     let run = forms(&folder, &["merge", "a", "b", "b again"]);
     assert_eq!(run.status, 0, "{}", run.errors);
-    assert!(run.errors.contains("`b` and `b again` are both share 2/2 and say the same"), "{}", run.errors);
+    assert!(run.errors.contains("`b` and `b again` are both shard 2/2 and identical"), "{}", run.errors);
     if forms::math::Instructions::best().name() != "baseline" {
         let run = forms(&folder, &["merge", "a", "baseline"]);
         assert_eq!(run.status, 2);
@@ -138,7 +138,7 @@ fn a_scene_that_is_solved_as_a_whole_is_the_first_share_and_its_parts_come_to_th
             );
             let what = if share == 1 { "all of the work" } else { "nothing" };
             assert!(run.status == 0 && run.output.contains(what), "{} {}", run.output, run.errors);
-            let note = format!("all of it belongs to share 1/{count}");
+            let note = format!("all of the work belongs to shard 1/{count}");
             assert_eq!(run.errors.contains(&note), count > 1, "{}", run.errors);
         }
         let out = format!("merged {count}");
@@ -154,9 +154,9 @@ fn a_scene_that_is_solved_as_a_whole_is_the_first_share_and_its_parts_come_to_th
         }
     }
     let run = forms(&folder, &["merge", "2 of 3", "3 of 3"]);
-    assert!(run.status == 2 && run.errors.contains("share 1/3 is missing"), "{}", run.errors);
+    assert!(run.status == 2 && run.errors.contains("shard 1/3 is missing"), "{}", run.errors);
     let run = forms(&folder, &["merge", "1 of 3", "1 of 3", "2 of 3", "3 of 3"]);
-    assert!(run.status == 0 && run.errors.contains("say the same"), "{}", run.errors);
+    assert!(run.status == 0 && run.errors.contains("and identical"), "{}", run.errors);
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn the_call_is_checked_before_the_work() {
         (&["hall.toml", "--samples", "0"], "0 is not a valid number of samples"),
         (&["hall.toml", "--isa", "abacus"], "this processor has baseline"),
         (&["hall.toml", "--shard", "1/2", "--out", "no/where"], "the part `no/where` cannot be written"),
-        (&["lamp.toml", "--samples", "64"], "has no samples that --samples could count"),
+        (&["lamp.toml", "--samples", "64"], "so it has no samples: omit --samples"),
     ];
     for (arguments, message) in cases {
         let run = forms(&folder, &[&["simulate"], arguments].concat());

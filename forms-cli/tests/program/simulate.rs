@@ -127,14 +127,15 @@ fn the_parts_of_the_largest_error_are_told_where_there_are_several() {
     let folder = Folder::with(&[("grey.toml", &room("0.5")), ("black.toml", &room("0"))]);
     let output = |scene| forms(&folder, &["simulate", scene]).output;
     let found = output("grey.toml");
-    let parts = found.lines().find_map(|line| line.strip_prefix("that error is ")).expect("the parts");
+    let parts =
+        found.lines().find_map(|line| line.strip_prefix("this error consists of ")).expect("the parts");
     assert!(parts.contains("% quadrature") && parts.contains("% rounding"), "{parts}");
     let percents =
         parts.split(", ").map(|part| part.split('%').next().unwrap().parse::<f64>().expect("a number"));
     // Each percentage is rounded.
     assert!((percents.sum::<f64>() - 100.0).abs() <= 2.0, "{parts}");
     // The error of a closed form consists of rounding only.
-    assert!(!output("black.toml").contains("that error is"));
+    assert!(!output("black.toml").contains("this error consists of"));
 }
 
 /// Returns the channels of an EXR file and its width and height.
@@ -220,8 +221,8 @@ fn what_cannot_be_done_is_said_before_the_work() {
             &["ball.toml"],
             "distant lights that the curved surface `ball` reflects or refracts is not supported",
         ),
-        (&["room.toml", "--out", "taken"], "the folder `taken` cannot be made: "),
-        (&["room.toml", "--out", "taken/below"], "the folder `taken/below` cannot be made: "),
+        (&["room.toml", "--out", "taken"], "cannot create the folder `taken`: "),
+        (&["room.toml", "--out", "taken/below"], "cannot create the folder `taken/below`: "),
     ];
     for (arguments, message) in cases {
         let run = forms(&folder, &[&["simulate"], arguments].concat());

@@ -122,7 +122,7 @@ fn a_plot_of_what_cannot_be_drawn_is_refused_with_the_reason() {
     for (across, up, output, reason) in [
         (axis("x", 0.0), axis("y", 1.0), 0, "smaller number"),
         (axis("z", 1.0), axis("y", 1.0), 0, "`x` needs a value"),
-        (axis("x", 1.0), axis("x", 1.0), 0, "two arguments"),
+        (axis("x", 1.0), axis("x", 1.0), 0, "different arguments"),
         (axis("x", 1.0), axis("y", 1.0), 1, "values 0 to 0"),
     ] {
         let request =

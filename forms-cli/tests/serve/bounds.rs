@@ -202,7 +202,7 @@ fn a_port_that_is_taken_is_an_error_that_says_what_to_do() {
     let output = command(&["--port", &port]).output().expect("the program ends");
     assert_eq!(output.status.code(), Some(2));
     let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(errors.contains(&port) && errors.contains("is taken") && errors.contains("--port"), "{errors}");
+    assert!(errors.contains(&port) && errors.contains("is in use") && errors.contains("--port"), "{errors}");
 }
 
 #[test]

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 /// Searches the best form of every kernel in a file that does not specify its own form.
 pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     if path == LIBRARY {
-        return Ok(refuse("forms are written beside a file; name one"));
+        return Ok(refuse("--write needs a FILE: the forms are written to a file next to it"));
     }
     let source = match text(path) {
         Ok(source) => source,
@@ -31,7 +31,7 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     for (place, kernel) in kernels.iter().enumerate() {
         let name = &kernel.name;
         if kernel.has_form() {
-            writeln!(output, "{name}: {}", palette.quiet("says itself how it is computed"))?;
+            writeln!(output, "{name}: {}", palette.quiet("skipped, since it has its own `by` or `within`"))?;
             continue;
         }
         let Some(found) = search(&mut file.theory.pool, kernel, Budget::default()) else {
@@ -50,7 +50,7 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
             replace(&beside, |output| output.write_all(text.as_bytes()))?;
             format!("written to {}", beside.display())
         }
-        None => "no form is better than the formula as it is written; nothing was written".to_string(),
+        None => "no form is better than the formula as written; no file was written".to_string(),
     };
     writeln!(output, "{}", palette.quiet(&told))?;
     Ok(Status::AsStated)

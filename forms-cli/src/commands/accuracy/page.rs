@@ -15,13 +15,14 @@ const LONGEST: usize = 300;
 
 /// Explanation of the figures.
 const READING: &str = "\
-Each figure is one kernel in every way that it can be run: in `f32`, `f64` and double-double (dd), as its formula is written
-or by the stable form that was proved equal to it, one value at a time or in batches. A mark stands at the time of one value
-(left is faster) and at the decimal digits that are right on the mean (up is better): in the left panel on typical arguments,
-in the right one in whichever regime of arguments is hardest for that variant. The grey stairs are the Pareto front: what is
-not on them is beaten by something that is as fast and more accurate. The table below the panels has the bits that each regime
-costs, the darker the more, where one bit lost is a neighbour of the correctly rounded result and each further bit doubles the
-error ([what is measured](#what-is-measured)).
+Each figure shows one kernel in all its variants: in `f32`, `f64` and double-double (dd), by the formula as written or
+by the stable form that was proved equal to it, one value at a time or in batches. A mark stands at the time of one
+value (left is faster) and at the mean number of correct decimal digits (up is better): in the left panel for typical
+arguments, in the right panel for the regime of arguments that is hardest for that variant. The grey stairs are the
+Pareto front: a variant that is not on them is beaten by another that is as fast and more accurate. The table below
+the panels shows the mean number of bits lost in each regime, and a darker cell has lost more. One bit lost is a
+neighbour of the correctly rounded result, and each further bit doubles the error ([what is
+measured](#what-is-measured)).
 
 ";
 
@@ -29,23 +30,25 @@ error ([what is measured](#what-is-measured)).
 const MEASURED: &str = "\
 ## What is measured
 
-Rounding error alone: how far a computed value is from the value of its formula at the same arguments, which are exact. What a
-sampling or a model adds is no part of it.
+Rounding error alone: the distance of a computed value from the exact value of its formula at the same arguments,
+which are taken as exact. Errors of sampling or of a model are not included.
 
-- *Bits lost* are log2(1 + the floating-point numbers between the result and the correctly rounded value); a result that is
-  no number loses all 32 or 64. In double-double they are log2(1 + error / 2^-106 of the value). Of several outputs the worst
-  counts.
-- *Truth* is found by interval arithmetic of rising precision, until the rounding is certain.
-- *Stable* is the form that was chosen for its accuracy and proved equal to the formula, or the formula at least cost where
-  nothing was chosen. *Batch* computes columns in the lanes of vectors, with instructions chosen at run time.
-- *Typical* arguments have moderate sizes, from about 1/64 to 64 where the domain allows. The hard regimes: *everywhere*, each
-  floating-point number of the domain alike; *lower edge* and *upper edge* of the range of an argument; *coincident*,
-  arguments that are subtracted from each other close together, or all far away; *singular*, near a zero of a divisor, a
-  radicand or a sum; *large* and *small* arguments. A regime that a kernel does not have is left out.
-- A dot in the column *front*, and * in the tables: no other variant is as fast and as accurate over all regimes alike.
+- *Bits lost* are log2(1 + the floating-point numbers between the result and the correctly rounded value); a NaN loses
+  all 32 or 64. In double-double they are log2(1 + error / 2^-106 of the value). Of several outputs the worst counts.
+- *Reference values* are computed by interval arithmetic of increasing precision, until the rounding is certain.
+- *Stable* is the form that was chosen for its accuracy and proved equal to the formula, or the cheapest program of
+  the formula where no form was chosen. *Batch* computes columns in vector lanes, with instructions selected at run
+  time.
+- *Typical* arguments have moderate sizes, from about 1/64 to 64 where the domain allows. The hard regimes:
+  *everywhere*, all floating-point numbers of the domain with equal probability; *lower edge* and *upper edge* of the
+  range of an argument; *coincident*, arguments that are subtracted from each other close together, or all far away;
+  *singular*, near a zero of a divisor, a radicand or a sum; *large* and *small* arguments. A regime that a kernel
+  does not have is omitted.
+- A dot in the column *front*, and * in the tables: no other variant is as fast and as accurate, on average over all
+  regimes with equal weight.
 
-Not covered: double-double in batches, arguments beyond the domain, values whose intermediate results exceed 2^16384, and
-the time in hard regimes, where a kernel may take another branch.
+Not covered: double-double in batches, arguments beyond the domain, values whose intermediate results exceed 2^16384,
+and the time in hard regimes, where a kernel may take another branch.
 ";
 
 /// Settings of a page.
@@ -74,8 +77,8 @@ impl Page<'_> {
         overview(&mut page, reports);
         let _ = writeln!(
             page,
-            "Generated by `forms accuracy`, the figures too, with {} arguments in each regime. Times are medians of {} \
-             to {} runs over {ROWS} rows on {machine}; it was shared with other programs.\n",
+            "This page and its figures are generated by `forms accuracy`, with {} arguments in each regime. Times are \
+             medians of {} to {} runs over {ROWS} rows on {machine}; the machine also ran other programs.\n",
             self.samples, RUNS[0], RUNS[1]
         );
         for report in reports {
@@ -87,7 +90,8 @@ impl Page<'_> {
             let names: Vec<String> = self.left_out.iter().map(|name| format!("`{name}`")).collect();
             let _ = writeln!(
                 page,
-                "\nLeft out, since truth of an integral takes long: {}; `forms accuracy FILE NAME` measures one.",
+                "\nOmitted, since reference values of an integral take long: {}. `forms accuracy FILE NAME` measures a \
+                 single kernel.",
                 names.join(", ")
             );
         }
@@ -99,7 +103,8 @@ impl Page<'_> {
 /// times of the stable form.
 fn overview(page: &mut String, reports: &[Report]) {
     page.push_str(
-        "| kernel | bits lost in f64 as written: mean, hardest regime | in f64 by the stable form: mean, hardest regime | its time, ns | in a batch, ns | in dd, ns |\n\
+        "| kernel | bits lost, f64 as written: mean, hardest regime | bits lost, f64 stable form: mean, hardest regime \
+         | f64 stable, ns per value | f64 stable batch, ns per value | dd, ns per value |\n\
          |---|---|---|---|---|---|\n",
     );
     for report in reports {
@@ -149,7 +154,8 @@ fn section(page: &mut String, report: &Report) {
         let _ = writeln!(page, "The stable form is `{form}`.\n");
     }
     page.push_str(
-        "| variant | ns a value | typical bits lost: mean, 99%, max | typical ulp: max | hardest regime | its bits: mean, 99%, max |\n\
+        "| variant | ns per value | bits lost, typical: mean, 99 %, max | error in ulp, typical: max | hardest regime \
+         | bits lost there: mean, 99 %, max |\n\
          |---|---|---|---|---|---|\n",
     );
     for row in &report.rows {

@@ -51,9 +51,9 @@ pub(super) fn legend(timed: bool, output: &mut dyn Write) -> io::Result<()> {
         "rounded value); of dd, log2(1 + error / 2**-106 of the value). Rounding error alone.",
     ];
     lines.push(if timed {
-        "* no other variant is as fast and as accurate, over all regimes alike."
+        "* no other variant is as fast and as accurate, on average over all regimes."
     } else {
-        "Times were not measured: by --no-times, or for want of rustc."
+        "Times were not measured: --no-times was given, or rustc is not available."
     });
     lines.iter().try_for_each(|line| writeln!(output, "{}", palette.quiet(line)))
 }

@@ -104,7 +104,7 @@ pub(super) fn table(
     let worst = accuracy.worst_answer().filter(|worst| worst.error >= accuracy.largest_of_cells());
     let made_of = worst.map(|worst| parts(&worst.answer.parts)).filter(|parts| parts.len() > 1);
     made_of.map_or(Ok(()), |parts| {
-        let line = format!("that error is {}", parts.join(", "));
+        let line = format!("this error consists of {}", parts.join(", "));
         writeln!(output, "{}", palette.quiet(&line))
     })
 }

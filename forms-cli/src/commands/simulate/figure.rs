@@ -17,7 +17,7 @@ const SHORTEST: f64 = 1e-6;
 const SMALLEST: f64 = f64::EPSILON / 2.0;
 
 /// Text that is shown if there is no line.
-const UNKNOWN: &str = "no error relative to an answer is known";
+const UNKNOWN: &str = "no relative error is known";
 
 /// Returns the figure as SVG. Moments without a known error are omitted.
 pub(super) fn svg(name: &str, history: &[Moment], tolerance: f64) -> String {
@@ -70,7 +70,11 @@ fn axes(drawing: &mut Drawing, across: &Axis, up: &Axis) {
     drawing.line([left, top], [left, bottom], INK, 1.0);
     let middle = Style::of(12.5, INK).anchored(Anchor::Middle);
     drawing.text([(left + right) / 2.0, bottom + 40.0], middle, "time since the start [s]");
-    drawing.upright([24.0, (top + bottom) / 2.0], 12.5, "largest error of an answer, relative to it [1]");
+    drawing.upright(
+        [24.0, (top + bottom) / 2.0],
+        12.5,
+        "largest relative error of an answer, cell or pixel [1]",
+    );
     let note = Style::of(11.0, QUIET).anchored(Anchor::End);
     drawing.text([right, bottom + 57.0], note, "both axes logarithmic");
 }

@@ -16,7 +16,7 @@ const FIGURE: &str = "error.svg";
 pub(super) fn folder(path: &str) -> Result<PathBuf, String> {
     match std::fs::create_dir_all(path) {
         Ok(()) => Ok(PathBuf::from(path)),
-        Err(error) => Err(format!("the folder `{path}` cannot be made: {}", reason(&error))),
+        Err(error) => Err(format!("cannot create the folder `{path}`: {}", reason(&error))),
     }
 }
 

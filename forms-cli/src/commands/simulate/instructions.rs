@@ -37,7 +37,7 @@ fn without_fused_functions() -> Result<(), String> {
     }
     let all = if before.is_empty() { setting.to_owned() } else { format!("{before}:{setting}") };
     let failed = |error: std::io::Error| {
-        format!("the instructions of the system's functions cannot be chosen: {error}")
+        format!("cannot select the instructions of the system's math functions: {error}")
     };
     let program = std::env::current_exe().map_err(failed)?;
     Err(failed(std::process::Command::new(program).args(std::env::args_os().skip(1)).env(name, all).exec()))

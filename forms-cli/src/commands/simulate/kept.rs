@@ -108,7 +108,7 @@ impl Checkpoint {
                     read.map_err(|error| format!("the checkpoint `{path}` {error}: {remedy}"))?;
                 if let Some(difference) = identity.difference(&found) {
                     return Err(format!(
-                        "the checkpoint `{path}` is not of this work, {difference}: {remedy}"
+                        "the checkpoint `{path}` does not match this run: {difference}; {remedy}"
                     ));
                 }
                 Some(state)

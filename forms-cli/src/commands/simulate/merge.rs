@@ -79,7 +79,7 @@ fn read(files: &[String]) -> (Vec<Part<'_>>, Vec<String>) {
         match StateFile::Part.read::<PartOf>(&bytes) {
             Ok((belongs_to, state)) => parts.push(Part { file, belongs_to, state }),
             Err(error) => messages
-                .push(format!("the part `{file}` {error}: make it again by its `forms simulate --shard`")),
+                .push(format!("the part `{file}` {error}; create it again with `forms simulate --shard`")),
         }
     }
     (parts, messages)
@@ -92,14 +92,14 @@ fn strangers(parts: &[Part<'_>]) -> Vec<String> {
         let [ours, theirs] = [first, part].map(|part| &part.belongs_to);
         let (share, of) = (theirs.identity.share(), ours.identity.share().count());
         let difference = if share.count() != of {
-            Some(format!("it is share {share}, and the work is divided by {of} there"))
+            Some(format!("it is shard {share}, and the other is shard {}", ours.identity.share()))
         } else if ours.exposure != theirs.exposure {
-            Some("it is of another exposure".to_owned())
+            Some("it has another exposure time".to_owned())
         } else {
             ours.identity.with_share(share).difference(&theirs.identity)
         };
         difference.map(|difference| {
-            format!("the part `{}` does not go with `{}`: {difference}", part.file, first.file)
+            format!("the part `{}` does not match `{}`: {difference}", part.file, first.file)
         })
     };
     parts.iter().filter_map(message).collect()
@@ -113,12 +113,13 @@ fn repetitions(parts: &[Part<'_>]) -> (Vec<String>, Vec<String>) {
     for part in parts {
         let share = part.belongs_to.identity.share();
         let Some(other) = seen.insert(share, part) else { continue };
-        let names = format!("`{}` and `{}` are both share {share}", other.file, part.file);
+        let names = format!("`{}` and `{}` are both shard {share}", other.file, part.file);
         if other.state.is_same_as(&part.state) {
-            notes.push(format!("{names} and say the same: it counts once"));
+            notes.push(format!("{names} and identical: one of them is used"));
         } else {
             messages.push(format!(
-                "{names} and differ, which the same work on the same kind of machine never does: make both again"
+                "{names} but differ, although the same run on the same kind of machine gives identical parts; \
+                 create both again"
             ));
         }
     }
@@ -140,7 +141,7 @@ fn missing(first: &Part<'_>, parts: &[Part<'_>]) -> Vec<String> {
         if let Some(name) = instructions {
             call += &format!(" --isa {name}");
         }
-        format!("share {share} is missing: make it by\n  {call} --out PART")
+        format!("shard {share} is missing: create it with\n  {call} --out PART")
     };
     identity.share().all().filter(|share| !has(share)).map(message).collect()
 }
@@ -158,7 +159,7 @@ fn merged(parts: Vec<Part<'_>>) -> Result<Merged, Vec<String>> {
     let states: BTreeMap<Share, State> =
         parts.into_iter().map(|part| (part.belongs_to.identity.share(), part.state)).collect();
     let mut found = simulation::merge(&scene, &plan, budget, states.into_iter().collect())
-        .map_err(|error| vec![format!("the parts cannot be put together: {error}")])?;
+        .map_err(|error| vec![format!("the parts cannot be combined: {error}")])?;
     if let Some(exposure) = exposure {
         exposure.add_to(&mut found);
     }

@@ -85,7 +85,7 @@ fn cells(missed: &MissedCells<'_>) -> String {
     let what = if map.is_image { "pixels" } else { "cells" };
     let band = band.map_or(String::new(), |band| format!(" in band {band}"));
     format!(
-        "{missed} of {all} {what} of `{}`{band}, by up to {} of what they are relative to",
+        "{missed} of {all} {what} of `{}`{band}, with relative errors up to {}",
         map.receiver,
         rough(*worst)
     )
@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(missed(&found), (vec![false, false], None, 0.01));
         let (marked, sentence, largest) = missed(&simulation(0.05, [0.9, 0.05, 0.02, 0.045]));
         assert_eq!((marked, largest), (vec![false, true], 0.025));
-        let expected = "cells of maps or pixels of images miss the tolerance 1e-2: 2 of 4 pixels of `eye`, by up to 2.5e-2 of what they are relative to";
+        let expected = "cells of maps or pixels of images miss the tolerance 1e-2: 2 of 4 pixels of `eye`, with relative errors up to 2.5e-2";
         assert_eq!(sentence.as_deref(), Some(expected));
     }
 
@@ -157,7 +157,7 @@ mod tests {
     fn numbers_and_pixels_that_miss_the_tolerance_are_in_one_sentence() {
         let (marked, sentence, largest) = missed(&simulation(0.1, [1.8, 0.0, 0.0, 0.0]));
         assert_eq!((marked, largest), (vec![true, true], 0.02));
-        let expected = "1 number misses the tolerance 1e-2: `here` (irradiance); 1 of 4 pixels of `eye`, by up to 2.0e-2 of what they are relative to";
+        let expected = "1 number misses the tolerance 1e-2: `here` (irradiance); 1 of 4 pixels of `eye`, with relative errors up to 2.0e-2";
         assert_eq!(sentence.as_deref(), Some(expected));
     }
 

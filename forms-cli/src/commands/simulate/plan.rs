@@ -13,7 +13,7 @@ use std::io::{self, Write};
 const NARROWEST_REASON: usize = 30;
 
 /// Explanation of the column of bounds.
-const MEANING: &str = "bound: what is left out of the effect changes an answer by no more than this";
+const MEANING: &str = "bound: largest possible change of an answer by the omitted part of the effect";
 
 /// JSON record of an effect.
 #[derive(serde::Serialize)]

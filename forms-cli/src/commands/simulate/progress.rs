@@ -47,7 +47,7 @@ impl Progress {
                 exit(Status::Stopped.code().into());
             }
         };
-        ctrlc::set_handler(stop).map_err(|error| format!("Ctrl-C cannot be waited for: {error}"))?;
+        ctrlc::set_handler(stop).map_err(|error| format!("cannot install the Ctrl-C handler: {error}"))?;
         let bar = std::io::stderr().is_terminal().then(Bar::new);
         Ok(Self { stopped, bar })
     }

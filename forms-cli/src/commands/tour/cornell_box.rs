@@ -22,8 +22,8 @@ const PICTURE: &str = "cornell_box.png";
 /// picture.
 pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
     heading(3, "The Cornell box, lit", palette, output)?;
-    let about = "Direct light of the lamp in closed form, its shadows cut out of it exactly; light between the \
-                 walls is not part of it.";
+    let about =
+        "Direct light of the lamp in closed form, with exact shadows; interreflection is not included.";
     for line in wrap(about, 2) {
         writeln!(output, "{line}")?;
     }

@@ -27,10 +27,10 @@ pub(super) fn generate(palette: Palette, output: &mut dyn Write) -> io::Result<S
             return Ok(Status::Error);
         }
     };
-    heading(2, "Kernels, generated from what was proved", palette, output)?;
+    heading(2, "Kernels, generated from the theory", palette, output)?;
     for line in wrap(
-        "The operations of each generated kernel, and what it costs in additions as its formula was written and as \
-              it is generated: a division counts as 4, a square root as 5, a function as 15 to 30.",
+        "The operations of each generated kernel, and the cost of its formula as written and as generated, in \
+              additions: a division counts as 4, a square root as 5, a function as 15 to 30.",
         2,
     ) {
         writeln!(output, "{line}")?;

@@ -134,19 +134,24 @@ impl Request {
     fn arguments(&self, generated: &Generated) -> Result<Vec<f64>, String> {
         let outputs = generated.optimised.outputs().len();
         if self.output >= outputs {
-            return Err(format!("`{}` has values 0 to {}, and no {}", self.kernel, outputs - 1, self.output));
+            return Err(format!(
+                "`{}` has values 0 to {}; there is no value {}",
+                self.kernel,
+                outputs - 1,
+                self.output
+            ));
         }
         let axes = || [Some(&self.across), self.up.as_ref()].into_iter().flatten();
         for axis in axes() {
             if !(axis.from < axis.to && (axis.to - axis.from).is_finite()) {
                 return Err(format!(
-                    "the range of `{}` has to go from a smaller number to a greater one",
+                    "the range of `{}` must go from a smaller number to a larger one",
                     axis.name
                 ));
             }
         }
         if self.up.as_ref().is_some_and(|up| up.name == self.across.name) {
-            return Err("the two axes have to be of two arguments".to_owned());
+            return Err("the two axes must be different arguments".to_owned());
         }
         let argument = |name: &String| {
             let drawn = axes().find(|axis| axis.name == *name).map(|axis| axis.from);
@@ -157,7 +162,7 @@ impl Request {
     }
 
     fn unknown(&self, axis: &Axis) -> String {
-        format!("`{}` is no argument of `{}`", axis.name, self.kernel)
+        format!("`{}` is not an argument of `{}`", axis.name, self.kernel)
     }
 
     /// Returns the title `density(u, v)`, with the index of the value if there are several.

@@ -165,14 +165,14 @@ impl Parser<'_> {
         self.expect(Symbol::Colon)?;
         let span = self.span();
         let Some(TokenKind::Number(text)) = self.peek() else {
-            return Err(self.unexpected("the form's degree", Some("a degree is a whole number: `: 2`")));
+            return Err(self.unexpected("the form's degree", Some("a degree is an integer: `: 2`")));
         };
         match number::value(text).ok().filter(|value| value.is_integer()).and_then(|value| value.to_u32()) {
             Some(degree) => {
                 self.position += 1;
                 Ok((degree, span))
             }
-            None => Err(self.unexpected("the form's degree", Some("a degree is a whole number: `: 2`"))),
+            None => Err(self.unexpected("the form's degree", Some("a degree is an integer: `: 2`"))),
         }
     }
 
