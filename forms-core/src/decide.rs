@@ -9,8 +9,8 @@
 //! A quick check in machine words comes first: if it is certain of a point at which the sides may
 //! agree, the normal forms are computed before any other point is tried.
 //!
-//! A proof never rests on a sample, and a refutation never on a normal form: each has its own
-//! argument. A few points are tried first, since almost any point refutes a false statement; a
+//! A proof never rests on a sample. A refutation rests on values at an exact point: enclosed, or on
+//! strata decided by their normal forms. A few points are tried first, since almost any point refutes a false statement; a
 //! proved statement needs a point as well, to show that it is not vacuous.
 
 mod account;

@@ -164,6 +164,26 @@ fn a_module_is_a_file_beside_its_folder() {
 }
 
 #[test]
+fn the_code_map_names_every_top_level_module_and_no_file_that_is_missing() {
+    let root = root();
+    let page = fs::read_to_string(root.join("docs/architecture.md")).expect("the code map");
+    let names: BTreeSet<&str> = page.split('`').skip(1).step_by(2).collect();
+    let mut missing = Vec::new();
+    for package in packages(&root) {
+        let src = package.folder.join("src");
+        let top = files(&src, "rs").into_iter().filter(|path| path.parent() == Some(src.as_path()));
+        let top = top.filter_map(|path| Some(path.file_stem()?.to_string_lossy().into_owned()));
+        let unnamed =
+            top.filter(|name| !["lib", "main"].contains(&name.as_str()) && !names.contains(name.as_str()));
+        missing.extend(unnamed.map(|name| format!("{} {name}", package.name)));
+    }
+    let is_file = |name: &&&str| name.ends_with(".rs") && name.starts_with("forms-");
+    let absent = names.iter().filter(is_file).filter(|name| !root.join(name).exists());
+    missing.extend(absent.map(ToString::to_string));
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+#[test]
 fn comments_use_the_words_of_the_field() {
     let of_file = |(path, text): &(String, String)| {
         let place = |line| format!("{path}:{line}");

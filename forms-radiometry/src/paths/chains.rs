@@ -22,7 +22,7 @@ use crate::scene::{MaterialKind, Scene};
 /// Maximum number of chains with mirrors, and of planes.
 const MOST: usize = 64;
 /// Chains that leave less of the light than this fraction of the tolerance are not listed.
-const ROULETTE_THRESHOLD: f64 = 1e-3;
+const LISTED_FROM: f64 = 1e-3;
 /// Planes are merged if their normals differ by less than this, and their positions by less than
 /// this relative to the extent of the walls.
 const SAME: f64 = 1e-10;
@@ -97,7 +97,7 @@ impl Chains {
         for (wall, (shape, interface)) in walls.iter().zip(interfaces).enumerate() {
             chains.of_walls[wall] = chains.plane(scene, shape, interface, extent);
         }
-        chains.list(&luminaires, ROULETTE_THRESHOLD * scene.solve.tolerance);
+        chains.list(&luminaires, LISTED_FROM * scene.solve.tolerance);
         let whole: f64 = chains.all.iter().map(|chain| chain.chance).sum();
         let mut sum = 0.0;
         for chain in &mut chains.all {

@@ -25,7 +25,7 @@ const MOST: usize = 4096;
 const FEW: usize = 16;
 /// Images that are weaker, relative to their light, than this fraction of the tolerance are
 /// omitted.
-const ROULETTE_THRESHOLD: f64 = 1e-3;
+const LISTED_FROM: f64 = 1e-3;
 /// Total light of the omitted images as a fraction of the tolerance: a few of them follow from each
 /// of the last listed images.
 pub(crate) const LEFT_OUT: f64 = 1e-2;
@@ -107,7 +107,7 @@ impl<const N: usize> Images<N> {
             };
             let sent =
                 Sent { place, light: optics.beams[index], filling, steps: Vec::new(), lit: Vec::new() };
-            let least = ROULETTE_THRESHOLD * world.scene.solve.tolerance * largest(&optics.beams[index]);
+            let least = LISTED_FROM * world.scene.solve.tolerance * largest(&optics.beams[index]);
             images.add_images(world, optics, &smooth, sent, least);
         }
         let whole: f64 = images.all.iter().map(|image| largest(&image.light)).sum();

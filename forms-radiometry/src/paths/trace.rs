@@ -1,4 +1,4 @@
-//! Path driver: an estimand and the random numbers of one sample become the light of one path,
+//! Samples of paths: an estimand and the random numbers of one sample become the light of one path,
 //! which is added to the sums of the estimand.
 
 use super::choice::Sought;

@@ -7,7 +7,7 @@
 //! anything else    ─▶ path tracing; quadrature and ray trees where these need no samples
 //! ```
 //! This module only reports names. The choice itself is made by
-//! [`is_followed`](crate::paths::driver::is_followed) and [`Gathering::of`]. Where only the work shows
+//! [`is_by_paths`](super::solver::is_by_paths) and [`Gathering::of`]. Where only the work shows
 //! which of two methods suffices, both are named.
 
 use super::Plan;

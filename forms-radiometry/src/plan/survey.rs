@@ -16,7 +16,7 @@ use crate::radiosity::{
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
-use crate::simulation::Unwatched;
+use crate::watch::Unwatched;
 use std::f64::consts::PI;
 
 /// Scenes with more faces than this are surveyed by rays: neither bounds nor occluders are found

@@ -21,7 +21,7 @@ use crate::geometry::double_double::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{LightKind, ReceiverKind, Scene};
-use crate::simulation::Watch;
+use crate::watch::Watch;
 use std::f64::consts::PI;
 
 /// Maximum numbers of edge pairs, each with the relative error to which unoccluded faces exchange

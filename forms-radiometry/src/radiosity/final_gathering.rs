@@ -32,7 +32,7 @@ use crate::geometry::Vector;
 use crate::kernels::irradiance;
 use crate::sampling::{Net, key};
 use crate::scene::Scene;
-use crate::simulation::Watch;
+use crate::watch::Watch;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

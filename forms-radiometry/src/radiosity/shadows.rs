@@ -13,7 +13,7 @@ use crate::geometry::double_double::Rounded;
 use crate::geometry::{Beam, Face, Lit, Vector, edges};
 use crate::parallelism::Parallelism;
 use crate::scene::{Light, LightKind, Scene};
-use crate::simulation::Watch;
+use crate::watch::Watch;
 
 /// Maximum number of segments of a shadow border; a border with more does not cut the face.
 const MOST_SEGMENTS: usize = 256;

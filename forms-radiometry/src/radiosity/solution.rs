@@ -8,7 +8,7 @@
 //! Saad and Schultz 1986). It takes a few steps where the series would take thousands.
 
 use super::operator::Operator;
-use crate::simulation::Watch;
+use crate::watch::Watch;
 
 /// Maximum dimension of the Krylov space before a restart.
 const POWERS: usize = 60;

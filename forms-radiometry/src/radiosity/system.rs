@@ -20,7 +20,7 @@ use crate::geometry::{Face, Vector, closeness};
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::parallelism::Parallelism;
 use crate::scene::{MaterialKind, Scene};
-use crate::simulation::Watch;
+use crate::watch::Watch;
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};

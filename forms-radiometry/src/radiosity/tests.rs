@@ -10,7 +10,7 @@ use super::weights;
 use super::whole_elements::Whole;
 use crate::geometry::{Face, Vector};
 use crate::kernels::irradiance_linear_luminaire;
-use crate::simulation::Unwatched;
+use crate::watch::Unwatched;
 
 /// Returns the face of a triangle above the origin that faces down.
 fn triangle([a, b, c]: [Vector; 3]) -> Face {
