@@ -101,7 +101,7 @@ impl Writer {
             Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
             Generator::Root { base, .. } => self.base(tower, base, declared),
             Generator::Chord { .. } => {
-                self.gap = Some("the sine or cosine of a rational multiple of pi".into())
+                self.gap = Some("the sine or cosine of a rational multiple of pi".into());
             }
             Generator::Logarithm { base } => self.base(tower, base, declared),
         }

@@ -7,7 +7,7 @@ use std::hash::{Hash, Hasher};
 /// An exact rational number of any size.
 pub type Rational = num_rational::BigRational;
 
-/// A scalar expression: the index of its node in a [`Pool`].
+/// A scalar expression: the index of its node in a [`Pool`](super::Pool).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Expr(pub(crate) u32);
 

@@ -58,7 +58,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
                 let lit = self.lit_point(path, medium, length, image.point(), samples);
                 let Some((lit, vertex)) = lit else { continue };
                 self.imaged(&lit, &vertex, (image, chance), &mut |_, value, optical_path_length| {
-                    add(value, optical_path_length)
+                    add(value, optical_path_length);
                 });
             }
         }

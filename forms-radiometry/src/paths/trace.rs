@@ -35,7 +35,7 @@ impl<L: Specialisation, const N: usize> PathSampler for Tracer<'_, L, N> {
                 let most = self.limits.reflections.map(|most| most.saturating_add(1));
                 let path = Path { is_same, most, ..self.begin(start, direction) };
                 self.follow(path, draws, &mut |value, optical_path_length| {
-                    add(direction, value, optical_path_length)
+                    add(direction, value, optical_path_length);
                 });
             }
             Some(Begin::Receiver { start, normal }) => {
@@ -89,7 +89,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         path.is_straight = true;
         let direction = path.direction;
         self.follow(path, draws, &mut |value, optical_path_length| {
-            add(direction, value, optical_path_length)
+            add(direction, value, optical_path_length);
         });
     }
 }

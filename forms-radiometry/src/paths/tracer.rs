@@ -208,10 +208,10 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             let vertex =
                 Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
             self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length)
+                add(value, optical_path_length);
             });
             self.sample_direct_light(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length)
+                add(value, optical_path_length);
             });
             self.scatter(path, &vertex, &mut draws.path);
             return true;
