@@ -11,14 +11,12 @@ mod survey;
 pub(crate) mod working_scene;
 
 use crate::effects::PlannedEffect;
-#[cfg(doc)]
-use crate::scene::Effect;
 use crate::used_kernel::UsedKernel;
 
 /// Decision about the effects that are simulated.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// All effects, in the order of [`Effect::ALL`].
+    /// All effects, in the order of [`Effect::ALL`](crate::scene::Effect::ALL).
     pub effects: Vec<PlannedEffect>,
     /// Kernels that the simulation runs with these effects.
     pub kernels: Vec<UsedKernel>,

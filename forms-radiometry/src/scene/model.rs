@@ -325,7 +325,7 @@ pub struct Solve {
     pub tolerance: f64,
     /// The seed of the random numbers, if a solver needs any.
     pub seed: u64,
-    /// The effects that are forced, in the order of [`Effect::ALL`]; the solver decides about the
+    /// The effects that are forced, in the order of [`Effect::ALL`](super::Effect::ALL); the solver decides about the
     /// others.
     pub forced: Vec<ForcedEffect>,
 }
