@@ -192,9 +192,6 @@ fn the_counted_scene_has_answers() {
     assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
 }
 
-/// Functions that the optimiser merged take less than one in this number of instructions.
-const MERGED: u64 = 500;
-
 #[test]
 fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan() {
     const TEST: &str =
@@ -223,12 +220,10 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
         // where nothing is inlined, functions identify the effects
         let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
-        // the optimiser merges equal functions of different modules, which count for one of them
-        let merged = parts::of_solver(&counts) / MERGED;
         let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
         for planned in plan.effects.iter().filter(is_told) {
             let count = parts::of_effect(&counts, planned.effect);
-            let is_right = if planned.on { count > 0 || !is_sure } else { count <= merged };
+            let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
             assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
         }
         let rays = parts::of_rays(&counts);
