@@ -1,6 +1,6 @@
 //! Checkpoints of running simulations: what they can tell and write, and who keeps them.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io::{self, Write};
 
@@ -46,16 +46,16 @@ pub trait Keeper: Sync {
     fn keep(&self, snapshot: &Snapshot<'_>);
 }
 
-/// Written form of a checkpoint: its kind, and its content.
-#[derive(Serialize)]
-pub(crate) enum Written<P, W> {
+/// Content of a checkpoint by its kind, as it is written and read.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) enum Kind<P, W> {
     /// Path tracing: sums and numbers of samples.
     Paths(P),
     /// Solved as a whole: the result, or nothing in a shard without it.
     Whole(W),
 }
 
-impl<P: Serialize, W: Serialize> Written<P, W> {
+impl<P: Serialize, W: Serialize> Kind<P, W> {
     /// Writes a checkpoint.
     pub(crate) fn write(&self, output: &mut dyn Write) -> io::Result<()> {
         postcard::to_io(self, output).map(|_| ()).map_err(io::Error::other)

@@ -52,6 +52,11 @@ impl SimulatedEffects {
         }
     }
 
+    /// Whether all bands of a scene are simulated as one.
+    pub(crate) fn merges_bands(&self, scene: &Scene) -> bool {
+        !self.has(Effect::Bands) && scene.band_count() > 1
+    }
+
     /// Whether an effect is simulated.
     pub(crate) fn has(&self, effect: Effect) -> bool {
         self.on.has(effect)

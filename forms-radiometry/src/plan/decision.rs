@@ -56,6 +56,8 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
     let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
+    let simulated = SimulatedEffects::of(&effects);
+    let limits = Limits::of(&simulated);
     let left = without(scene, &effects);
     let working = left.in_working_units();
     let world = World::new(&working.scene);
@@ -63,7 +65,7 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         return Err(vec![trap]);
     }
     let estimands = || all_estimands(&working.scene);
-    if let Some(endless) = endless(&world, estimands, &Limits::of(&SimulatedEffects::of(&effects))) {
+    if let Some(endless) = endless(&world, estimands, &limits) {
         return Err(vec![endless]);
     }
     if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
@@ -71,14 +73,14 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
-    let kernels = kernels::of_paths(&SimulatedEffects::of(&effects), &left);
-    tell_computed(&mut effects, &left);
+    let kernels = kernels::of_paths(&simulated, &left);
+    tell_computed(&mut effects, &left, &limits);
     Ok(Plan { effects, kernels, dropped })
 }
 
 /// Adds to the reasons of absorption and scattering where these need no samples.
-fn tell_computed(effects: &mut [PlannedEffect], left: &Scene) {
-    let computable = Computable::of(left, &Limits::of(&SimulatedEffects::of(effects)));
+fn tell_computed(effects: &mut [PlannedEffect], left: &Scene, limits: &Limits) {
+    let computable = Computable::of(left, limits);
     let computed: Vec<&Receiver> =
         left.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
     let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });

@@ -6,12 +6,12 @@ use crate::paths::driver::Computable;
 use crate::paths::{self, Limits};
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{Question, is_precise, kernels};
-use crate::scene::{Effect, Scene};
+use crate::scene::Scene;
 use crate::used_kernel::UsedKernel;
 
 /// Returns the kernels that their simulation runs.
 pub(super) fn of_whole(effects: &SimulatedEffects, scene: &Scene) -> Vec<UsedKernel> {
-    let merged = (!effects.has(Effect::Bands) && scene.band_count() > 1).then(|| scene.with_one_band());
+    let merged = effects.merges_bands(scene).then(|| scene.with_one_band());
     let scene = merged.as_ref().unwrap_or(scene);
     let (faces, question) = (faces(scene, 0), Question::of(scene, effects));
     let readings =
@@ -22,7 +22,7 @@ pub(super) fn of_whole(effects: &SimulatedEffects, scene: &Scene) -> Vec<UsedKer
 
 /// Returns the kernels that path tracing of a scene runs.
 pub(super) fn of_paths(effects: &SimulatedEffects, scene: &Scene) -> Vec<UsedKernel> {
-    let merged = (!effects.has(Effect::Bands) && scene.band_count() > 1).then(|| scene.with_one_band());
+    let merged = effects.merges_bands(scene).then(|| scene.with_one_band());
     let scene = merged.as_ref().unwrap_or(scene);
     let computable = Computable::of(scene, &Limits::of(effects));
     paths::kernels(scene, &|receiver| computable.has(receiver))

@@ -7,7 +7,7 @@ use super::solver::is_by_paths;
 use crate::answer::{Answer, ErrorParts, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::paths::driver::Task;
-use crate::scene::{Effect, Scene, WorkingScene};
+use crate::scene::{Scene, WorkingScene};
 
 /// Scene as it is simulated.
 pub(crate) struct Prepared {
@@ -25,7 +25,7 @@ impl Prepared {
     pub(crate) fn of(scene: &Scene, plan: &Plan) -> Self {
         let effects = SimulatedEffects::of(&plan.effects);
         let left = without(scene, &plan.effects);
-        let merged = (!effects.has(Effect::Bands) && scene.band_count() > 1).then_some(scene.band_count());
+        let merged = effects.merges_bands(scene).then_some(scene.band_count());
         let mut left = if merged.is_some() { left.with_one_band() } else { left };
         left.solve.tolerance -= plan.dropped;
         Self { effects, left, merged, dropped: plan.dropped }

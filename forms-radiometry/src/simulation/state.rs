@@ -7,20 +7,14 @@
 //! ```
 
 use crate::answer::Simulation;
-use crate::checkpoint::{Content, Written};
+use crate::checkpoint::{Content, Kind};
 use crate::paths::driver::OfPaths;
 use serde::Deserialize;
 use std::io::{self, Write};
 
 /// State that was written before.
 #[derive(Clone, Debug, Deserialize)]
-pub struct State(Kept);
-
-#[derive(Clone, Debug, Deserialize)]
-enum Kept {
-    Paths(OfPaths),
-    Whole(Option<Simulation>),
-}
+pub struct State(Kind<OfPaths, Option<Simulation>>);
 
 /// Result of a scene that is solved as a whole, or nothing in a shard without it, at the end.
 pub(super) struct Whole<'w>(pub(super) Option<&'w Simulation>);
@@ -35,7 +29,7 @@ impl Content for Whole<'_> {
     }
 
     fn write(&self, output: &mut dyn Write) -> io::Result<()> {
-        Written::<(), _>::Whole(self.0).write(output)
+        Kind::<(), _>::Whole(self.0).write(output)
     }
 }
 
@@ -48,16 +42,16 @@ impl State {
     /// Whether all work is done.
     pub fn is_done(&self) -> bool {
         match &self.0 {
-            Kept::Paths(state) => state.is_done(),
-            Kept::Whole(_) => true,
+            Kind::Paths(state) => state.is_done(),
+            Kind::Whole(_) => true,
         }
     }
 
     /// Whether two states are equal, except for times.
     pub fn is_same_as(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
-            (Kept::Paths(own), Kept::Paths(other)) => own.is_same_as(other),
-            (Kept::Whole(own), Kept::Whole(other)) => timeless(own) == timeless(other),
+            (Kind::Paths(own), Kind::Paths(other)) => own.is_same_as(other),
+            (Kind::Whole(own), Kind::Whole(other)) => timeless(own) == timeless(other),
             _ => false,
         }
     }
@@ -65,16 +59,16 @@ impl State {
     /// Returns the state of the path driver, if it is one.
     pub(super) fn of_paths(self) -> Option<OfPaths> {
         match self.0 {
-            Kept::Paths(state) => Some(state),
-            Kept::Whole(_) => None,
+            Kind::Paths(state) => Some(state),
+            Kind::Whole(_) => None,
         }
     }
 
     /// Returns the result of a scene that is solved as a whole, if it is the state of one.
     pub(super) fn of_whole(self) -> Option<Option<Simulation>> {
         match self.0 {
-            Kept::Paths(_) => None,
-            Kept::Whole(found) => Some(found),
+            Kind::Paths(_) => None,
+            Kind::Whole(found) => Some(found),
         }
     }
 }

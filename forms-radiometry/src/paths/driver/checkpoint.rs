@@ -7,7 +7,7 @@ use super::neighbours::Spread;
 use super::request::{Asked, Division};
 use super::scale::Scales;
 use crate::answer::Moment;
-use crate::checkpoint::{Content, Misfit, Written};
+use crate::checkpoint::{Content, Kind, Misfit};
 use crate::job::Share;
 use crate::paths::{KeptSums, WrittenSums};
 use serde::{Deserialize, Serialize};
@@ -63,7 +63,7 @@ impl Content for Work<'_> {
     }
 
     fn write(&self, output: &mut dyn Write) -> io::Result<()> {
-        Written::<_, ()>::Paths(self.written()).write(output)
+        Kind::<_, ()>::Paths(self.written()).write(output)
     }
 }
 
