@@ -7,7 +7,7 @@
 //! `cargo run --release --example sampling`. The exact integrals are known and are printed next to
 //! the estimates.
 
-use forms_radiometry::kernels::{cosine_hemisphere_pdf, cosine_hemisphere_sample};
+use forms_kernels::{cosine_hemisphere_pdf, cosine_hemisphere_sample};
 use std::f64::consts::PI;
 
 /// Function of directions.

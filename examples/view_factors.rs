@@ -7,7 +7,7 @@
 //! `cargo run --release --example view_factors`. The two methods agree, also for squares that are
 //! far away or nearly touch.
 
-use forms_radiometry::kernels::view_factor_parallel_rectangles;
+use forms_kernels::view_factor_parallel_rectangles;
 use forms_radiometry::scene::{SceneError, read};
 use forms_radiometry::view_factors;
 

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 const FOLDERS: [(&str, &[&str]); 5] = [
     ("docs", &["md", "svg", "png"]),
     ("docs/book/scenes", &["toml"]),
-    ("forms-radiometry/theory", &["forms"]),
-    ("forms-radiometry/kernels", &["forms"]),
+    ("forms-kernels/theory", &["forms"]),
+    ("forms-kernels/kernels", &["forms"]),
     ("scenes", &["md", "toml", "svg", "png"]),
 ];
 

@@ -18,14 +18,14 @@ pub(crate) fn files(file: &str) -> Result<Vec<TheoryFile>, Vec<FileError>> {
 
 /// Reads the files of the library.
 pub(crate) fn library() -> Result<Vec<TheoryFile>, Vec<FileError>> {
-    let read = |file: &forms_radiometry::TheoryFile| {
+    let read = |file: &forms_kernels::TheoryFile| {
         let mut theory = theory_file::from_text(file.name, file.text)?;
         if let Some(choices) = file.choices {
             theory.choose("the choices of forms of the library", choices)?;
         }
         Ok(theory)
     };
-    forms_radiometry::library().iter().map(read).collect()
+    forms_kernels::library().iter().map(read).collect()
 }
 
 /// Finds a kernel by its name, with its file.

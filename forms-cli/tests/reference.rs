@@ -98,7 +98,7 @@ fn every_row_that_names_a_kernel_is_within_its_tolerance() {
 fn every_kernel_has_rows_from_its_definition_and_is_within_their_tolerance() {
     let reference: Value = serde_json::from_str(OWN_ROWS).expect("JSON");
     let kernels = by_kernel(&reference);
-    let library = forms_radiometry::library().iter().flat_map(|file| read_theory(file.text).0.kernels);
+    let library = forms_kernels::library().iter().flat_map(|file| read_theory(file.text).0.kernels);
     for kernel in library.filter(|kernel| kernel.public) {
         let rows = kernels.get(kernel.name.as_str()).map_or(0, Vec::len);
         assert!(rows >= 10, "{} has {rows} rows", kernel.name);

@@ -43,8 +43,6 @@ mod faces;
 pub mod geometry;
 pub mod irradiance;
 mod job;
-pub mod kernels;
-mod library;
 pub mod output;
 mod parallelism;
 mod paths;
@@ -66,8 +64,9 @@ mod used_kernel;
 mod view_factors;
 mod watch;
 
+use forms_kernels as kernels;
+
 pub use irradiance::{ReceiverResult, simulate_direct};
-pub use library::{RADIANCE, TheoryFile, library, theory};
 pub use picture::{Picture, picture};
 pub use view_factors::{ViewFactor, ViewFactors, view_factors};
 

@@ -9,7 +9,7 @@
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 
-use forms_radiometry::kernels::view_factor_parallel_rectangles;
+use forms_kernels::view_factor_parallel_rectangles;
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;

@@ -4,8 +4,8 @@
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
 
+use forms_kernels::slab_transmittance;
 use forms_radiometry::geometry::Vector;
-use forms_radiometry::kernels::slab_transmittance;
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, ErrorKind, Simulation, Unwatched, plan, simulate};
 use scene_text::{Point, material, point_receiver, polygon, surface, tolerance};

@@ -54,18 +54,19 @@ const WIDE_FILES: [(&str, &str); 8] = [
 ];
 
 /// Crates of the workspace that a crate may depend on. The program depends on all of them.
-const LAYERS: [(&str, &[&str]); 11] = [
+const LAYERS: [(&str, &[&str]); 12] = [
     ("forms-math", &[]),
     ("forms-core", &["forms-math"]),
     ("forms-check", &[]),
     ("forms-macros", &["forms-core", "forms-math"]),
     ("forms", &["forms-math", "forms-core", "forms-macros"]),
-    ("forms-radiometry", &["forms"]),
+    ("forms-kernels", &["forms"]),
+    ("forms-radiometry", &["forms", "forms-kernels"]),
     ("forms-book", &["forms", "forms-core"]),
     ("forms-serve", &["forms", "forms-core", "forms-book", "forms-radiometry"]),
     ("forms-testing", &[]),
     ("forms-tidy", &[]),
-    ("forms-notebooks", &["forms", "forms-core", "forms-radiometry", "forms-book"]),
+    ("forms-notebooks", &["forms", "forms-core", "forms-kernels", "forms-radiometry", "forms-book"]),
 ];
 
 /// Returns the Rust files in some folders of the packages, with their texts.

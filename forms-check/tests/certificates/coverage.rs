@@ -14,7 +14,7 @@ fn not_covered(source: &str) -> Vec<String> {
 
 #[test]
 fn the_theory_of_radiance_is_covered_with_its_integrals() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../forms-radiometry/theory/radiance.forms");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../forms-kernels/theory/radiance.forms");
     let source = std::fs::read_to_string(path).expect("the theory");
     assert_eq!(not_covered(&source), Vec::<String>::new());
 }

@@ -26,7 +26,7 @@ fn sources_in(folder: &Path, found: &mut Vec<(String, String)>) {
 #[test]
 fn every_file_of_the_repository_can_be_read() {
     let mut sources = Vec::new();
-    for folder in ["tests", "forms-radiometry/theory", "forms-book", "docs", "examples"] {
+    for folder in ["tests", "forms-kernels/theory", "forms-book", "docs", "examples"] {
         sources_in(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(folder), &mut sources);
     }
     assert!(sources.len() > 50, "{} files", sources.len());

@@ -164,7 +164,7 @@ fn normal_forms_prove_no_false_statement() {
 #[test]
 fn normal_forms_prove_no_statement_that_a_case_file_refutes() {
     let mut count = 0;
-    for folder in ["../tests/cases", "../forms-radiometry/theory"] {
+    for folder in ["../tests/cases", "../forms-kernels/theory"] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
         for entry in std::fs::read_dir(folder).expect("the folder is there") {
             let text = std::fs::read_to_string(entry.expect("an entry").path()).expect("a text");

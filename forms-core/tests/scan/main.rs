@@ -154,7 +154,7 @@ fn files(folder: &str) -> Vec<PathBuf> {
 fn kernels_of_the_repository_have_every_value_of_their_formulas() {
     let mut scan = Scan::default();
     for folder in [
-        "../forms-radiometry/kernels",
+        "../forms-kernels/kernels",
         "../forms-radiometry/benches/kernels/forms",
         "../forms-serve/page/examples",
         "../tests/stability",

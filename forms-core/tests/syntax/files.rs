@@ -5,7 +5,7 @@ use forms_core::syntax::{Source, lex, read};
 use std::path::Path;
 
 /// Folders of the workspace with `.forms` files.
-const FOLDERS: &[&str] = &["../tests/cases", "../forms-radiometry/theory", "../forms-radiometry/kernels"];
+const FOLDERS: &[&str] = &["../tests/cases", "../forms-kernels/theory", "../forms-kernels/kernels"];
 
 /// Returns the text of every `.forms` file of the workspace.
 pub(crate) fn sources() -> Vec<Source> {

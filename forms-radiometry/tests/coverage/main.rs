@@ -27,7 +27,7 @@ use std::path::Path;
 use world::{Kind, Light, Receiver, Shape, Surface, World};
 
 fn count() -> usize {
-    std::env::var("FORMS_COVERAGE").map_or(21, |count| count.parse().expect("a number"))
+    std::env::var("FORMS_COVERAGE").map_or(30, |count| count.parse().expect("a number"))
 }
 
 /// Writes a scene with its meshes to a folder.

@@ -4,7 +4,7 @@
 use crate::claims::answers;
 use crate::claims::elements::{distant_light, mirror_aside, point_light, shining, sphere};
 use crate::claims::scene_text::{Point, material, point_receiver, surface, tolerance};
-use forms_radiometry::kernels::form_factor_point_sphere;
+use forms_kernels::form_factor_point_sphere;
 use forms_radiometry::scene::read;
 use forms_testing::SplitMix;
 use std::f64::consts::PI;

@@ -20,7 +20,7 @@ const INDENT: usize = 6;
 
 /// Decides every statement and prints it with its time, then the printed equations that are wrong.
 pub(super) fn prove(palette: Palette, output: &mut dyn Write) -> io::Result<Status> {
-    let file = match from_text(forms_radiometry::RADIANCE.name, forms_radiometry::RADIANCE.text) {
+    let file = match from_text(forms_kernels::RADIANCE.name, forms_kernels::RADIANCE.text) {
         Ok(file) => file,
         Err(errors) => {
             complain(&errors);

@@ -5,7 +5,7 @@ use super::callgrind;
 use crate::catalogue::{self, Author};
 use crate::expert::batch::InstructionSet;
 use crate::inputs;
-use forms_radiometry::kernels;
+use forms_kernels as kernels;
 
 /// Number of values of a call: some blocks of a batch.
 const VALUES: usize = 512;

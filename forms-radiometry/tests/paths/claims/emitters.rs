@@ -5,7 +5,7 @@ use super::elements::{
     disk, distant_light, filled_with, gas, medium, mirror_aside, probe, shining, sphere, two_sided,
 };
 use super::scene_text::{material, point_receiver, surface};
-use forms_radiometry::kernels::{
+use forms_kernels::{
     form_factor_point_disk, form_factor_point_rectangle, form_factor_point_sphere, solid_angle_sphere,
 };
 use std::f64::consts::PI;

@@ -5,7 +5,7 @@ use super::Claim;
 use super::elements::{cuboid, effects, filled_with, gas, medium, point_light, ray};
 use super::integral::integral;
 use super::scene_text::{material, surface};
-use forms_radiometry::kernels::airlight;
+use forms_kernels::airlight;
 use std::f64::consts::PI;
 
 /// Returns a point light of intensity 1 at the distance h from the ray along x, next to the point s

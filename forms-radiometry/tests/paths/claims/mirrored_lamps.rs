@@ -4,7 +4,7 @@ use super::Claim;
 use super::elements::{metal, mirror, probe, shining, sphere};
 use super::integral::integral;
 use super::scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
-use forms_radiometry::kernels::{
+use forms_kernels::{
     form_factor_point_rectangle, form_factor_point_sphere, fresnel_conductor, solid_angle_sphere,
 };
 use std::f64::consts::PI;

@@ -4,7 +4,7 @@
 use super::Claim;
 use super::elements::{mirror, point_light, ray, shining};
 use super::scene_text::{material, point_receiver, polygon, surface};
-use forms_radiometry::kernels::form_factor_point_rectangle;
+use forms_kernels::form_factor_point_rectangle;
 use std::f64::consts::PI;
 
 const FAR: f64 = 1e3;

@@ -5,7 +5,7 @@ use super::Claim;
 use super::elements::{cuboid, distant_light, effects, filled_with, gas, ray, shining, square};
 use super::integral::{exponential_integral, integral};
 use super::scene_text::{material, point_receiver, surface};
-use forms_radiometry::kernels::{
+use forms_kernels::{
     chandrasekhar_h, henyey_greenstein, single_scatter_reflected, single_scatter_transmitted,
     slab_transmittance,
 };

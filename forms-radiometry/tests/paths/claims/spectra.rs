@@ -9,7 +9,7 @@ use super::elements::{
 use super::integral::fresnel;
 use super::scene_text::{material, point_receiver, polygon, surface};
 use super::slabs::between_plates;
-use forms_radiometry::kernels::airlight;
+use forms_kernels::airlight;
 use forms_radiometry::simulation::Quantity;
 use std::f64::consts::PI;
 

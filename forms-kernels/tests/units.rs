@@ -3,8 +3,8 @@
 use forms::core::check::read_theory;
 
 fn table() -> &'static str {
-    let is_table = |file: &&forms_radiometry::TheoryFile| file.name == "units.forms";
-    forms_radiometry::theory().iter().find(is_table).unwrap().text
+    let is_table = |file: &&forms_kernels::TheoryFile| file.name == "units.forms";
+    forms_kernels::theory().iter().find(is_table).unwrap().text
 }
 
 /// Claims about the table, with the units of their two sides.
@@ -85,7 +85,7 @@ fn every_quantity_of_the_table_has_its_unit() {
 
 #[test]
 fn every_kernel_of_the_library_states_all_its_units() {
-    for file in forms_radiometry::library() {
+    for file in forms_kernels::library() {
         let (theory, errors) = read_theory(file.text);
         assert!(errors.is_empty(), "{}: {errors:?}", file.name);
         for kernel in &theory.kernels {

@@ -4,7 +4,7 @@
 //! A warp maps the unit square to a domain. The domain is divided into bins; the integral of the
 //! density over a bin, by the midpoint rule, gives the expected number of samples in it.
 
-use forms_radiometry::kernels as k;
+use forms_kernels as k;
 use std::f64::consts::{PI, TAU};
 
 /// Number of samples of each warp, from a sequence with a fixed seed.

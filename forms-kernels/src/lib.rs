@@ -1,9 +1,21 @@
-//! The library's kernels: every light-transport formula of this crate is generated code with a
-//! proof.
+//! Kernels of radiometry, each generated from a formula with a proof: solid angles, form factors and
+//! view factors, transmittance and scattering, reflection, sampling densities with their warps.
 //!
-//! Each file declares the forms and maps from which a kernel is made, and proves the claims that
-//! the kernel relies on; a false claim there does not compile. All kernels are pure functions of
-//! scalars, in the units of the caller.
+//! Each file of the folder `kernels` declares the forms and maps from which its kernels are made,
+//! and proves the claims that they rely on; a false claim does not compile. All kernels are pure
+//! functions of scalars, in the units of the caller. Next to each function is a module of its name
+//! with its other forms: batches, wider arithmetic, intervals of error. [`library()`] returns the
+//! source text of these files, and [`theory()`] that of the identities of radiometry.
+//!
+//! ```
+//! // the solid angle of an octant of the sphere of directions
+//! let octant = forms_kernels::solid_angle_triangle(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+//! assert!((octant - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+//! ```
+
+mod library;
+
+pub use library::{RADIANCE, TheoryFile, library, theory};
 
 forms::include_forms!("kernels/solid_angle.forms");
 forms::include_forms!("kernels/irradiance.forms");

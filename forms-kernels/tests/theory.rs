@@ -53,22 +53,21 @@ fn every_file_of_the_folder_is_proved_and_in_the_library() {
         |entry: std::io::Result<std::fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
     let in_folder: BTreeSet<String> = std::fs::read_dir(folder).unwrap().map(file_name).collect();
     let proved: BTreeSet<String> = PROVED.iter().map(|path| path.replace("theory/", "")).collect();
-    let in_library = forms_radiometry::theory().iter().map(|file| file.name.to_string()).collect();
+    let in_library = forms_kernels::theory().iter().map(|file| file.name.to_string()).collect();
     assert_eq!(in_folder, proved);
     assert_eq!(in_folder, in_library);
 }
 
 #[test]
 fn every_topic_has_a_refuted_mistake() {
-    for file in forms_radiometry::theory() {
+    for file in forms_kernels::theory() {
         assert!(statements(file.text).1 > 0, "{}", file.name);
     }
 }
 
 #[test]
 fn every_statement_has_its_meaning_beside_it() {
-    for file in forms_radiometry::theory().iter().filter(|file| file.name != forms_radiometry::RADIANCE.name)
-    {
+    for file in forms_kernels::theory().iter().filter(|file| file.name != forms_kernels::RADIANCE.name) {
         for statement in read_theory(file.text).0.statements {
             assert!(!statement.docs.is_empty(), "{}: {}", file.name, statement.name);
         }
@@ -80,14 +79,13 @@ fn every_statement_has_its_meaning_beside_it() {
 fn the_page_counts_the_statements_of_each_file() {
     let page = include_str!("../../docs/theory.md");
     let mut totals = (0, 0);
-    for file in forms_radiometry::theory() {
+    for file in forms_kernels::theory() {
         let (to_prove, to_refute) = statements(file.text);
         totals = (totals.0 + to_prove, totals.1 + to_refute);
         let row = page.lines().find(|line| line.starts_with(&format!("| [{}]", file.name)));
         let row = row.unwrap_or_else(|| panic!("no row for {}", file.name));
         assert!(row.ends_with(&format!("| {to_prove} | {to_refute} |")), "{row}: {to_prove}, {to_refute}");
     }
-    let last =
-        format!("| all {} files | | | {} | {} |", forms_radiometry::theory().len(), totals.0, totals.1);
+    let last = format!("| all {} files | | | {} | {} |", forms_kernels::theory().len(), totals.0, totals.1);
     assert!(page.contains(&last), "expected the row {last}");
 }
