@@ -29,7 +29,7 @@ mod wgsl;
 mod written;
 
 pub use attributes::MANY_ARGUMENTS;
-pub use docs::KernelDocs;
+pub use docs::{KernelDocs, comment};
 pub use generic::emit_formula;
 pub use promise::broken_promises;
 pub use rust::{emit_rust, emit_rust_within};

@@ -4,7 +4,9 @@
 //! Body ─ parse ─ resolve ─▶ Theory ─┬─ statements ─ decide ─▶ errors, or nothing
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
+//! A theory that was compiled before is not compiled again: its functions are in the cache.
 
+use crate::cache::{Emitted, Key};
 use crate::report::{Origin, warned};
 use crate::tokens::Body;
 use crate::{lattice, tiers};
@@ -13,7 +15,7 @@ use forms_core::check::resolve_parsed;
 use forms_core::compile::{Compiled, CompiledKernel, Options, compile_theory};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::emission::{KernelDocs, emit_rust, emit_rust_within};
+use forms_core::emission::{KernelDocs, comment, emit_rust, emit_rust_within};
 use forms_core::generation::Generated;
 use forms_core::notation::results;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
@@ -23,6 +25,9 @@ use forms_core::syntax::{parse, parse_equation};
 use forms_core::theory::{Kernel, Theory};
 use proc_macro2::{Group, TokenStream, TokenTree};
 
+/// Placeholder for the lines that the author of a kernel wrote above it.
+const DOCS: &str = "(documentation)";
+
 /// Expands `forms! { items }`.
 pub(crate) fn file(body: Body) -> TokenStream {
     let end = body.end();
@@ -31,15 +36,17 @@ pub(crate) fn file(body: Body) -> TokenStream {
     diagnostics.extend(found);
     let (theory, found) = resolve_parsed(&body.tokens, &file);
     diagnostics.extend(found);
-    theory_checked(theory, diagnostics, &Origin::Body(body.places))
+    let key = Key::of(&body.tokens, "");
+    theory_checked(theory, diagnostics, &Origin::Body(body.places), key.as_ref())
 }
 
 /// Expands `prove! { items; left == right where … }`.
 pub(crate) fn equation(body: Body) -> TokenStream {
     let expected = "an equation `left == right`";
+    let key = Key::of(&body.tokens, "equation");
     let Resolved { theory, diagnostics, origin } =
         resolved(body, expected, |last, end| parse_equation(last, end).map(claim));
-    theory_checked(theory, diagnostics, &origin)
+    theory_checked(theory, diagnostics, &origin, key.as_ref())
 }
 
 /// Resolved body, together with its errors.
@@ -127,48 +134,75 @@ fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     tokens.split_at(if is_item { tokens.len() } else { start })
 }
 
-/// Decides every statement and emits every kernel. Kernels are emitted even if there are errors, so
-/// that calls of them cause no further errors.
-pub(crate) fn theory_checked(theory: Theory, diagnostics: Vec<Diagnostic>, origin: &Origin) -> TokenStream {
+/// Decides every statement and emits every kernel, or takes what was emitted before from the cache.
+/// Kernels are emitted even if there are errors, so that calls of them cause no further errors.
+pub(crate) fn theory_checked(
+    theory: Theory,
+    diagnostics: Vec<Diagnostic>,
+    origin: &Origin,
+    key: Option<&Key>,
+) -> TokenStream {
+    let key = key.filter(|_| diagnostics.is_empty());
+    if let Some(items) = key.and_then(|key| known(&theory, key, origin)) {
+        return items;
+    }
     let mut compiled = compile_theory(theory, diagnostics, &Options::default());
-    let mut output = TokenStream::new();
     let kernels = std::mem::take(&mut compiled.kernels);
+    let (mut output, mut all) = (TokenStream::new(), Vec::new());
     for kernel in &kernels {
-        match function(&mut compiled, kernel, origin) {
-            Ok(function) => output.extend(function),
+        let emitted = emitted(&mut compiled, kernel);
+        match emitted.and_then(|emitted| Ok((tokens(kernel.kernel(), &emitted, origin)?, emitted))) {
+            Ok((items, emitted)) => {
+                output.extend(items);
+                all.push(emitted);
+            }
             Err(found) => compiled.diagnostics.extend(found),
         }
+    }
+    if let Some(key) = key.filter(|_| compiled.diagnostics.is_empty()) {
+        key.write(&all);
     }
     output.extend(origin.errors(&compiled.diagnostics));
     output
 }
 
-/// Emits a kernel as a documented Rust function and the module of its tiers. The function name has
-/// the span of the user's own.
-fn function(
-    compiled: &mut Compiled,
-    of_kernel: &CompiledKernel,
-    origin: &Origin,
-) -> Result<TokenStream, Vec<Diagnostic>> {
+/// Reads the items of a theory from the cache.
+fn known(theory: &Theory, key: &Key, origin: &Origin) -> Option<TokenStream> {
+    let emitted = key.read().filter(|emitted| emitted.len() == theory.kernels.len())?;
+    let kernels = theory.kernels.iter().zip(&emitted);
+    kernels.map(|(kernel, emitted)| tokens(kernel, emitted, origin).ok()).collect()
+}
+
+/// Emits a kernel as a documented Rust function and the module of its tiers.
+fn emitted(compiled: &mut Compiled, of_kernel: &CompiledKernel) -> Result<Emitted, Vec<Diagnostic>> {
     let (kernel, generated) = (of_kernel.kernel(), of_kernel.generated());
     let docs = documentation(compiled, kernel, generated);
     let program = of_kernel.program();
-    let source = match &kernel.within {
+    let function = match &kernel.within {
         None => emit_rust(program, &docs, tiers::MATH),
         Some(within) => {
             let formula = format!("{}::Stable", kernel.name);
             emit_rust_within(program, &docs, tiers::MATH, &formula, within)
         }
     };
-    let unreadable = |error: proc_macro2::LexError| {
-        let message = format!("Rust cannot parse the function generated for `{}`: {error}", kernel.name);
-        vec![Diagnostic::new(kernel.span, message)]
-    };
-    let mut items = source.parse::<TokenStream>().map_err(unreadable)?;
     let lattice = lattice::items(&mut compiled.theory.pool, kernel, generated)?;
-    items.extend(tiers::module(generated, &lattice).map_err(unreadable)?);
+    let mut items = tiers::module(generated, &lattice).map_err(|error| unreadable(kernel, &error))?;
     items.extend(warning(&compiled.theory, kernel));
+    Ok(Emitted { function, items: items.to_string() })
+}
+
+/// Reads the text emitted for a kernel, with the lines of its author in the documentation. The
+/// function name has the span of the user's own.
+fn tokens(kernel: &Kernel, emitted: &Emitted, origin: &Origin) -> Result<TokenStream, Vec<Diagnostic>> {
+    let docs = comment(&kernel.docs, "///");
+    let text = emitted.function.replacen(&comment(&[DOCS.to_owned()], "///"), &docs, 1) + &emitted.items;
+    let items = text.parse().map_err(|error| unreadable(kernel, &error))?;
     Ok(named_at(items, &kernel.name, origin.place(kernel.span).0))
+}
+
+fn unreadable(kernel: &Kernel, error: &proc_macro2::LexError) -> Vec<Diagnostic> {
+    let message = format!("Rust cannot parse the function generated for `{}`: {error}", kernel.name);
+    vec![Diagnostic::new(kernel.span, message)]
 }
 
 /// Emits a warning about removable singularities in the declared domain, if there are any.
@@ -204,7 +238,7 @@ fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated) ->
         units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
         translation: generated.account(),
         rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
-        docs: kernel.docs.clone(),
+        docs: if kernel.docs.is_empty() { Vec::new() } else { vec![DOCS.to_owned()] },
     }
 }
 

@@ -32,7 +32,7 @@ pub(crate) fn value(body: Body) -> TokenStream {
         diagnostics.extend(diagnostic);
         quote! { ::forms::Form { degree: 0, terms: &[], text: "" } }
     });
-    let errors = theory_checked(theory, diagnostics, &origin);
+    let errors = theory_checked(theory, diagnostics, &origin, None);
     quote! { { #errors #constant } }
 }
 

@@ -1,10 +1,11 @@
 //! Files named in macros: finds and reads them, and makes the compiler track their changes.
 
+use crate::cache::Key;
 use crate::expand::theory_checked;
 use crate::report::{Origin, compile_error, warned};
 use forms_core::check::read_theory;
 use forms_core::stability::{Choices, EXTENSION};
-use forms_core::syntax::Source;
+use forms_core::syntax::{Source, lex};
 use forms_core::theory::Theory;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -94,7 +95,10 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
         Ok(chosen) => chosen,
         Err(error) => return error,
     };
-    let items = theory_checked(theory, diagnostics, &Origin::File(included.source, included.place));
+    let choices = std::fs::read_to_string(included.path.with_extension(EXTENSION)).unwrap_or_default();
+    let key = Key::of(&lex(&included.source.text).0, &choices);
+    let origin = Origin::File(included.source, included.place);
+    let items = theory_checked(theory, diagnostics, &origin, key.as_ref());
     quote! {
         const _: &str = #text;
         #chosen

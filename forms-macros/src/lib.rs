@@ -3,12 +3,13 @@
 //!
 //! ```text
 //! macro body ─ tokens ──┐
-//!                       ├─▶ forms_core ─▶ expand ─▶ functions, tests, values
+//!                       ├─▶ forms_core ─▶ expand ─▶ functions, tests, values ◀─▶ cache
 //! .forms file ─ include ┘         └─────▶ report ─▶ errors on the user's own text
 //! ```
 //! Use them through the crate `forms`, which re-exports them together with all items that their
 //! expansions refer to.
 
+mod cache;
 mod expand;
 mod form;
 mod include;

@@ -54,6 +54,11 @@ pub(super) fn documentation(program: &Program, docs: &KernelDocs, comment: &str)
     let outside = if program.domain.is_empty() { "" } else { " outside its domain and" };
     lines.push(format!("Its value is NaN{outside} where an argument it depends on is NaN."));
     lines.push(format!("Cost: {}.", program.operations()));
+    self::comment(&lines, comment)
+}
+
+/// Writes each line after the prefix of a comment.
+pub fn comment(lines: &[String], comment: &str) -> String {
     lines.iter().fold(String::new(), |text, line| {
         let line = in_a_comment(line);
         text + comment + if line.is_empty() { "" } else { " " } + &line + "\n"
