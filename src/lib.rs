@@ -36,6 +36,8 @@
 //! [`core::compile`] accepts the same input. [`math`] is the arithmetic of generated kernels.
 
 mod form;
+#[cfg(feature = "ndarray")]
+pub mod rows;
 
 pub use form::Form;
 pub use forms_core as core;

@@ -115,19 +115,20 @@ fn batches_on_all_processors_and_over_rows_are_the_same_and_keep_what_is_promise
     radiometry::density::batch_parallel(u, v, &mut parallel).expect("equal lengths");
     assert_eq!(serial, parallel);
 
-    let arguments = ndarray::Array2::from_shape_fn((u.len(), 2), |(row, column)| columns[column][row]);
-    let mut rows = ndarray::Array2::zeros((u.len(), 1));
+    let arguments =
+        forms::rows::ndarray::Array2::from_shape_fn((u.len(), 2), |(row, column)| columns[column][row]);
+    let mut rows = forms::rows::ndarray::Array2::zeros((u.len(), 1));
     radiometry::density::batch_rows(arguments.view(), rows.view_mut()).expect("as many rows");
     assert_eq!(rows.column(0).to_vec(), serial);
-    let narrow = arguments.slice(ndarray::s![.., ..1]);
+    let narrow = arguments.slice(forms::rows::ndarray::s![.., ..1]);
     assert!(radiometry::density::batch_rows(narrow, rows.view_mut()).is_err());
 
     let small: Vec<f64> = (1..9000).map(|i| f64::from(i) * 1e-12).collect();
     let mut halves = vec![0.0; small.len()];
     radiometry::versine_ratio::batch_parallel(&small, &mut halves).expect("equal lengths");
     assert_eq!(halves, vec![0.5; small.len()]);
-    let mut halves = ndarray::Array2::zeros((small.len(), 1));
-    let small = ndarray::Array2::from_shape_vec((small.len(), 1), small).expect("one column");
+    let mut halves = forms::rows::ndarray::Array2::zeros((small.len(), 1));
+    let small = forms::rows::ndarray::Array2::from_shape_vec((small.len(), 1), small).expect("one column");
     radiometry::versine_ratio::batch_rows(small.view(), halves.view_mut()).expect("as many rows");
     assert!(halves.iter().all(|&half: &f64| half == 0.5));
 }

@@ -261,10 +261,10 @@ impl Tiers {
             /// If the matrices have the wrong numbers of columns, or different numbers of rows.
             #[inline]
             pub fn batch_rows(
-                arguments: ::forms::math::ndarray::ArrayView2<'_, f64>,
-                outputs: ::forms::math::ndarray::ArrayViewMut2<'_, f64>,
-            ) -> ::core::result::Result<(), ::forms::math::RowsMismatch> {
-                ::forms::math::#function::<Stable, #count, #outputs>(arguments, outputs #within)
+                arguments: ::forms::rows::ndarray::ArrayView2<'_, f64>,
+                outputs: ::forms::rows::ndarray::ArrayViewMut2<'_, f64>,
+            ) -> ::core::result::Result<(), ::forms::rows::RowsMismatch> {
+                ::forms::rows::#function::<Stable, #count, #outputs>(arguments, outputs #within)
             }
         }
     }

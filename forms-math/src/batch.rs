@@ -13,8 +13,6 @@ mod block;
 mod instructions;
 mod length;
 mod method;
-#[cfg(feature = "ndarray")]
-mod rows;
 
 use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
@@ -24,8 +22,6 @@ pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
 use method::BLOCK;
 use method::{Element, Method, Plain, Within};
-#[cfg(feature = "ndarray")]
-pub use rows::{RowsMismatch, batch_rows, batch_rows_within};
 use std::ops::Range;
 
 /// Computes the values of a formula in `f64`, one row for each position of the columns.

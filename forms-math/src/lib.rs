@@ -32,8 +32,6 @@ pub use batch::{
     Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
     batch_within_by, row_within,
 };
-#[cfg(feature = "ndarray")]
-pub use batch::{RowsMismatch, batch_rows, batch_rows_within};
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
 pub use double_double::DoubleDouble;
@@ -44,9 +42,6 @@ pub use escalate::{
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use lane::{Lane32, Lane64};
-/// Matrix library of [`batch_rows`].
-#[cfg(feature = "ndarray")]
-pub use ndarray;
 pub use number::Number;
 pub use real::Real;
 pub use scalar::Scalar;

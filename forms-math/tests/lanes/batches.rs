@@ -132,23 +132,3 @@ fn a_batch_on_all_processors_is_the_same() {
     assert_eq!(promised, all);
     assert!(serial != promised, "a promise costs nothing here");
 }
-
-#[cfg(feature = "ndarray")]
-#[test]
-fn rows_of_a_matrix_are_rows_of_a_batch() {
-    use forms_math::{RowsMismatch, batch_rows};
-    use ndarray::{Array2, ShapeBuilder};
-    let [angles, growths] = columns(300);
-    let serial = spirals(Instructions::best(), [&angles, &growths]);
-    let of = |(row, column): (usize, usize)| if column == 0 { angles[row] } else { growths[row] };
-    for arguments in [Array2::from_shape_fn((300, 2), of), Array2::from_shape_fn((300, 2).f(), of)] {
-        let mut outputs = Array2::zeros((300, 3));
-        batch_rows::<Spiral, 2, 3>(arguments.view(), outputs.view_mut()).expect("the matrices fit");
-        assert!(outputs.indexed_iter().all(|((row, column), value)| *value == serial[column][row]));
-    }
-    let found = batch_rows::<Spiral, 2, 3>(Array2::zeros((4, 2)).view(), Array2::zeros((4, 2)).view_mut());
-    assert_eq!(found, Err(RowsMismatch::Columns { expected: [2, 3], found: [2, 2] }));
-    let found = batch_rows::<Spiral, 2, 3>(Array2::zeros((4, 2)).view(), Array2::zeros((5, 3)).view_mut());
-    let mismatch = LengthMismatch { column: Column::Output(0), expected: 4, found: 5 };
-    assert_eq!(found, Err(RowsMismatch::Rows(mismatch)));
-}

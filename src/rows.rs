@@ -1,8 +1,10 @@
-//! Batches over the rows of a matrix.
+//! Batches of kernels over the rows of a matrix of `ndarray`, which generated code calls.
 
-use super::{LengthMismatch, batch, batch_within};
-use crate::Formula;
+use forms_math::{Formula, LengthMismatch, batch, batch_within};
 use ndarray::{ArrayView2, ArrayViewMut2};
+
+/// Matrix library of [`batch_rows`].
+pub use ndarray;
 
 /// Computes [`batch`] over rows: row i of `arguments` holds the arguments, and row i of `outputs`
 /// receives the values.
@@ -86,3 +88,49 @@ impl std::fmt::Display for RowsMismatch {
 }
 
 impl std::error::Error for RowsMismatch {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use forms_math::{Column, Real};
+    use ndarray::{Array2, ShapeBuilder};
+
+    /// Sum, difference and product of two numbers.
+    struct Pair;
+
+    impl Formula<2, 3> for Pair {
+        #[inline(always)]
+        fn value<T: Real>([x, y]: [T; 2]) -> [T; 3] {
+            [x + y, x - y, x * y]
+        }
+    }
+
+    #[test]
+    fn rows_of_a_matrix_are_rows_of_a_batch() {
+        let argument = |(row, column): (usize, usize)| (row as f64 + 0.1).sin() * (column + 1) as f64;
+        let [first, second]: [Vec<f64>; 2] =
+            [0, 1].map(|column| (0..300).map(|row| argument((row, column))).collect());
+        let mut serial: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; 300]);
+        batch::<Pair, 2, 3>([&first, &second], serial.each_mut().map(|output| &mut output[..]))
+            .expect("one length");
+        let in_rows = Array2::from_shape_fn((300, 2), argument);
+        let in_columns = Array2::from_shape_fn((300, 2).f(), argument);
+        for arguments in [in_rows, in_columns] {
+            let mut outputs = Array2::zeros((300, 3));
+            batch_rows::<Pair, 2, 3>(arguments.view(), outputs.view_mut()).expect("the matrices fit");
+            assert!(outputs.indexed_iter().all(|((row, column), value)| *value == serial[column][row]));
+        }
+    }
+
+    #[test]
+    fn matrices_that_do_not_match_the_formula_are_an_error() {
+        let found = |arguments: (usize, usize), outputs: (usize, usize)| {
+            let (arguments, mut outputs) = (Array2::zeros(arguments), Array2::zeros(outputs));
+            batch_rows::<Pair, 2, 3>(arguments.view(), outputs.view_mut())
+        };
+        let columns = RowsMismatch::Columns { expected: [2, 3], found: [2, 2] };
+        assert_eq!(found((4, 2), (4, 2)), Err(columns));
+        let mismatch = LengthMismatch { column: Column::Output(0), expected: 4, found: 5 };
+        assert_eq!(found((4, 2), (5, 3)), Err(RowsMismatch::Rows(mismatch)));
+    }
+}
