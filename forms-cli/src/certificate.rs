@@ -1,7 +1,7 @@
 //! Certificates on disk. They name each file by its path relative to the certificate's folder.
 
 use crate::files::{reason, replace};
-use forms::core::certificate::{HEADER, antiderivatives, entry, file_lines};
+use forms::core::certificate::{HEADER, Uncovered, antiderivatives, entry, file_lines};
 use forms::core::decide::Verdict;
 use forms::core::syntax::Source;
 use forms::core::theory::{Statement, Theory};
@@ -40,21 +40,18 @@ impl Certificate {
     /// Adds the entry that proves a verdict. An entry that the checker does not accept is written
     /// as uncovered, with the checker's reason.
     pub(crate) fn add(&mut self, theory: &mut Theory, statement: &Statement, verdict: &Verdict) {
-        let lines = entry(theory, statement, verdict);
-        let alone = format!("{HEADER}{}{}{lines}", file_lines("itself", &self.source), self.integrals);
+        let mut entry = entry(theory, statement, verdict);
+        let alone = format!("{HEADER}{}{}{entry}", file_lines("itself", &self.source), self.integrals);
         let checked = forms_check::check(&alone, |_| Ok(self.source.clone()));
         let refused = match checked.map(|mut all| all.swap_remove(0).outcome) {
             Ok(Outcome::Rejected(why) | Outcome::NotCovered(why)) => Some(why),
             Ok(Outcome::Accepted) => None,
             Err(why) => Some(why),
         };
-        self.lines += &match refused {
-            Some(why) if !lines.trim_start().starts_with("uncovered") => {
-                // Line breaks are removed: each line of a certificate is an entry of its own.
-                format!("\nuncovered {} {}\n", statement.name, why.replace(['\r', '\n'], " "))
-            }
-            _ => lines,
-        };
+        if let (Some(why), Ok(_)) = (refused, &entry.lines) {
+            entry.lines = Err(Uncovered::Refused(why));
+        }
+        self.lines += &entry.to_string();
     }
 
     /// Writes the certificate to its file.

@@ -68,7 +68,8 @@ impl Decided {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => return vec![],
             Verdict::Proved(theorem) => format!("where {}", listed(&theorem.conditions)),
             Verdict::Refuted(witness) => refutation(witness),
-            Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.clone(),
+            Verdict::Unknown { reason } => reason.to_string(),
+            Verdict::Empty { reason } => reason.to_string(),
         };
         wrap(&text, INDENT).iter().map(|line| palette.quiet(line)).collect()
     }

@@ -7,11 +7,13 @@
 //! The format is described in `docs/certificates.md`; `forms-check` reads it. Generators are
 //! written as expressions of the language, so that a checker can name them in its own way.
 
+mod entry;
 mod reason;
 mod writer;
 
 use crate::decide::{Verdict, retrace, retrace_integration};
 use crate::theory::{Statement, Theory};
+pub use entry::{Entry, Uncovered};
 use std::fmt::Write;
 use writer::Writer;
 
@@ -37,12 +39,11 @@ pub fn antiderivatives(theory: &mut Theory) -> String {
     for integration in theory.integrations.clone() {
         let _ = write!(lines, "\nintegral {}", integration.place.start);
         let Some(antiderivative) = integration.antiderivative else { continue };
-        let text = theory.pool.text(antiderivative);
+        let Some(text) = theory.pool.full_text(antiderivative) else { continue };
         let mut writer = Writer::new(theory.pool.clone());
         let proved = retrace_integration(&mut theory.pool, &integration, antiderivative, &mut writer);
         if let Ok(proof) = writer.finish()
             && proved
-            && !text.contains('<')
         {
             let _ = write!(lines, " {text}\n{proof}");
         }
@@ -51,29 +52,27 @@ pub fn antiderivatives(theory: &mut Theory) -> String {
 }
 
 /// Returns the entry of one decided statement.
-pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> String {
+pub fn entry(theory: &mut Theory, statement: &Statement, verdict: &Verdict) -> Entry {
     let name = &statement.name;
-    match verdict {
+    let lines = match verdict {
         Verdict::Proved(_) => {
             let mut writer = Writer::new(theory.pool.clone());
             let proved = retrace(theory, statement, &mut writer);
-            match writer.finish() {
-                Ok(lines) if proved => format!("\nproved {name}\n{lines}"),
-                Ok(_) => format!("\nuncovered {name} the proof could not be reproduced\n"),
-                Err(reason) => format!("\nuncovered {name} {}\n", reason.replace(['\r', '\n'], " ")),
-            }
+            writer.finish().and_then(|lines| match proved {
+                true => Ok(format!("proved {name}\n{lines}")),
+                false => Err(Uncovered::NotReproduced),
+            })
         }
         Verdict::Refuted(witness) => {
-            let mut lines = format!("\nrefuted {name}\n");
+            let mut lines = format!("refuted {name}\n");
             for (place, value) in &witness.point {
                 let _ = writeln!(lines, "at {place} = {value}");
             }
             let _ = writeln!(lines, "component {}", witness.component);
             let _ = writeln!(lines, "left {}\nright {}", witness.left, witness.right);
-            lines
+            Ok(lines)
         }
-        Verdict::Unknown { .. } | Verdict::Empty { .. } => {
-            format!("\nuncovered {name} the statement is not decided\n")
-        }
-    }
+        Verdict::Unknown { .. } | Verdict::Empty { .. } => Err(Uncovered::Undecided),
+    };
+    Entry { statement: name.clone(), lines }
 }

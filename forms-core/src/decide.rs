@@ -27,6 +27,7 @@ mod principal_branch;
 mod problem;
 mod proof;
 mod ratio;
+mod reasons;
 mod relation;
 mod report;
 mod sample;
@@ -46,6 +47,7 @@ pub use angle_equation::vanishing_angles;
 pub(crate) use finding::{Budget, Equations, Finding, contradiction};
 pub(crate) use observer::Observer;
 
+pub use reasons::{EmptyReason, KernelReason, UnknownReason};
 pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub(crate) use sample::simple_bounds;
@@ -54,6 +56,7 @@ pub use verdict::{Ratio, Theorem, Verdict, Witness};
 
 use crate::assume::{is_not_zero_densely, is_open, vanishes};
 use crate::expression::{Condition, Expr, Pool, Relation};
+pub use crate::normal::{OutsidePart, SizeLimit};
 use crate::normal::{Tower, Trigonometry};
 use crate::steps;
 use crate::theory::{Integration, Statement, Theory};
@@ -84,8 +87,8 @@ pub fn decide_with_effort(theory: &mut Theory, statement: &Statement, budget: u3
 }
 
 fn decide_within(theory: &mut Theory, statement: &Statement, budget: u32) -> Verdict {
-    if let Some(reason) = statement.obstacle.clone() {
-        return Verdict::Unknown { reason };
+    if let Some(message) = statement.obstacle.clone() {
+        return Verdict::Unknown { reason: UnknownReason::NoValue(message) };
     }
     let problem = Problem::new(theory, statement);
     let found = finding::find(&mut theory.pool, &problem, Budget::STATEMENT.times(budget));
@@ -96,9 +99,7 @@ fn decide_within(theory: &mut Theory, statement: &Statement, budget: u32) -> Ver
         return Verdict::Unknown { reason };
     }
     match found {
-        Finding::Equal { points: 0 } => Verdict::Unknown {
-            reason: "no point was found at which both sides are defined and every condition holds".into(),
-        },
+        Finding::Equal { points: 0 } => Verdict::Unknown { reason: UnknownReason::NoPoint },
         Finding::Equal { .. } => Verdict::Proved(report::theorem(&mut theory.pool, &problem)),
         Finding::Different(witness) => {
             let ratio = ratio::ratio(theory, &problem);
@@ -117,7 +118,7 @@ fn decide_within(theory: &mut Theory, statement: &Statement, budget: u32) -> Ver
 /// for an integral of cos(k x), is a legitimate condition of a theorem if the points that meet the
 /// rest form an open set in which the zeros of k are nowhere dense: the remaining points are dense
 /// in it, and both sides are continuous.
-fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
+fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<UnknownReason> {
     let stated = &problem.assumptions[..problem.stated];
     let is_narrowing =
         |condition: &&Condition| theory.narrowing.contains(condition) && !stated.contains(condition);
@@ -141,7 +142,7 @@ fn narrowed(theory: &mut Theory, problem: &Problem) -> Option<String> {
             has_limits && is_not_zero_densely(pool, difference) || is_implied(pool, condition, &plain);
         !is_harmless
     })?;
-    Some(format!("the value of an integral in the statement is known only where `{}`", open.text(pool)))
+    Some(UnknownReason::NarrowIntegral { condition: open.text(pool) })
 }
 
 /// Whether a condition is defined without requiring that a divisor is not zero.

@@ -93,7 +93,8 @@ pub fn derive(source: &Source, name: &str) -> Option<Derivation> {
             steps.push(conclusion::proved(&mut scribe, &statement));
         }
         Verdict::Refuted(witness) => steps.push(conclusion::refuted(&mut scribe, &statement, witness)),
-        Verdict::Unknown { reason } | Verdict::Empty { reason } => steps.push(conclusion::open(reason)),
+        Verdict::Unknown { reason } => steps.push(conclusion::open(reason.to_string())),
+        Verdict::Empty { reason } => steps.push(conclusion::open(reason.to_string())),
     }
     let ok = verdict.bears_out(statement.claim);
     Some(Derivation { name: name.to_owned(), verdict, ok, steps })

@@ -63,7 +63,7 @@ pub use fraction::Fraction;
 pub use generator::Trigonometry;
 pub use generator::{Generator, Unit};
 pub use normalise::{Normalised, normalise};
-pub use obstacle::Obstacle;
+pub use obstacle::{Obstacle, OutsidePart, SizeLimit};
 pub(crate) use root::prime_powers;
 pub use terms::{Term, Terms};
 pub use tower::Tower;

@@ -164,10 +164,7 @@ impl Report {
     }
 
     fn undecided(&mut self, statement: &str, verdict: &Verdict) {
-        let reason = match verdict {
-            Verdict::Unknown { reason } | Verdict::Empty { reason } => reason.as_str(),
-            Verdict::Proved(_) | Verdict::Refuted(_) => "",
-        };
+        let reason = verdict.reason().unwrap_or_default();
         self.say(format!("{statement} is undecided: {reason}"));
     }
 

@@ -28,10 +28,7 @@ impl Origin {
         let (first, last) = self.place(diagnostic.span);
         match self {
             Origin::Body(_) => compile_error(first, last, &self.text(diagnostic)),
-            Origin::File(source, _) => {
-                let rendered = source.render(diagnostic);
-                compile_error(first, last, rendered.strip_prefix("error: ").unwrap_or(&rendered).trim_end())
-            }
+            Origin::File(source, _) => compile_error(first, last, source.explain(diagnostic).trim_end()),
         }
     }
 

@@ -152,7 +152,7 @@ fn decided(claim: &str) -> Option<(Target, Verdict)> {
         text.lines().map(|line| line.trim().to_string()).filter(|line| !line.is_empty()).collect()
     };
     let integrals = nonempty(antiderivatives(&mut theory));
-    let proof = nonempty(entry(&mut theory, &statement, &verdict)).split_off(1);
+    let proof = nonempty(entry(&mut theory, &statement, &verdict).to_string()).split_off(1);
     Some((Target { source, verdict: "proved", integrals, proof }, verdict))
 }
 

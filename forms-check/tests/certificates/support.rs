@@ -13,7 +13,7 @@ pub(crate) fn certificate(source: &str) -> String {
     lines += &antiderivatives(&mut theory);
     for statement in theory.statements.clone() {
         let verdict = decide(&mut theory, &statement);
-        lines += &entry(&mut theory, &statement, &verdict);
+        lines += &entry(&mut theory, &statement, &verdict).to_string();
     }
     lines
 }

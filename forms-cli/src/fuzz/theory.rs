@@ -102,7 +102,7 @@ impl Theory {
         lines += &antiderivatives(&mut theory);
         let verdicts = decide_all(&mut theory);
         for (statement, verdict) in theory.statements.clone().iter().zip(&verdicts) {
-            lines += &entry(&mut theory, statement, verdict);
+            lines += &entry(&mut theory, statement, verdict).to_string();
         }
         lines
     }

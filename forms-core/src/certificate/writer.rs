@@ -1,6 +1,7 @@
 //! Writer of proofs as lines: each step lists the bases and units it uses, each after its
 //! constituents.
 
+use super::entry::Uncovered;
 use super::reason::reason;
 use crate::assume::Facts;
 use crate::decide::Observer;
@@ -15,7 +16,7 @@ pub(super) struct Writer {
     pool: Pool,
     lines: String,
     /// Part of the proof that could not be written.
-    gap: Option<String>,
+    gap: Option<Uncovered>,
     /// Signs of bases with their reasons, for the cases that enclose the present place.
     reasons: Reasons,
     splits: Vec<Split>,
@@ -52,7 +53,7 @@ impl Writer {
     }
 
     /// Returns the lines, or the part of the proof that could not be written.
-    pub(super) fn finish(self) -> Result<String, String> {
+    pub(super) fn finish(self) -> Result<String, Uncovered> {
         self.gap.map_or(Ok(self.lines), Err)
     }
 
@@ -64,11 +65,11 @@ impl Writer {
 
     fn text(&mut self, tower: &Tower, fraction: &Fraction) -> String {
         let raised = tower.raise(&mut self.pool, fraction);
-        let text = self.pool.text(raised);
-        if text.contains('<') {
-            self.gap = Some("a base or unit of the proof is too long to be written".into());
+        let text = self.pool.full_text(raised);
+        if text.is_none() {
+            self.gap = Some(Uncovered::LongPart);
         }
-        text
+        text.unwrap_or_default()
     }
 
     fn polynomial(&mut self, tower: &Tower, polynomial: &Polynomial) -> String {
@@ -101,7 +102,7 @@ impl Writer {
             Generator::Exponential(unit) => self.unit(tower, "exponent", &unit, declared),
             Generator::Root { base, .. } => self.base(tower, base, declared),
             Generator::Chord { .. } => {
-                self.gap = Some("the sine or cosine of a rational multiple of pi".into());
+                self.gap = Some(Uncovered::Chord);
             }
             Generator::Logarithm { base } => self.base(tower, base, declared),
         }

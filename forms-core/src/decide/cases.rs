@@ -3,9 +3,10 @@
 use super::goal::{Outcome, Turn};
 use super::observer::Observer;
 use super::problem::Problem;
+use super::reasons::{EmptyReason, UnknownReason};
 use crate::assume::{Assumptions, Cases};
 use crate::expression::{Expr, Pool};
-use crate::normal::{Fraction, Obstacle, Sign, Tower, normalise};
+use crate::normal::{Fraction, Obstacle, OutsidePart, Sign, Tower, normalise};
 
 /// Limit on the number of cases.
 const MOST_CASES: usize = 512;
@@ -35,19 +36,17 @@ fn outcome_of(pool: &mut Pool, explored: Result<Outcome, Obstacle>, tower: &Towe
         Ok(Outcome::NotZero) => match tower.nested_radical() {
             Some(radical) => {
                 let radical = tower.raise(pool, &radical);
-                Outcome::Outside(format!("{OUTSIDE}: the nested radical {}", pool.text(radical)))
+                Outcome::Outside(UnknownReason::Outside(OutsidePart::NestedRadical(pool.text(radical))))
             }
             None => Outcome::NotZero,
         },
         Ok(outcome) => outcome,
-        Err(Obstacle::DivisionByZero) => Outcome::Empty(DIVIDES_BY_ZERO.into()),
-        Err(Obstacle::Outside(part)) => Outcome::Outside(format!("{OUTSIDE}: {part}")),
-        Err(Obstacle::TooLarge(limit)) => Outcome::Outside(format!("the normal form is too large: {limit}")),
-        Err(Obstacle::Refine) => Outcome::Outside("the radicands could not be factored".into()),
+        Err(Obstacle::DivisionByZero) => Outcome::Empty(EmptyReason::DivisionByZero),
+        Err(Obstacle::Outside(part)) => Outcome::Outside(UnknownReason::Outside(part)),
+        Err(Obstacle::TooLarge(limit)) => Outcome::Outside(UnknownReason::TooLarge(limit)),
+        Err(Obstacle::Refine) => Outcome::Outside(UnknownReason::UnfactoredRadicands),
     }
 }
-
-const OUTSIDE: &str = "outside the class that Forms decides";
 
 /// Returns the cases in which the normal forms are zero, each given by its signs; `None` if they
 /// are not a proof. The steps are reported to an observer.
@@ -64,8 +63,6 @@ pub(super) fn settled_cases<'a>(
     let outcome = proof.explore(&[]);
     (outcome == Ok(Outcome::Zero)).then_some(proof.settled)
 }
-
-const DIVIDES_BY_ZERO: &str = "a divisor is zero at every point";
 
 struct Proof<'a> {
     pool: &'a Pool,
@@ -107,7 +104,7 @@ impl<'a> Proof<'a> {
             Ok(_) => {}
             Err(Obstacle::DivisionByZero) => {
                 self.observe(|observer| observer.undefined());
-                return Ok(Outcome::Empty(DIVIDES_BY_ZERO.into()));
+                return Ok(Outcome::Empty(EmptyReason::DivisionByZero));
             }
             Err(obstacle) => return Err(obstacle),
         }
@@ -115,12 +112,12 @@ impl<'a> Proof<'a> {
             Cases::Empty => {
                 self.observe_split(given, &[])?;
                 self.observe(|observer| observer.end());
-                return Ok(Outcome::Empty("no point meets its conditions".into()));
+                return Ok(Outcome::Empty(EmptyReason::NoCase));
             }
             Cases::Signs(cases) if cases.iter().all(Vec::is_empty) => return Ok(Outcome::NotZero),
             Cases::Signs(cases) if self.cases + cases.len() <= MOST_CASES => cases,
             Cases::Signs(_) | Cases::TooMany => {
-                return Ok(Outcome::Outside("too many factors of radicands have an open sign".into()));
+                return Ok(Outcome::Outside(UnknownReason::OpenSigns));
             }
         };
         self.several |= cases.len() > 1;

@@ -5,6 +5,7 @@ use super::goal::Outcome;
 use super::instance::{FIRST_CHOICE, Instance, MORE_CHOICES, instances};
 use super::problem::Problem;
 use super::proof;
+use super::reasons::{EmptyReason, UnknownReason};
 use super::report;
 use super::special;
 use super::tactics;
@@ -51,9 +52,9 @@ pub(crate) enum Finding {
     /// One of the equations fails at an exact point.
     Different(Witness),
     /// The equations are vacuous: no point meets their conditions, for the given reason.
-    Empty(String),
+    Empty(EmptyReason),
     /// Neither was shown; at `points` points the sides agree, to the digits that are certain.
-    Unknown { reason: String, points: usize },
+    Unknown { reason: UnknownReason, points: usize },
 }
 
 /// Equations between scalars, under conditions.
@@ -73,7 +74,7 @@ impl Equations<'_> {
 }
 
 /// Returns the reason why no point meets these conditions, if that can be shown.
-pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option<String> {
+pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option<EmptyReason> {
     let problem = Problem::of_scalars(pool, &[], conditions);
     empty::contradiction(pool, &problem)
 }
@@ -146,12 +147,9 @@ impl Survey {
         }
         match outcome {
             Outcome::Zero => Finding::Equal { points },
-            Outcome::NotZero => {
-                let reason =
-                    "the two sides have different normal forms, but no point was found at which they differ";
-                Finding::Unknown { reason: reason.into(), points }
-            }
-            Outcome::Outside(reason) | Outcome::Empty(reason) => Finding::Unknown { reason, points },
+            Outcome::NotZero => Finding::Unknown { reason: UnknownReason::DifferentNormalForms, points },
+            Outcome::Outside(reason) => Finding::Unknown { reason, points },
+            Outcome::Empty(reason) => Finding::Unknown { reason: UnknownReason::Vacuous(reason), points },
         }
     }
 

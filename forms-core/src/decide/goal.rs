@@ -1,6 +1,7 @@
 //! Goals of proofs by normal forms: their parts, their context and their outcome.
 
 use super::problem::Problem;
+use super::reasons::{EmptyReason, UnknownReason};
 use crate::expression::{Condition, Expr, Pool};
 
 /// Outcome of a proof by normal forms.
@@ -10,10 +11,10 @@ pub(super) enum Outcome {
     Zero,
     /// Some difference is not zero in some case; that case may still contain no point.
     NotZero,
-    /// There is no normal form, for the given reason.
-    Outside(String),
+    /// The normal forms decide nothing, for the given reason.
+    Outside(UnknownReason),
     /// No point meets the assumptions, for the given reason.
-    Empty(String),
+    Empty(EmptyReason),
 }
 
 impl Outcome {

@@ -17,6 +17,7 @@
 
 use super::cases::Goal;
 use super::goal::{Given, Outcome, Turn};
+use super::reasons::{EmptyReason, UnknownReason};
 use crate::assume::is_open;
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Condition, Expr, Operation, Pool, Rational, Substitution};
@@ -73,7 +74,7 @@ fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut 
         return outcome;
     }
     let Some(choices) = tower.choices_of_half_turns() else {
-        return Outcome::Outside("too many angles may be odd multiples of pi".into());
+        return Outcome::Outside(UnknownReason::HalfTurns);
     };
     for units in choices {
         if units.iter().any(|unit| is_no_half_turn(pool, tower, unit)) {
@@ -85,9 +86,7 @@ fn at_half_turns(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut 
         }
         let (found, _) = goal.explored(pool, &mut stratum);
         if stratum.poles().iter().any(|unit| !tower.poles().contains(unit)) {
-            return Outcome::Outside(
-                "where some angles are odd multiples of pi, a further angle can be one too".into(),
-            );
+            return Outcome::Outside(UnknownReason::FurtherHalfTurn);
         }
         let found = with_zeros(pool, goal, given, &stratum, found);
         outcome = together(outcome, found);
@@ -141,11 +140,10 @@ fn with_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, mut out
 
 /// Returns the outcome where a polynomial vanishes, by solving the polynomial for a variable.
 fn at_zeros(pool: &mut Pool, goal: &Goal, given: Given, tower: &Tower, factor: &Polynomial) -> Outcome {
-    let unsolved =
-        || Outcome::Outside("the zeros of a divisor in the normal form could not be determined".into());
+    let unsolved = || Outcome::Outside(UnknownReason::DivisorZeros);
     let Some(depth) = given.depth.checked_sub(1) else { return unsolved() };
     let Some(solutions) = solutions(pool, tower, factor) else { return unsolved() };
-    let mut outcome = Outcome::Empty("the divisor has no zeros".into());
+    let mut outcome = Outcome::Empty(EmptyReason::NoZeros);
     for values in solutions {
         let conditions: Vec<Condition> =
             given.conditions.iter().map(|condition| condition.substitute(pool, &values)).collect();

@@ -1,5 +1,6 @@
 //! The three verdicts, and the error of a vacuous statement, whose conditions no point meets.
 
+use super::reasons::{EmptyReason, UnknownReason};
 use crate::syntax::ast::Claim;
 use std::fmt;
 
@@ -13,12 +14,12 @@ pub enum Verdict {
     /// Neither was shown.
     Unknown {
         /// The obstacle to a decision.
-        reason: String,
+        reason: UnknownReason,
     },
     /// The statement is vacuous: no point meets its conditions, so it is an error.
     Empty {
         /// Reason why there is no such point.
-        reason: String,
+        reason: EmptyReason,
     },
 }
 
@@ -56,6 +57,15 @@ impl Verdict {
             Verdict::Refuted(_) => "refuted",
             Verdict::Unknown { .. } => "unknown",
             Verdict::Empty { .. } => "empty",
+        }
+    }
+
+    /// Returns the reason why the statement is undecided or vacuous, in words.
+    pub fn reason(&self) -> Option<String> {
+        match self {
+            Verdict::Proved(_) | Verdict::Refuted(_) => None,
+            Verdict::Unknown { reason } => Some(reason.to_string()),
+            Verdict::Empty { reason } => Some(reason.to_string()),
         }
     }
 
@@ -101,16 +111,24 @@ pub struct Ratio {
     pub jacobian_of: Option<String>,
 }
 
-impl std::fmt::Display for Ratio {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl Ratio {
+    /// Returns how the sides differ, and the equation between them.
+    pub(crate) fn words_and_equation(&self) -> (&'static str, String) {
+        let words = "the sides differ by a factor only";
         match (self.factor.as_str(), &self.jacobian_of) {
-            ("-1", _) => write!(f, "the sides differ in sign only: left = -right"),
-            (factor, None) => write!(f, "the sides differ by a factor only: left/right = {factor}"),
-            (factor, Some(map)) => write!(
-                f,
-                "the sides differ by a factor only: left/right = {factor}, which is the Jacobian of `{map}` \
-                 or its inverse, up to a number"
-            ),
+            ("-1", _) => ("the sides differ in sign only", "left = -right".to_owned()),
+            (factor, None) => (words, format!("left/right = {factor}")),
+            (factor, Some(map)) => {
+                let origin = format!("the Jacobian of `{map}` or its inverse, up to a number");
+                (words, format!("left/right = {factor}, which is {origin}"))
+            }
         }
+    }
+}
+
+impl fmt::Display for Ratio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (words, equation) = self.words_and_equation();
+        write!(f, "{words}: {equation}")
     }
 }

@@ -65,8 +65,8 @@ pub(super) fn refuted(scribe: &mut Scribe, statement: &Statement, witness: &Witn
     Step::new("Refuted", lines)
 }
 
-pub(super) fn open(reason: &str) -> Step {
-    Step::new("Undecided", vec![Line::Words(reason.to_owned())])
+pub(super) fn open(reason: String) -> Step {
+    Step::new("Undecided", vec![Line::Words(reason)])
 }
 
 fn conditions(scribe: &mut Scribe, statement: &Statement) -> Vec<Line> {

@@ -6,6 +6,7 @@ use num_rational::Ratio;
 use num_traits::{One, Signed};
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
+use std::cell::Cell;
 
 /// Largest number of nodes that are written out. An expression can be exponentially larger than its
 /// shared form; a larger one is replaced by its size.
@@ -49,6 +50,18 @@ impl Pool {
 
     /// Returns the texts of several expressions.
     pub fn texts(&self, expressions: &[Expr]) -> Vec<String> {
+        self.written(expressions, &Cell::new(true))
+    }
+
+    /// Returns the expression in the language's own notation; `None` if it is too long to read.
+    pub(crate) fn full_text(&self, expression: Expr) -> Option<String> {
+        let is_full = Cell::new(true);
+        let text = self.written(&[expression], &is_full).remove(0);
+        is_full.get().then_some(text)
+    }
+
+    /// Returns the texts of several expressions and clears a flag if a part of them is too long.
+    fn written(&self, expressions: &[Expr], is_full: &Cell<bool>) -> Vec<String> {
         let mut sizes: FxHashMap<Expr, u64> = FxHashMap::default();
         let mut written: FxHashMap<Expr, Written> = FxHashMap::default();
         for expression in self.reachable(expressions) {
@@ -56,16 +69,17 @@ impl Pool {
             self.node(expression).for_each_operand(|operand| size = size.saturating_add(sizes[&operand]));
             sizes.insert(expression, size);
             let text = if size > LONGEST {
+                is_full.set(false);
                 Written { text: format!("<{size} terms and operators>"), binding: Binding::Atom }
             } else {
-                self.write(expression, &written)
+                self.write(expression, &written, is_full)
             };
             written.insert(expression, text);
         }
         expressions.iter().map(|expression| written[expression].text.clone()).collect()
     }
 
-    fn write(&self, expression: Expr, written: &FxHashMap<Expr, Written>) -> Written {
+    fn write(&self, expression: Expr, written: &FxHashMap<Expr, Written>, is_full: &Cell<bool>) -> Written {
         let of = |operand: &Expr, needed: Binding| written[operand].within(needed);
         let (text, binding) = match self.node(expression) {
             Node::Number(value) => return write_number(value),
@@ -94,7 +108,7 @@ impl Pool {
             }
             Node::Jet { function, orders, arguments } => {
                 let list: Vec<Cow<str>> = arguments.iter().map(|a| of(a, Binding::Sum)).collect();
-                (self.write_jet(*function, orders, arguments, &list), Binding::Atom)
+                (self.write_jet((*function, orders, arguments), &list, is_full), Binding::Atom)
             }
             Node::Select { left, relation, right, then, otherwise, seam } => {
                 let [left, right, then, otherwise] =
@@ -113,16 +127,15 @@ impl Pool {
     /// `f`, `f(a, b)`, `diff(f, x)`, `diff(f, x)(a, b)`
     fn write_jet(
         &self,
-        function: FunctionId,
-        orders: &[u32],
-        arguments: &[Expr],
+        (function, orders, arguments): (FunctionId, &[u32], &[Expr]),
         written: &[Cow<str>],
+        is_full: &Cell<bool>,
     ) -> String {
         if self.is_primitive(function) {
-            return self.write_integral(function, orders, arguments, written);
+            return self.write_integral((function, orders, arguments), written, is_full);
         }
         if self.quadrature_of(function).is_some() {
-            return self.write_quadrature(function, arguments, written);
+            return self.write_quadrature((function, arguments), written, is_full);
         }
         let unknown = self.function(function);
         let mut head = unknown.name.clone();
@@ -144,12 +157,17 @@ impl Pool {
     }
 
     /// `quadrature(w, s1 = a..b)`
-    fn write_quadrature(&self, function: FunctionId, arguments: &[Expr], written: &[Cow<str>]) -> String {
+    fn write_quadrature(
+        &self,
+        (function, arguments): (FunctionId, &[Expr]),
+        written: &[Cow<str>],
+        is_full: &Cell<bool>,
+    ) -> String {
         let mut pool = self.clone();
         match (pool.integrand_at(function, arguments), written) {
             (Some((integrand, variable)), [from, to, ..]) => {
                 let name = pool.symbol_name(variable);
-                format!("quadrature({}, {name} = {from}..{to})", pool.text(integrand))
+                format!("quadrature({}, {name} = {from}..{to})", pool.written(&[integrand], is_full)[0])
             }
             _ => self.function(function).name.clone(),
         }
@@ -158,10 +176,9 @@ impl Pool {
     /// `integral(w, s1 = 0..b)`
     fn write_integral(
         &self,
-        function: FunctionId,
-        orders: &[u32],
-        arguments: &[Expr],
+        (function, orders, arguments): (FunctionId, &[u32], &[Expr]),
         written: &[Cow<str>],
+        is_full: &Cell<bool>,
     ) -> String {
         let mut pool = self.clone();
         let Some((kernel, variables)) = pool.kernel_at(function, orders, arguments) else {
@@ -172,7 +189,7 @@ impl Pool {
             .zip(written)
             .map(|(&variable, end)| format!("{} = 0..{end}", pool.symbol_name(variable)))
             .collect();
-        format!("integral({}, {})", pool.text(kernel), ranges.join(", "))
+        format!("integral({}, {})", pool.written(&[kernel], is_full)[0], ranges.join(", "))
     }
 }
 

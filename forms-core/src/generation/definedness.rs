@@ -16,7 +16,7 @@ use super::obligation::{self, MOST_PATHS, Obligation, obligations};
 use super::pieces::{MOST_PIECES, negated, pieces};
 use super::special_points::SpecialPoints;
 use super::translation::{EFFORT, equality};
-use crate::decide::Witness;
+use crate::decide::{KernelReason, UnknownReason, Witness};
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::theory::Kernel;
 
@@ -39,8 +39,8 @@ pub(crate) enum Definedness {
     Broken(Breach),
     /// The form was not shown to have a value.
     Undecided {
-        /// Condition that was not shown, in words.
-        reason: String,
+        /// Reason, such as the condition that was not shown.
+        reason: UnknownReason,
     },
 }
 
@@ -105,7 +105,7 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     let open = match not_shown(pool, kernel, form) {
         Ok(open) if open.is_empty() => return Definedness::Kept,
         Ok(open) => open,
-        Err(reason) => return Definedness::Undecided { reason },
+        Err(reason) => return Definedness::Undecided { reason: reason.into() },
     };
     let zeros: Vec<Expr> = open
         .iter()
@@ -117,9 +117,8 @@ pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Define
     }
     let Obligation { part, ways, .. } = &open[0];
     let conditions: Vec<String> = ways[0].iter().map(|condition| condition.text(pool)).collect();
-    let reason =
-        format!("`{}`, which `{}` requires, was not proved", conditions.join(", "), pool.text(*part));
-    Definedness::Undecided { reason }
+    let reason = KernelReason::Undefined { condition: conditions.join(", "), part: pool.text(*part) };
+    Definedness::Undecided { reason: reason.into() }
 }
 
 /// Returns the form with the formula in its place wherever the form is not shown to be defined:
@@ -198,12 +197,12 @@ fn with_guards(pool: &mut Pool, form: Expr, formula: Expr, guards: &[Guard]) -> 
 }
 
 /// Returns the obligations of a form that are not shown to hold wherever its formula has a value.
-fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obligation>, String> {
+fn not_shown(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Result<Vec<Obligation>, KernelReason> {
     let mut open: Vec<Obligation> = Vec::new();
     for (&form, &formula) in form.iter().zip(&kernel.outputs) {
         if form != formula {
             let Some(obligations) = obligations(pool, &[form]) else {
-                return Err(format!("the form has more than {MOST_PATHS} paths through `if`"));
+                return Err(KernelReason::Paths(MOST_PATHS));
             };
             let found = open_obligations(pool, &kernel.domain, formula, obligations)?;
             open.extend(
@@ -221,7 +220,7 @@ fn open_obligations(
     domain: &[Condition],
     formula: Expr,
     obligations: Vec<Obligation>,
-) -> Result<Vec<Obligation>, String> {
+) -> Result<Vec<Obligation>, KernelReason> {
     let mut open = Vec::new();
     for obligation in obligations {
         // all expressions without conditionals, piece by piece
@@ -230,7 +229,7 @@ fn open_obligations(
             domain.iter().chain(&obligation.path).chain(obligation.ways.iter().flatten()).copied().collect();
         expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
         let Some(pieces) = pieces(pool, &expressions, |_, _, _| false) else {
-            return Err(format!("it has more than {MOST_PIECES} pieces"));
+            return Err(KernelReason::Pieces(MOST_PIECES));
         };
         let stated = domain.len() + obligation.path.len();
         let follows = pieces.into_iter().all(|piece| {

@@ -1,7 +1,7 @@
 //! Faults: claims of a kernel about itself that were not proved, each with its verdict and the
 //! message to its author.
 
-use crate::decide::{Verdict, Witness};
+use crate::decide::{KernelReason, UnknownReason, Verdict, Witness};
 use crate::diagnostic::{Diagnostic, Span};
 
 /// Claim of a kernel about itself.
@@ -47,13 +47,14 @@ impl Fault {
         Fault { kernel: kernel.to_string(), claim, verdict: Verdict::Refuted(witness), diagnostic }
     }
 
-    pub(super) fn unknown(kernel: &str, claim: Claim, reason: String, diagnostic: Diagnostic) -> Self {
+    pub(super) fn unknown(kernel: &str, claim: Claim, reason: UnknownReason, diagnostic: Diagnostic) -> Self {
         Fault { kernel: kernel.to_string(), claim, verdict: Verdict::Unknown { reason }, diagnostic }
     }
 
     /// Builds the fault of a claim that could not be examined, for the reason in the diagnostic.
     pub(super) fn told(kernel: &str, claim: Claim, diagnostic: Diagnostic) -> Self {
-        Self::unknown(kernel, claim, diagnostic.message.clone(), diagnostic)
+        let reason = KernelReason::Reported(diagnostic.message.clone());
+        Self::unknown(kernel, claim, reason.into(), diagnostic)
     }
 
     /// Returns the location of the kernel in its source.

@@ -10,7 +10,7 @@
 use super::definedness::{self, Breach, Definedness};
 use super::fault::{Claim, Fault};
 use super::translation::{FORM, Translation, equality};
-use crate::decide::Witness;
+use crate::decide::{UnknownReason, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::Pool;
 use crate::theory::Kernel;
@@ -65,14 +65,14 @@ fn different(kernel: &Kernel, witness: Witness) -> Fault {
     Fault::refuted(&kernel.name, Claim::By, witness, diagnostic)
 }
 
-fn undecided(kernel: &Kernel, reason: String) -> Fault {
+fn undecided(kernel: &Kernel, reason: UnknownReason) -> Fault {
     let message =
         format!("cannot decide whether the stable form of `{}` equals its formula: {reason}", kernel.name);
     let diagnostic = Diagnostic::new(kernel.span, message).with_help(EQUAL);
     Fault::unknown(&kernel.name, Claim::By, reason, diagnostic)
 }
 
-fn undefined(kernel: &Kernel, reason: String) -> Fault {
+fn undefined(kernel: &Kernel, reason: UnknownReason) -> Fault {
     let message = format!(
         "cannot decide whether the stable form of `{}` is defined wherever its formula is: {reason}",
         kernel.name

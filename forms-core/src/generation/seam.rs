@@ -10,7 +10,9 @@ use super::boundary::{Sheet, Solution, replaced, sheets};
 use super::fault::{Claim, Fault};
 use super::limit::{follow, limit};
 use super::pieces::{MOST_PIECES, negated, pieces};
-use crate::decide::{Budget, Equations, Finding, Witness, contradiction, simplified};
+use crate::decide::{
+    Budget, Equations, Finding, KernelReason, UnknownReason, Witness, contradiction, simplified,
+};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Node, Pool, Seam};
 use crate::theory::Kernel;
@@ -36,7 +38,7 @@ struct Choice {
 enum Agreement {
     Agrees,
     Differs(Witness),
-    Undecided(String),
+    Undecided(UnknownReason),
 }
 
 /// Returns the faults of a kernel's seams: the seams at which its pieces are not shown to agree.
@@ -149,9 +151,7 @@ impl Choice {
                 _ => {}
             }
         }
-        Agreement::Undecided(
-            undecided.unwrap_or_else(|| "the equation of the seam could not be solved completely".into()),
-        )
+        Agreement::Undecided(undecided.unwrap_or(KernelReason::UnsolvedSeam.into()))
     }
 
     fn by_solution(
@@ -194,7 +194,7 @@ impl Choice {
         let domain = pool.domain(&branches);
         let (_, domain) = replaced(pool, put_in, &[], &domain);
         if is_excluded(pool, &domain, &known) {
-            return Agreement::Undecided("a branch is not defined there".into());
+            return Agreement::Undecided(KernelReason::UndefinedBranch(None).into());
         }
         known.extend(domain);
         compare(pool, values[0], values[1], &known)
@@ -246,7 +246,7 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
     let mut expressions = vec![left, right];
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, |_, _, _| false) else {
-        return Agreement::Undecided(format!("the branches have more than {MOST_PIECES} pieces"));
+        return Agreement::Undecided(KernelReason::BranchPieces(MOST_PIECES).into());
     };
     for piece in pieces {
         let sides = piece.expressions[2..].chunks_exact(2);
@@ -265,7 +265,7 @@ fn compare(pool: &mut Pool, left: Expr, right: Expr, conditions: &[Condition]) -
             Finding::Empty(reason) => {
                 // the seam lies nowhere in the domain, or a branch is not defined on it
                 if contradiction(pool, &assumed).is_none() {
-                    return Agreement::Undecided(format!("a branch is not defined there: {reason}"));
+                    return Agreement::Undecided(KernelReason::UndefinedBranch(Some(reason)).into());
                 }
             }
         }

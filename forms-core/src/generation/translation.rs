@@ -9,7 +9,7 @@ use super::cuts::Cuts;
 use super::opaque::{Depth, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
-use crate::decide::{Budget, Equations, Finding, Witness};
+use crate::decide::{Budget, Equations, Finding, KernelReason, UnknownReason, Witness};
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Condition, Expr, Pool, Relation};
 use crate::kernel::Program;
@@ -33,7 +33,7 @@ pub enum Translation {
     /// Neither was shown.
     Unknown {
         /// Reason why nothing was shown.
-        reason: String,
+        reason: UnknownReason,
         /// Number of exact points at which both were enclosed and no difference was certain.
         points: usize,
     },
@@ -127,10 +127,10 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budg
     let mut expressions = different.to_vec();
     expressions.extend(conditions.iter().flat_map(|condition| [condition.left, condition.right]));
     let Some(pieces) = pieces(pool, &expressions, is_same_choice) else {
-        return Translation::Unknown { reason: format!("it has more than {MOST_PIECES} pieces"), points: 0 };
+        return Translation::Unknown { reason: KernelReason::Pieces(MOST_PIECES).into(), points: 0 };
     };
     let mut seen = 0;
-    let mut nowhere = "no point was found at which it is defined".to_string();
+    let mut nowhere = KernelReason::NoPoint;
     let mut together = Translation::Proved;
     for piece in pieces {
         let (sides, bounds) = piece.expressions.split_at(different.len());
@@ -147,7 +147,7 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budg
         }
         match (Equations { sides: &sides, conditions: &assumed }).decide(pool, budget) {
             Finding::Equal { points } => seen += points,
-            Finding::Empty(reason) => nowhere = format!("it is defined nowhere: {reason}"),
+            Finding::Empty(reason) => nowhere = KernelReason::DefinedNowhere(reason),
             Finding::Different(witness) => return Translation::Refuted(witness),
             Finding::Unknown { points, .. } if agree_on_boundary(pool, &sides, &assumed, budget) => {
                 seen += points;
@@ -159,7 +159,7 @@ fn by_pieces(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budg
         }
     }
     match together {
-        Translation::Proved if seen == 0 => Translation::Unknown { reason: nowhere, points: 0 },
+        Translation::Proved if seen == 0 => Translation::Unknown { reason: nowhere.into(), points: 0 },
         known => known,
     }
 }
@@ -337,7 +337,7 @@ mod tests {
                 + ((x**2 + t)**2 + (y**3 - z*s)**2 - 2*(x**2 + t)*(y**3 - z*s))**20;",
         );
         let Translation::Unknown { reason, points: 12 } = &found else { panic!("{found:?}") };
-        assert!(reason.contains("too large"), "{reason}");
+        assert!(matches!(reason, UnknownReason::TooLarge(_)), "{reason}");
         assert!(found.to_string().contains("only compared with it at 12 points: "), "{found}");
     }
 }

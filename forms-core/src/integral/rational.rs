@@ -367,7 +367,8 @@ impl From<Obstacle> for Failure {
     fn from(obstacle: Obstacle) -> Self {
         Failure(match obstacle {
             Obstacle::DivisionByZero => "the integrand divides by zero".to_string(),
-            Obstacle::Outside(part) | Obstacle::TooLarge(part) => part,
+            Obstacle::Outside(part) => part.to_string(),
+            Obstacle::TooLarge(limit) => limit.to_string(),
             Obstacle::Refine => "the radicands of the integrand could not be factored".to_string(),
         })
     }

@@ -6,7 +6,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Trigonometry, Unit};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::power::FactorPower;
 use super::tower::Tower;
 use crate::expression::Rational;
@@ -44,8 +44,7 @@ impl Tower {
 
     /// Expresses q · quantity as a multiple of a unit. A finer unit restarts the normalisation.
     fn multiple(&mut self, quantity: &Quantity, coefficient: &Rational) -> Result<(Unit, i64), Obstacle> {
-        let outside =
-            || Obstacle::Outside(format!("an angle or exponent with the coefficient {coefficient}"));
+        let outside = || Obstacle::Outside(OutsidePart::AngleOrExponent(coefficient.clone()));
         let needed = coefficient.denom().to_u32().filter(|d| *d <= LARGEST_MULTIPLE).ok_or_else(outside)?;
         let divisor = *self.denominators.of_angles.entry(quantity.clone()).or_insert(needed);
         if !divisor.is_multiple_of(needed) {
@@ -67,7 +66,7 @@ impl Tower {
     /// (cos q, sin q)
     pub(super) fn circular(&mut self, argument: &Fraction) -> Result<Point, Obstacle> {
         if argument.numerator.term_count() > MOST_PARTS {
-            return Err(Obstacle::Outside(format!("an angle of more than {MOST_PARTS} parts")));
+            return Err(Obstacle::Outside(OutsidePart::AngleParts(MOST_PARTS)));
         }
         let mut point = (Fraction::one(), Fraction::zero());
         for (quantity, coefficient) in self.linear_parts(argument)? {

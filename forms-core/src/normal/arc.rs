@@ -11,7 +11,7 @@
 use super::angle::Point;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::tower::Tower;
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
 use crate::polynomial::Polynomial;
@@ -55,7 +55,10 @@ impl Tower {
         (operation, arguments): (Operation, Vec<Fraction>),
         coefficient: &Rational,
     ) -> Result<Point, Obstacle> {
-        let outside = || Obstacle::Outside(format!("{coefficient} times `{}`", operation.row().name));
+        let outside = || {
+            let (coefficient, function) = (coefficient.clone(), operation.row().name);
+            Obstacle::Outside(OutsidePart::Multiple { coefficient, function })
+        };
         let halvings = coefficient.denom().trailing_zeros().unwrap_or(0) as u32;
         let multiple = coefficient.numer().abs().to_u32().filter(|m| *m <= LARGEST_MULTIPLE);
         let multiple = multiple.ok_or_else(outside)?;

@@ -1,7 +1,7 @@
 //! Charges for arithmetic: products of terms are counted, and exponents checked, before the work is
 //! done.
 
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, SizeLimit};
 use super::power::FactorPower;
 use super::tower::Tower;
 use super::work::check_exponent;
@@ -24,7 +24,7 @@ impl Tower {
     /// product.
     pub(super) fn check_power(&self, a: &Polynomial, f: &Polynomial, n: u64) -> Result<(), Obstacle> {
         if f.term_count() > 1 && n > LARGEST_POWER_OF_SUM {
-            return Err(Obstacle::TooLarge(format!("a power of a sum is beyond {LARGEST_POWER_OF_SUM}")));
+            return Err(Obstacle::TooLarge(SizeLimit::PowerOfSum(LARGEST_POWER_OF_SUM)));
         }
         if a.most_terms_with_power(f, n) <= self.work.limit {
             return Ok(());
@@ -63,5 +63,5 @@ impl Tower {
 }
 
 fn steps_are_spent() -> Obstacle {
-    Obstacle::TooLarge("it exceeds the step limit of one statement".into())
+    Obstacle::TooLarge(SizeLimit::Steps)
 }

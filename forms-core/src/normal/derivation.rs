@@ -6,7 +6,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::power::FactorPower;
 use super::tower::Tower;
 use crate::calculus::{Coefficients, Coordinate, Product};
@@ -204,7 +204,7 @@ impl Tower {
                 let outer = self.inverse(&norm)?;
                 self.multiply(&outer, &inner[0])
             }
-            _ => Err(Obstacle::Outside(format!("a derivative of {}", operation.row().name))),
+            _ => Err(Obstacle::Outside(OutsidePart::Derivative(operation.row().name))),
         }
     }
 }

@@ -12,7 +12,7 @@
 use super::factored::Power;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity, Unit};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart, SizeLimit};
 use super::power::{FactorPower, common_powers, merge_powers};
 use super::tower::Tower;
 use crate::expression::Rational;
@@ -99,7 +99,7 @@ impl Tower {
     /// Returns log q for q > 0, from the factors of q.
     pub(super) fn logarithm(&mut self, argument: &Fraction) -> Result<Fraction, Obstacle> {
         if argument.is_zero() {
-            return Err(Obstacle::Outside("the logarithm of zero".into()));
+            return Err(Obstacle::Outside(OutsidePart::LogarithmOfZero));
         }
         let factored = self.factor_magnitude(argument)?;
         let mut sum = self.exponent_of(&factored.exponentials)?;
@@ -131,7 +131,7 @@ impl Tower {
         quantity: Quantity,
         coefficient: &Rational,
     ) -> Result<Fraction, Obstacle> {
-        let outside = || Obstacle::Outside(format!("an exponent with the coefficient {coefficient}"));
+        let outside = || Obstacle::Outside(OutsidePart::Exponent(coefficient.clone()));
         if let ([(variable, 1)], []) = (quantity.monomial.as_slice(), quantity.factors.as_slice())
             && let Generator::Logarithm { base } = *self.generator(*variable)
         {
@@ -189,9 +189,7 @@ impl Tower {
             for _ in 0..power.exponent {
                 product = product.mul(&factor);
                 if product.term_count() > LARGEST_DENOMINATOR {
-                    return Err(Obstacle::TooLarge(format!(
-                        "a denominator of exponents has more than {LARGEST_DENOMINATOR} terms"
-                    )));
+                    return Err(Obstacle::TooLarge(SizeLimit::ExponentDenominator(LARGEST_DENOMINATOR)));
                 }
             }
         }

@@ -7,7 +7,7 @@
 use super::base::SignConstraint;
 use super::fraction::Fraction;
 use super::generator::Generator;
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart, SizeLimit};
 use super::plan::{Step, steps};
 use super::tower::Tower;
 use crate::expression::{Expr, FunctionId, Node, Operation, Pool};
@@ -54,7 +54,7 @@ pub fn normalise(tower: &mut Tower, pool: &Pool, roots: &[Expr]) -> Result<Norma
             }
         }
     }
-    Err(Obstacle::TooLarge(format!("its radicands and angles need more than {MOST_REFINEMENTS} refinements")))
+    Err(Obstacle::TooLarge(SizeLimit::Refinements(MOST_REFINEMENTS)))
 }
 
 impl Normalised {
@@ -209,7 +209,7 @@ impl Walk<'_> {
             Node::Power(a, exponent) => self.power(*a, *exponent),
             Node::Apply(operation, arguments) => self.function(*operation, arguments),
             Node::Jet { function, orders, arguments } => self.jet(*function, orders, arguments),
-            Node::Select { .. } => Err(Obstacle::Outside("an expression with `if`".into())),
+            Node::Select { .. } => Err(Obstacle::Outside(OutsidePart::Conditional)),
         }
     }
 

@@ -14,7 +14,7 @@
 use super::angle::Point;
 use super::fraction::Fraction;
 use super::generator::{Generator, Quantity};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::tower::Tower;
 use crate::expression::Rational;
 use crate::polynomial::Polynomial;
@@ -37,7 +37,7 @@ impl Tower {
 
     /// (cos πr, sin πr)
     pub(super) fn corner(&mut self, r: &Rational) -> Result<Point, Obstacle> {
-        let outside = || Obstacle::Outside(format!("an angle of {r} times pi"));
+        let outside = || Obstacle::Outside(OutsidePart::HalfTurns(r.clone()));
         let sides = r.denom().to_u32().ok_or_else(outside)?;
         let parts = prime_powers(sides).ok_or_else(outside)?;
         let mut rest = r.clone();

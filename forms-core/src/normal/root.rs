@@ -10,7 +10,7 @@ use super::base::{Base, Sign, SignConstraint};
 use super::factored::{Factored, Power};
 use super::fraction::Fraction;
 use super::generator::{Generator, Trigonometry};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::power::FactorPower;
 use super::tower::Tower;
 use super::work::check_exponent;
@@ -65,8 +65,7 @@ impl Tower {
     /// (σ g)^e as a power of the root of g, or of g itself if e is an integer.
     pub(super) fn base_power(&mut self, base: usize, exponent: Ratio<i64>) -> Result<Fraction, Obstacle> {
         let order = u32::try_from(*exponent.denom()).ok().filter(|n| *n <= LARGEST_ORDER);
-        let order =
-            order.ok_or_else(|| Obstacle::Outside(format!("a root of order {}", exponent.denom())))?;
+        let order = order.ok_or_else(|| Obstacle::Outside(OutsidePart::Root(*exponent.denom())))?;
         if !self.bases[base].order.is_multiple_of(order) {
             self.bases[base].order = self.bases[base].order.lcm(&order);
             return Err(Obstacle::Refine);

@@ -12,7 +12,7 @@
 
 use super::fraction::Fraction;
 use super::generator::{Generator, Unit};
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, OutsidePart};
 use super::power::FactorPower;
 use super::tower::Tower;
 use crate::expression::Symbol;
@@ -96,7 +96,7 @@ impl Tower {
             return Ok(true);
         }
         if self.exclusions.half_turns.iter().any(|known| known.quantity == unit.quantity) {
-            return Err(Obstacle::Outside("a fraction of an angle that is an odd multiple of pi".into()));
+            return Err(Obstacle::Outside(OutsidePart::FractionOfHalfTurn));
         }
         if !self.exclusions.poles.contains(unit) {
             self.exclusions.poles.push(unit.clone());

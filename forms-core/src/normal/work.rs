@@ -1,7 +1,7 @@
 //! Work limits of normal forms: products of terms, and exponents, are checked before the work is
 //! done.
 
-use super::obstacle::Obstacle;
+use super::obstacle::{Obstacle, SizeLimit};
 
 /// Largest number of products of terms, weighted by the words of their coefficients, that one
 /// statement can cost before its normal form is given up: a few seconds of work.
@@ -31,14 +31,14 @@ impl Work {
 
     /// Returns the obstacle of work beyond the limit.
     pub(super) fn spent(&self) -> Obstacle {
-        Obstacle::TooLarge(format!("it takes more than {} products of terms", self.limit))
+        Obstacle::TooLarge(SizeLimit::Products(self.limit))
     }
 }
 
 /// Refuses exponents beyond the limit.
 pub(super) fn check_exponent(exponent: u32) -> Result<(), Obstacle> {
     if exponent > LARGEST_EXPONENT {
-        return Err(Obstacle::TooLarge(format!("an exponent is beyond {LARGEST_EXPONENT}")));
+        return Err(Obstacle::TooLarge(SizeLimit::Exponent(LARGEST_EXPONENT)));
     }
     Ok(())
 }

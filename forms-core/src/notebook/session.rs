@@ -104,9 +104,9 @@ impl Session {
             return Shown { text, latex };
         }
         if let Some(written) = self.written(name).filter(|written| written.latex != latex) {
-            shown = shown.equals(&written);
+            shown = shown.joined("=", &written);
         }
-        shown.equals(&Shown { text, latex })
+        shown.joined("=", &Shown { text, latex })
     }
 
     /// Decides every claim, in order, and the claims of kernels about themselves.
@@ -164,8 +164,8 @@ impl Session {
     fn equation(&self, wanted: &str) -> Option<Shown> {
         self.file.items.iter().find_map(|item| match &item.kind {
             ItemKind::Statement { name, left, right, conditions, .. } if name.text == wanted => {
-                let sides = self.expression(left).equals(&self.expression(right));
-                Some(Shown { text: sides.text.replacen(" = ", " == ", 1), ..sides }.under(self, conditions))
+                let sides = self.expression(left).joined("==", &self.expression(right));
+                Some(sides.under(self, conditions))
             }
             _ => None,
         })
@@ -204,9 +204,10 @@ impl Shown {
         print_content("text/plain", &self.text);
     }
 
-    fn equals(&self, right: &Shown) -> Shown {
+    /// Returns the equation of two expressions; `sign` joins them in the text.
+    fn joined(&self, sign: &str, right: &Shown) -> Shown {
         Shown {
-            text: format!("{} = {}", self.text, right.text),
+            text: format!("{} {sign} {}", self.text, right.text),
             latex: format!("{} = {}", self.latex, right.latex),
         }
     }

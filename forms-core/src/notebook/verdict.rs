@@ -1,7 +1,7 @@
 //! Verdicts in words and formulas.
 
 use super::print_markdown;
-use crate::decide::{Verdict, Witness};
+use crate::decide::{Ratio, Verdict, Witness};
 use crate::derivation::{assignment, digits};
 
 impl Verdict {
@@ -12,8 +12,8 @@ impl Verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => "**proved**".to_owned(),
             Verdict::Proved(theorem) => format!("**proved** where {}", codes(&theorem.conditions)),
             Verdict::Refuted(witness) => format!("**refuted** {}", contradiction(witness)),
-            Verdict::Unknown { reason } => format!("**unknown**: {}", super::escaped(reason)),
-            Verdict::Empty { reason } => format!("**empty**: {}", super::escaped(reason)),
+            Verdict::Unknown { reason } => format!("**unknown**: {}", super::escaped(&reason.to_string())),
+            Verdict::Empty { reason } => format!("**empty**: {}", super::escaped(&reason.to_string())),
         }
     }
 
@@ -23,7 +23,8 @@ impl Verdict {
             Verdict::Proved(theorem) if theorem.conditions.is_empty() => "proved".to_owned(),
             Verdict::Proved(theorem) => format!("proved where {}", theorem.conditions.join(", ")),
             Verdict::Refuted(witness) => format!("refuted {witness}"),
-            Verdict::Unknown { reason } | Verdict::Empty { reason } => format!("{}: {reason}", self.name()),
+            Verdict::Unknown { reason } => format!("unknown: {reason}"),
+            Verdict::Empty { reason } => format!("empty: {reason}"),
         };
         print_markdown(&self.markdown(), &plain);
     }
@@ -41,11 +42,8 @@ fn contradiction(witness: &Witness) -> String {
         component => format!(" in the coefficient of `{component}`"),
     };
     let [left, right] = witness.few_digits().map(|value| digits(&value));
-    let ratio =
-        witness.ratio.as_ref().map_or(String::new(), |ratio| match ratio.to_string().split_once(": ") {
-            Some((words, equation)) => format!("; {words}: `{equation}`"),
-            None => format!("; {ratio}"),
-        });
+    let ratio = witness.ratio.as_ref().map(Ratio::words_and_equation);
+    let ratio = ratio.map_or(String::new(), |(words, equation)| format!("; {words}: `{equation}`"));
     format!("{place}: left $= {left}$, right $= {right}${component}{ratio}")
 }
 

@@ -50,14 +50,19 @@ impl Source {
     ///    = help: …
     /// ```
     pub fn render(&self, diagnostic: &Diagnostic) -> String {
+        format!("error: {}", self.explain(diagnostic))
+    }
+
+    /// Returns the message of a diagnostic with its place, the quoted line, note and help.
+    pub fn explain(&self, diagnostic: &Diagnostic) -> String {
         if diagnostic.kind == Kind::Rest {
-            return format!("error: {}\n", diagnostic.message);
+            return format!("{}\n", diagnostic.message);
         }
         let Position { line, column } = self.position(diagnostic.span.start);
         let number = line.to_string();
         let margin = " ".repeat(number.len() + 2);
         let (quote, marks) = self.quote(diagnostic.span);
-        let mut text = format!("error: {}\n", diagnostic.message);
+        let mut text = format!("{}\n", diagnostic.message);
         let mut put = |part: std::fmt::Arguments<'_>| text.write_fmt(part).expect("a String takes all text");
         put(format_args!("{}--> {}:{line}:{column}\n", " ".repeat(number.len() + 1), self.name));
         put(format_args!("{margin}|\n {number} | {quote}\n{margin}| {marks}\n"));

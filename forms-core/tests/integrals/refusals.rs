@@ -3,7 +3,7 @@
 
 use super::quadrature::{errors, theory_of};
 use forms_core::check::{decide_all, read_theory};
-use forms_core::decide::{Verdict, decide};
+use forms_core::decide::{UnknownReason, Verdict, decide};
 
 fn reason(integral: &str) -> String {
     let functions =
@@ -75,7 +75,7 @@ fn a_statement_about_an_integral_that_was_not_found_is_undecided_and_the_others_
     assert_eq!(found, [""; 0]);
     let verdicts = decide_all(&mut theory);
     let reason = "cannot integrate over `x`: no antiderivative of `exp(x**2)` with respect to `x` is known";
-    assert_eq!(verdicts[0], Verdict::Unknown { reason: reason.into() });
+    assert_eq!(verdicts[0], Verdict::Unknown { reason: UnknownReason::NoValue(reason.into()) });
     assert_eq!(verdicts[1].name(), "proved");
 }
 

@@ -73,7 +73,7 @@ struct VerdictRecord<'a> {
     conditions: &'a [String],
     witness: Option<WitnessRecord<'a>>,
     /// Reason why the statement was not decided.
-    reason: Option<&'a str>,
+    reason: Option<String>,
     micros: u64,
 }
 
@@ -166,10 +166,10 @@ fn kernel<'a>(TheoryFile { source, theory, .. }: &'a TheoryFile, kernel: &'a Ker
 
 fn verdict(theory_file: &TheoryFile, decided: &Decided, output: &mut dyn Write) -> io::Result<()> {
     let Decided { statement, verdict, time } = decided;
-    let (conditions, witness, reason): (&[String], _, _) = match verdict {
-        Verdict::Proved(theorem) => (&theorem.conditions, None, None),
-        Verdict::Refuted(witness) => (&witness.conditions, Some(record_of(witness)), None),
-        Verdict::Unknown { reason } | Verdict::Empty { reason } => (&[], None, Some(reason.as_str())),
+    let (conditions, witness): (&[String], _) = match verdict {
+        Verdict::Proved(theorem) => (&theorem.conditions, None),
+        Verdict::Refuted(witness) => (&witness.conditions, Some(record_of(witness))),
+        Verdict::Unknown { .. } | Verdict::Empty { .. } => (&[], None),
     };
     if let Verdict::Empty { reason } = verdict {
         let message = format!("`{}` is vacuous: {reason}", statement.name);
@@ -183,7 +183,7 @@ fn verdict(theory_file: &TheoryFile, decided: &Decided, output: &mut dyn Write) 
         words: decided.words(),
         conditions,
         witness,
-        reason,
+        reason: verdict.reason(),
         micros: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
     };
     write_record(output, &Verdicts { verdicts: [record] })

@@ -53,7 +53,7 @@ impl Parser<'_> {
     fn index(&mut self) -> Parsed<Tree> {
         let open = self.expect(Symbol::OpenBracket)?;
         let index = self.sum()?;
-        self.close(open, Symbol::CloseBracket, "an operator or `]`")?;
+        self.close_expression(open, Symbol::CloseBracket, "an operator or `]`")?;
         Ok(index)
     }
 
@@ -79,7 +79,7 @@ impl Parser<'_> {
         if self.at(Symbol::Range) || self.at(Symbol::Equal) {
             return Err(self.unexpected("an operator, `,` or `)`", Some("a range is written `x = 0..1`")));
         }
-        self.close(open, Symbol::CloseParen, "an operator, `,` or `)`")
+        self.close_expression(open, Symbol::CloseParen, "an operator, `,` or `)`")
     }
 
     /// Parses one argument; returns it with its height.

@@ -109,7 +109,7 @@ impl Parser<'_> {
         }
         let open = self.expect(Symbol::OpenBrace)?;
         let value = self.sum()?;
-        self.close(open, Symbol::CloseBrace, "an operator or `}`")?;
+        self.close_expression(open, Symbol::CloseBrace, "an operator or `}`")?;
         Ok(value)
     }
 }

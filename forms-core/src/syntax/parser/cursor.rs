@@ -117,11 +117,20 @@ impl<'a> Parser<'a> {
     /// Takes the bracket that closes the one at `open`; `expected` describes the tokens that are
     /// allowed here.
     pub(super) fn close(&mut self, open: Span, close: Symbol, expected: &str) -> Parsed<Span> {
+        self.closing(open, close, expected, None)
+    }
+
+    /// Takes the bracket that closes the one at `open` after an expression, which an operator can
+    /// continue: the user may have omitted a `*`.
+    pub(super) fn close_expression(&mut self, open: Span, close: Symbol, expected: &str) -> Parsed<Span> {
+        let help = self.looks_like_factor().then_some("write `*` between factors");
+        self.closing(open, close, expected, help)
+    }
+
+    fn closing(&mut self, open: Span, close: Symbol, expected: &str, help: Option<&str>) -> Parsed<Span> {
         if let Some(span) = self.eat(close) {
             return Ok(span);
         }
-        let is_product = expected.starts_with("an operator") && self.looks_like_factor();
-        let help = is_product.then_some("write `*` between factors");
         let before = self.diagnostics.len();
         let reported = self.unexpected(expected, help);
         if let Some(diagnostic) = self.diagnostics.get_mut(before) {

@@ -134,7 +134,7 @@ impl Parser<'_> {
             let help = "several values can only be the whole of a kernel or map";
             return Err(self.unexpected("`)`", Some(help)));
         }
-        let close = self.close(open, Symbol::CloseParen, "an operator or `)`")?;
+        let close = self.close_expression(open, Symbol::CloseParen, "an operator or `)`")?;
         tree.expr.span = open.to(close);
         Ok(tree)
     }

@@ -167,7 +167,7 @@ impl Parser<'_> {
         while self.eat(Symbol::Comma).is_some() && !self.at(Symbol::CloseParen) {
             values.push(self.expression()?);
         }
-        self.close(open, Symbol::CloseParen, "an operator, `,` or `)`")?;
+        self.close_expression(open, Symbol::CloseParen, "an operator, `,` or `)`")?;
         Ok(values)
     }
 
@@ -199,7 +199,6 @@ impl Parser<'_> {
     /// Parses `{ absorption: sigma_a = 0; … }`.
     fn effects(&mut self, effects: &mut Vec<Effect>) -> Parsed<()> {
         let open = self.expect(Symbol::OpenBrace)?;
-        let mut expected = "the effect's name or `}`";
         while matches!(self.peek(), Some(TokenKind::Name(_))) && !self.starts_item(self.position) {
             let name = self.label("the effect's name")?;
             self.expect(Symbol::Colon)?;
@@ -208,11 +207,11 @@ impl Parser<'_> {
             let value = self.expression()?;
             effects.push(Effect { name, variable, value });
             if self.eat(Symbol::Semicolon).is_none() {
-                expected = "an operator, `;` or `}`";
-                break;
+                self.close_expression(open, Symbol::CloseBrace, "an operator, `;` or `}`")?;
+                return Ok(());
             }
         }
-        self.close(open, Symbol::CloseBrace, expected)?;
+        self.close(open, Symbol::CloseBrace, "the effect's name or `}`")?;
         Ok(())
     }
 }
