@@ -52,6 +52,7 @@ pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub(crate) use sample::simple_bounds;
 pub use separation::{Separated, separated};
+pub use tactics::{Attempt, attempts};
 pub use verdict::{Ratio, Theorem, Verdict, Witness};
 
 use crate::assume::{is_not_zero_densely, is_open, vanishes};

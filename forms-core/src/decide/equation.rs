@@ -7,7 +7,6 @@
 //! linear: 1 − sin x = 0 gives sin x = 1. At each point of the statement one of the factors is
 //! zero, so it is enough to prove the remaining problem for each of them.
 
-use super::goal::Outcome;
 use super::problem::Problem;
 use super::proof::by_normal_forms;
 use super::special::{Stratum, mapped, solved, vanishing_together};
@@ -16,11 +15,8 @@ use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation, Symbol
 use num_traits::One;
 use rustc_hash::FxHashMap;
 
-/// Tries to prove a problem through the equations among its conditions, if there is no proof yet.
-pub(super) fn by_equations(pool: &mut Pool, problem: &Problem, work: u64, outcome: Outcome) -> Outcome {
-    if !outcome.is_open() {
-        return outcome;
-    }
+/// Whether the equations among the conditions of a problem prove it.
+pub(super) fn equations_prove(pool: &mut Pool, problem: &Problem, work: u64) -> bool {
     for place in 0..problem.assumptions.len() {
         let Some(vanishing) = equation(pool, problem, place) else { continue };
         let factors = pool.factors_that_may_vanish(vanishing);
@@ -29,10 +25,10 @@ pub(super) fn by_equations(pool: &mut Pool, problem: &Problem, work: u64, outcom
             !by_normal_forms(pool, &left, work).is_open()
         };
         if !factors.is_empty() && factors.iter().all(is_proved) {
-            return Outcome::Zero;
+            return true;
         }
     }
-    outcome
+    false
 }
 
 /// Returns the difference d of a condition d ≤ 0, if d ≥ 0 follows from the other conditions or

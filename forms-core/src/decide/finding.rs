@@ -8,14 +8,12 @@ use super::proof;
 use super::reasons::{EmptyReason, UnknownReason};
 use super::report;
 use super::special;
-use super::tactics;
+use super::tactics::{self, CANDIDATES, FIRST_CANDIDATES};
 use super::verdict::Witness;
 use super::witness::{Difference, Found, Search};
 use crate::expression::{Condition, Expr, Pool};
 
-/// Number of candidate points tried before the normal form is computed, and number of valid points
-/// that are enough.
-const FIRST_CANDIDATES: usize = 24;
+/// Number of valid points that are enough before the normal form is computed.
 const FIRST_POINTS: usize = 1;
 
 /// Valid points tried after normal forms that are not zero: proofs of equations between angles cost
@@ -36,7 +34,7 @@ pub(crate) struct Budget {
 impl Budget {
     /// Budget for a statement that its author wants decided.
     pub(crate) const STATEMENT: Budget =
-        Budget { work: crate::normal::WORK_LIMIT, candidates: 600, points: 40 };
+        Budget { work: crate::normal::WORK_LIMIT, candidates: CANDIDATES, points: 40 };
 
     /// Multiplies the work limit by a factor.
     pub(crate) fn times(self, factor: u32) -> Budget {

@@ -10,12 +10,30 @@ use crate::assume::Assumptions;
 use crate::expression::{Condition, Expr, Pool};
 use crate::normal::{Drift, Tower, Trigonometry};
 
-/// Tries to prove that every component vanishes, by normal forms.
+/// Tries to prove that every component vanishes, by normal forms: the first two tactics that prove.
 pub(super) fn by_normal_forms(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
     if problem.components.is_empty() {
         return Outcome::Zero;
     }
     prove_zero(pool, problem, problem.differences(), work)
+}
+
+/// Tries to prove that every component vanishes, under the stated conditions.
+pub(super) fn under_stated_conditions(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
+    if problem.components.is_empty() {
+        return Outcome::Zero;
+    }
+    prove_under(pool, stated(problem, work), &problem.differences(), None)
+}
+
+/// Tries to prove that every component vanishes, also under the signs of sines and cosines that the
+/// stated conditions imply.
+pub(super) fn under_trigonometric_signs(pool: &mut Pool, problem: &Problem, work: u64) -> Outcome {
+    prove_with_signs(pool, stated(problem, work), &problem.differences(), None)
+}
+
+fn stated(problem: &Problem, work: u64) -> Given<'_> {
+    Given { conditions: &problem.assumptions, work, depth: strata::DEEPEST, prove: prove_under }
 }
 
 /// Tries to prove that the expressions vanish wherever the problem's assumptions hold.
@@ -32,20 +50,28 @@ pub(super) fn prove_full_turn(pool: &mut Pool, task: Task, differences: Vec<Expr
 /// Tries a proof under the stated conditions, then also under the signs of sines and cosines that
 /// they imply.
 fn prove_in_all_cases(pool: &mut Pool, task: Task, differences: Vec<Expr>, turn: Option<Turn>) -> Outcome {
-    let stated = &task.problem.assumptions;
-    let given = Given { conditions: stated, work: task.work, depth: strata::DEEPEST, prove: prove_under };
+    let given = stated(task.problem, task.work);
     let outcome = prove_under(pool, given, &differences, turn.as_ref());
     if !outcome.is_open() {
         return outcome;
     }
-    let signs = trigonometric_signs(pool, &differences, stated);
-    if signs.is_empty() {
-        return outcome;
-    }
-    let conditions: Vec<Condition> = stated.iter().copied().chain(signs).collect();
-    match prove_under(pool, Given { conditions: &conditions, ..given }, &differences, turn.as_ref()) {
+    match prove_with_signs(pool, given, &differences, turn.as_ref()) {
         Outcome::Zero => Outcome::Zero,
         _ => outcome,
+    }
+}
+
+/// Tries a proof also under the signs of sines and cosines that the conditions imply, if there are
+/// any.
+fn prove_with_signs(pool: &mut Pool, given: Given, differences: &[Expr], turn: Option<&Turn>) -> Outcome {
+    let signs = trigonometric_signs(pool, differences, given.conditions);
+    if signs.is_empty() {
+        return Outcome::NotZero;
+    }
+    let conditions: Vec<Condition> = given.conditions.iter().copied().chain(signs).collect();
+    match prove_under(pool, Given { conditions: &conditions, ..given }, differences, turn) {
+        Outcome::Zero => Outcome::Zero,
+        _ => Outcome::NotZero,
     }
 }
 

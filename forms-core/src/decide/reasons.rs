@@ -35,6 +35,16 @@ pub enum UnknownReason {
     DivisorZeros,
     /// The points outside which the normal forms hold are all there are, but a point was found.
     Vacuous(EmptyReason),
+    /// No sign of a sine or cosine that decides the statement follows from the conditions.
+    NoTrigonometricSigns,
+    /// The sides do not differ by angles that are shown to vanish.
+    NoAngles,
+    /// No part of an inverse function becomes a variable such that the statement is proved.
+    NoPrincipalBranches,
+    /// The differences are not numbers that a separation bound shows to be zero.
+    NoNumbers,
+    /// No condition amounts to an equation that decides the statement.
+    NoEquations,
     /// The claim of a kernel was not shown.
     Kernel(KernelReason),
 }
@@ -64,6 +74,17 @@ impl fmt::Display for UnknownReason {
             UnknownReason::DivisorZeros => {
                 write!(f, "the zeros of a divisor in the normal form could not be determined")
             }
+            UnknownReason::NoTrigonometricSigns => {
+                write!(f, "no signs of sines and cosines that follow from the conditions decide it")
+            }
+            UnknownReason::NoAngles => write!(f, "the sides do not differ by angles that vanish"),
+            UnknownReason::NoPrincipalBranches => {
+                write!(f, "no inverse function occurs in parts that decide it as variables")
+            }
+            UnknownReason::NoNumbers => {
+                write!(f, "the sides do not differ by numbers that are known to be zero")
+            }
+            UnknownReason::NoEquations => write!(f, "no condition amounts to an equation that decides it"),
             UnknownReason::Vacuous(reason) => write!(f, "{reason}"),
             UnknownReason::Kernel(reason) => write!(f, "{reason}"),
         }

@@ -14,7 +14,6 @@
 //! Separation Bound for Real Algebraic Expressions* (ESA 2001). It does not construct a field, so
 //! it decides nested roots of numbers for which no normal form is known.
 
-use super::goal::Outcome;
 use super::problem::Problem;
 use crate::enclosure::{Precision, enclose_number};
 use crate::expression::{Expr, Node, Operation, Pool, Rational};
@@ -27,7 +26,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
 /// Limit on the binary places of a bound.
-const MOST_PLACES: u64 = 30_000;
+pub(super) const MOST_PLACES: u64 = 30_000;
 
 /// Binary places beyond those of the bound, for the widths that operations add.
 const SPARE_PLACES: [u64; 3] = [64, 256, 1024];
@@ -56,17 +55,17 @@ pub struct Separated {
 /// this does not prove the statement.
 pub fn separated(theory: &mut Theory, statement: &Statement) -> Vec<Separated> {
     let problem = Problem::new(theory, statement);
-    all_separated(&theory.pool, &problem).unwrap_or_default()
+    all_separated(&theory.pool, &problem, MOST_PLACES).unwrap_or_default()
 }
 
-/// Tries to prove the problem by separation bounds of numbers, if there is no proof yet.
-pub(super) fn as_numbers(pool: &mut Pool, problem: &Problem, _: u64, outcome: Outcome) -> Outcome {
-    if outcome.is_open() && all_separated(pool, problem).is_some() { Outcome::Zero } else { outcome }
+/// Whether all differences are numbers that bounds of this many places separate from all but zero.
+pub(super) fn numbers_vanish(pool: &Pool, problem: &Problem, places: u64) -> bool {
+    all_separated(pool, problem, places).is_some()
 }
 
-fn all_separated(pool: &Pool, problem: &Problem) -> Option<Vec<Separated>> {
+fn all_separated(pool: &Pool, problem: &Problem, most: u64) -> Option<Vec<Separated>> {
     let separate = |number: Expr| {
-        let places = least_size(pool, number).filter(|&places| places <= MOST_PLACES)?;
+        let places = least_size(pool, number).filter(|&places| places <= most)?;
         is_within(pool, number, places).then_some(Separated { number, places })
     };
     problem.differences().into_iter().map(separate).collect()
