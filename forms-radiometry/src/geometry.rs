@@ -26,6 +26,7 @@ pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub(crate) use exchange::{Patch, exchange_of, exchange_precisely, exchange_with, gauss, patches};
 pub(crate) use form_factor::edge_sum;
 pub use form_factor::form_factor;
+#[cfg(test)]
 pub(crate) use form_factor::form_factor_of_pieces;
 pub use mesh::{FaceError, Mesh, MeshError};
 pub(crate) use overlap::{Flat, common_area, off_plane, overlap, resolution};

@@ -41,12 +41,10 @@ mod effects;
 mod extinction;
 mod faces;
 pub mod geometry;
-pub mod irradiance;
 mod job;
 pub mod output;
 mod parallelism;
 mod paths;
-pub mod picture;
 mod plan;
 mod progress;
 mod radiosity;
@@ -56,7 +54,6 @@ pub mod scene;
 #[path = "../tests/scene_text/mod.rs"]
 #[expect(dead_code, reason = "other tests need the rest")]
 mod scene_text;
-mod sight;
 pub mod simulation;
 mod spectrum;
 mod tone;
@@ -66,8 +63,6 @@ mod watch;
 
 use forms_kernels as kernels;
 
-pub use irradiance::{ReceiverResult, simulate_direct};
-pub use picture::{Picture, picture};
 pub use view_factors::{ViewFactor, ViewFactors, view_factors};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer

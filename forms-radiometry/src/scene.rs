@@ -40,7 +40,6 @@ pub use overrides::{EffectList, Overrides};
 pub use place::Place;
 pub use read::{open, read, read_with_files};
 pub(crate) use regions::{FilledInterface, Filling, Piece, filled};
-pub(crate) use simulated::DiffuseScene;
 pub use simulated::not_simulated;
 pub use sources::Sources;
 pub(crate) use working_units::WorkingScene;

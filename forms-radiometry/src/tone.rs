@@ -1,6 +1,6 @@
 //! Tone mapping: linear colour of any brightness becomes a colour for the screen.
 
-use crate::spectrum::{Colour, luminance};
+use crate::spectrum::Colour;
 
 /// Fraction of the samples on reflecting surfaces that is darker than the brightness mapped to
 /// [`KEY`].
@@ -44,13 +44,6 @@ impl Exposure {
         let compressed = 1.0 - room * (-(largest - SHOULDER) / room).exp();
         exposed.map(|component| component * (compressed / largest))
     }
-}
-
-/// Whether two screen colours differ visibly across a pixel: by 2% of white, or by a tenth of the
-/// brighter one.
-pub(crate) fn differ(a: Colour, b: Colour) -> bool {
-    let (a, b) = (luminance(a), luminance(b));
-    (a - b).abs() > (0.1 * a.max(b)).clamp(0.002, 0.02)
 }
 
 /// Encodes a linear component in eight bits by the transfer function of sRGB (IEC 61966-2-1).

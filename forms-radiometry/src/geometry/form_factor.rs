@@ -36,6 +36,7 @@ pub fn form_factor(position: Vector, normal: Vector, polygon: &Polygon) -> f64 {
 
 /// Returns the form factor of the convex pieces that a receiver with a unit normal sees. They are
 /// relative to the receiver and above its horizon.
+#[cfg(test)]
 pub(crate) fn form_factor_of_pieces<'p>(pieces: impl Iterator<Item = &'p [Vector]>, normal: Vector) -> f64 {
     pieces.fold(0.0, |sum, piece| sum + edge_sum(piece, normal))
 }

@@ -1,9 +1,8 @@
-//! Every element of a scene file is read into the model unchanged. Elements that are not simulated
-//! yet are refused with their place, by the solvers and not by the reader.
+//! Every element of a scene file is read into the model unchanged. Elements that no solver
+//! supports are refused with their place, by the plan and not by the reader.
 
 use crate::{EVERYTHING, scene, shown};
 use forms_radiometry::geometry::{Disk, Sphere, Vector};
-use forms_radiometry::picture;
 use forms_radiometry::scene::{
     Effect, Force, LengthUnit, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,
 };
@@ -128,9 +127,6 @@ const REFUSED: &[(usize, &str)] = &[(
     "light from point or distant lights that the curved surface `ball` reflects or refracts is not supported",
 )];
 
-/// Lines of the elements that pictures do not support.
-const NOT_PICTURED: &[usize] = &[22, 26, 30, 43, 47, 51, 56, 61, 94, 94, 101];
-
 /// Effects as a file can force them.
 const FORCED: &[&str] = &[
     "direct = \"on\", occlusion = \"on\", bands = \"on\", mirror = \"on\", scattering = 2",
@@ -153,9 +149,5 @@ fn what_is_not_simulated_is_refused_with_its_place_and_the_rest_is_not() {
     let refused = not_simulated(&scene);
     let told: Vec<(usize, &str)> = refused.iter().map(|error| (error.line, &*error.message)).collect();
     assert_eq!(told, REFUSED, "{}", shown(&refused));
-    let ReceiverKind::Camera(camera) = &scene.receivers[3].kind else { panic!("the eye is a camera") };
     assert_eq!(plan(&scene).unwrap_err(), refused);
-    let of_pictures: Vec<usize> =
-        picture(&scene, camera).unwrap_err().iter().map(|error| error.line).collect();
-    assert_eq!(of_pictures, NOT_PICTURED, "pictures are of direct light between polygons");
 }

@@ -6,17 +6,22 @@ use crate::layout::{duration, wrap};
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::streams::tell;
-use forms_radiometry::scene::{self, ReceiverKind, SceneError};
-use forms_radiometry::{CORNELL_BOX, Picture, ReceiverResult, picture, simulate_direct};
+use forms_radiometry::CORNELL_BOX;
+use forms_radiometry::output::photograph;
+use forms_radiometry::scene::{
+    self, Effect, Force, ForcedEffect, Place, Receiver, ReceiverKind, Scene, SceneError,
+};
+use forms_radiometry::simulation::{Answer, Map, Unwatched, plan, simulate};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// Output folder of pictures, below the current directory.
 const FOLDER: &str = "forms-output";
 /// File name of the picture.
 const PICTURE: &str = "cornell_box.png";
+/// Tolerance of the pixels of the picture: about one step of its eight bits.
+const TOLERANCE: f64 = 1e-2;
 
 /// Computes the direct light of the scene, prints the irradiance at its points and writes its
 /// picture.
@@ -28,20 +33,19 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
         writeln!(output, "{line}")?;
     }
     writeln!(output)?;
-    let Lit { points: results, picture } = match lit() {
+    let Lit { points: irradiances, scene, image, time } = match lit() {
         Ok(lit) => lit,
         Err(errors) => {
             errors.iter().for_each(|error| tell!("error: {error}"));
             return Ok(Status::Error);
         }
     };
-    points(&results, palette, output)?;
-    let Some((picture, time)) = picture else { return Ok(Status::AsStated) };
-    let time = duration(time);
-    let written = picture.png().map_err(io::Error::other).and_then(|png| write(&png));
-    match written {
+    points(&irradiances, palette, output)?;
+    let Some(image) = image else { return Ok(Status::AsStated) };
+    match photograph(&image, &scene).and_then(|png| write(&png)) {
         Ok(path) => {
-            let size = format!("{} × {} pixels in {time}", picture.width(), picture.height());
+            let [width, height] = image.size;
+            let size = format!("{width} × {height} pixels in {}", duration(time));
             writeln!(output, "  {}  {}\n", path.display(), palette.quiet(&size))?;
             Ok(Status::AsStated)
         }
@@ -54,34 +58,70 @@ pub(super) fn light(palette: Palette, output: &mut dyn Write) -> io::Result<Stat
 
 /// Results of the scene with direct light.
 struct Lit {
-    /// Answers at its points.
-    points: Vec<ReceiverResult>,
-    /// Picture of its camera, with the run time.
-    picture: Option<(Picture, Duration)>,
+    /// Irradiance at its points.
+    points: Vec<Irradiance>,
+    /// Scene of the image.
+    scene: Scene,
+    /// Image of its camera.
+    image: Option<Map>,
+    /// Run time of the image.
+    time: Duration,
+}
+
+/// Irradiance at a point, summed over the bands, in W/m².
+struct Irradiance {
+    receiver: String,
+    total: f64,
+    /// Irradiance without occlusion of the lamp.
+    unoccluded: f64,
 }
 
 fn lit() -> Result<Lit, Vec<SceneError>> {
     let scene = scene::read(CORNELL_BOX, "cornell_box.toml")?;
-    let points = simulate_direct(&scene)?;
-    let camera = scene.receivers.iter().find_map(|receiver| match &receiver.kind {
-        ReceiverKind::Camera(camera) => Some(camera),
-        _ => None,
-    });
+    let is_point = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Point { .. });
+    let is_camera = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
+    let [occluded, unoccluded] =
+        [Force::On, Force::Off].map(|occlusion| totals(&with_receivers(&scene, is_point, occlusion)));
+    let points = occluded?.into_iter().zip(unoccluded?);
+    let points =
+        points.map(|((receiver, total), (_, unoccluded))| Irradiance { receiver, total, unoccluded });
+    let mut scene = with_receivers(&scene, is_camera, Force::On);
+    scene.solve.tolerance = TOLERANCE;
     let start = Instant::now();
-    let picture = camera.map(|camera| picture(&scene, camera)).transpose()?;
-    Ok(Lit { points, picture: picture.map(|picture| (picture, start.elapsed())) })
+    let image = simulate(&scene, &plan(&scene)?, &Unwatched).maps.pop();
+    Ok(Lit { points: points.collect(), scene, image, time: start.elapsed() })
 }
 
-/// Prints the irradiance, summed over the bands, and the fraction of the lamp's light that reaches
-/// the point.
-fn points(results: &[ReceiverResult], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
+/// Returns the scene with some of its receivers, in direct light.
+fn with_receivers(scene: &Scene, is_kept: fn(&Receiver) -> bool, occlusion: Force) -> Scene {
+    let mut scene = scene.clone();
+    scene.receivers.retain(is_kept);
+    let forced =
+        [(Effect::Bands, Force::On), (Effect::Occlusion, occlusion), (Effect::Interreflection, Force::Off)];
+    let of_effect = |(effect, force)| ForcedEffect { effect, force, place: Place::default() };
+    scene.solve.forced = forced.map(of_effect).into();
+    scene
+}
+
+/// Returns the irradiance of every receiver, summed over the bands.
+fn totals(scene: &Scene) -> Result<Vec<(String, f64)>, Vec<SceneError>> {
+    let answers = simulate(scene, &plan(scene)?, &Unwatched).answers;
+    let of_receiver = answers.chunk_by(|a, b| a.receiver == b.receiver);
+    let total = |bands: &[Answer]| bands.iter().map(|answer| answer.value).sum();
+    Ok(of_receiver.map(|bands| (bands[0].receiver.clone(), total(bands))).collect())
+}
+
+/// Prints the irradiance, and the fraction of the lamp's light that reaches the point.
+fn points(irradiances: &[Irradiance], palette: Palette, output: &mut dyn Write) -> io::Result<()> {
     let title = format!("  {:30} {:>16} {:>12}", "", "irradiance", "unshadowed");
     writeln!(output, "{}", palette.quiet(&title))?;
-    for result in results {
-        let [total, open]: [f64; 2] =
-            [&result.irradiance, &result.unoccluded].map(|bands| bands.iter().sum());
-        let share = if open > 0.0 { format!("{:.1} %", 100.0 * total / open) } else { "–".to_string() };
-        writeln!(output, "  {:30} {total:>10.6} W/m² {share:>12}", result.receiver)?;
+    for Irradiance { receiver, total, unoccluded } in irradiances {
+        let share = if *unoccluded > 0.0 {
+            format!("{:.1} %", 100.0 * total / unoccluded)
+        } else {
+            "–".to_string()
+        };
+        writeln!(output, "  {receiver:30} {total:>10.6} W/m² {share:>12}")?;
     }
     writeln!(output)
 }
