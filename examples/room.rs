@@ -55,10 +55,10 @@ fn scene() -> Result<Scene, Vec<SceneError>> {
 fn show() -> Result<(), Vec<SceneError>> {
     let scene = scene()?;
     let plan = plan(&scene)?;
-    for effect in &plan.effects {
+    for effect in plan.effects() {
         println!("{:4}{:16}{}", if effect.on { "on" } else { "off" }, effect.effect.name(), effect.why);
     }
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     for answer in &found.answers {
         let (quantity, unit) = (answer.quantity.name(), answer.unit());
         println!("{}, {quantity}: {:.5} ± {:.0e} {unit}", answer.receiver, answer.value, answer.error);

@@ -36,7 +36,7 @@ fn simulated(scene: &Scene, effects: &str) -> Result<(Scene, Simulation), Proble
     let mut scene = scene.clone();
     Overrides { effects: Some(effects.parse()?), ..Overrides::default() }.apply(&mut scene);
     let plan = plan(&scene).map_err(joined)?;
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     Ok((scene, found))
 }
 

@@ -17,7 +17,7 @@ mod page;
 mod run;
 
 use forms_radiometry::scene::{Effect, Force, Scene};
-use forms_radiometry::simulation::{Answer, Rated, is_by_paths};
+use forms_radiometry::simulation::{Answer, Rated};
 use gallery::{Problem, scene};
 use run::{Run, forced};
 use std::fmt::Write;
@@ -48,11 +48,11 @@ fn row(file: &Path) -> Result<String, Problem> {
     let planned = Run::of(&scene)?;
     let left_out = left_out(&scene, &planned);
     let names = |on: bool| {
-        let chosen = planned.plan.effects.iter().filter(|effect| effect.on == on);
+        let chosen = planned.plan.effects().iter().filter(|effect| effect.on == on);
         words(chosen.map(|effect| effect.effect))
     };
     let bound: f64 =
-        planned.plan.effects.iter().filter(|effect| !effect.on).filter_map(|effect| effect.bound).sum();
+        planned.plan.effects().iter().filter(|effect| !effect.on).filter_map(|effect| effect.bound).sum();
     let mut row = format!(
         "| {} | {} | {} | {bound:.0e} | {} | {:.2e} s |",
         gallery::name(file),
@@ -86,13 +86,13 @@ fn words(effects: impl Iterator<Item = Effect>) -> String {
 /// path traced, and bands, if there are any.
 fn left_out(scene: &Scene, planned: &Run) -> Vec<Effect> {
     let acts = |effect: Effect| match effect {
-        Effect::Direct | Effect::Occlusion | Effect::Interreflection => !is_by_paths(scene, &planned.plan),
+        Effect::Direct | Effect::Occlusion | Effect::Interreflection => !planned.plan.is_by_paths(),
         Effect::Bands => scene.band_count() > 1,
-        Effect::Dispersion => scene.band_count() > 1 && is_by_paths(scene, &planned.plan),
-        _ => is_by_paths(scene, &planned.plan),
+        Effect::Dispersion => scene.band_count() > 1 && planned.plan.is_by_paths(),
+        _ => planned.plan.is_by_paths(),
     };
     let is_named = |effect: Effect| scene.solve.forced.iter().any(|forced| forced.effect == effect);
-    let off = planned.plan.effects.iter().filter(|effect| !effect.on).map(|effect| effect.effect);
+    let off = planned.plan.effects().iter().filter(|effect| !effect.on).map(|effect| effect.effect);
     off.filter(|&effect| acts(effect) && !is_named(effect)).collect()
 }
 

@@ -30,11 +30,7 @@ impl EffectSet {
     /// surfaces, and of the media that fill any part of it.
     pub(crate) fn of_scene(scene: &Scene) -> Self {
         let materials = || scene.surfaces.iter().map(|surface| &scene.materials[surface.material].kind);
-        let inside = materials().filter_map(|kind| match kind {
-            MaterialKind::Dielectric { inside } => Some(Some(*inside)),
-            _ => None,
-        });
-        let fillings: Vec<Filling> = inside.chain([scene.ambient.medium]).collect();
+        let fillings = fillings(scene);
         let media = || fillings.iter().flatten().map(|&medium| &scene.media[medium]);
         let any = |values: &[f64]| values.iter().any(|&value| value > 0.0);
         let index = |filling: &Filling| filling.map_or(&[1.0][..], |medium| &scene.media[medium].index);
@@ -58,6 +54,15 @@ impl EffectSet {
             Effect::Direct | Effect::Occlusion | Effect::Interreflection | Effect::Bands => false,
         })
     }
+}
+
+/// Returns what fills any part of a scene: the media inside its surfaces, and the ambient medium.
+pub(crate) fn fillings(scene: &Scene) -> Vec<Filling> {
+    let inside = scene.surfaces.iter().filter_map(|surface| match scene.materials[surface.material].kind {
+        MaterialKind::Dielectric { inside } => Some(Some(inside)),
+        _ => None,
+    });
+    inside.chain([scene.ambient.medium]).collect()
 }
 
 impl BitOr for EffectSet {

@@ -30,7 +30,7 @@
 //! "#;
 //! let scene = scene::read(room, "room.toml").unwrap();
 //! let plan = simulation::plan(&scene).unwrap();
-//! let found = simulation::simulate(&scene, &plan, &simulation::Unwatched);
+//! let found = simulation::simulate(&plan, &simulation::Unwatched);
 //! assert!((found.answers[0].value - 6.0).abs() <= found.answers[0].error);
 //! ```
 

@@ -43,7 +43,7 @@ fn irradiances(scene: &Scene, occlusion: Force) -> Vec<(String, Vec<f64>)> {
     let place = Place::default;
     scene.solve.forced = forced.map(|(effect, force)| ForcedEffect { effect, force, place: place() }).into();
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     let is_exact = |value: f64, error: f64| error <= 1e-12 * value;
     for answer in &found.answers {
         let is_bound = answer.kind == ErrorKind::Bound && is_exact(answer.value, answer.error);

@@ -8,7 +8,7 @@ mod parts;
 
 use forms_kernels::gathered_light::{self, Effects};
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene, read};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, UsedKernel, is_by_paths, plan, simulate};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, UsedKernel, plan, simulate};
 use std::collections::BTreeSet;
 
 /// Environment variable that names the scene which this program simulates under callgrind.
@@ -160,13 +160,14 @@ fn planned(scene: &Scene) -> Plan {
 #[test]
 fn the_plan_lists_the_kernels_of_a_scene_with_the_members_that_it_calls_for() {
     for (name, _, expected) in scenes() {
-        let kernels = planned(&scene(name)).kernels;
+        let plan = planned(&scene(name));
+        let kernels = plan.kernels();
         let found = kernels.iter().map(|kernel| match kernel.without.as_slice() {
             [] => kernel.name.to_owned(),
             without => format!("{} - {}", kernel.name, without.join(" ")),
         });
         assert_eq!(found.collect::<Vec<_>>().join(", "), expected, "{name}");
-        for kernel in &kernels {
+        for kernel in kernels {
             assert_eq!(
                 kernel.operations < kernel.operations_of_all,
                 !kernel.without.is_empty(),
@@ -190,9 +191,8 @@ fn the_counted_scene_has_answers() {
         why: String::new(),
         bound: None,
     };
-    let plan =
-        Plan { effects: Effect::ALL.into_iter().map(effect).collect(), kernels: Vec::new(), dropped: 0.0 };
-    let found = simulate(&scene(name), &plan, &Unwatched);
+    let plan = Plan::with_effects(&scene(name), Effect::ALL.into_iter().map(effect).collect());
+    let found = simulate(&plan, &Unwatched);
     assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
 }
 
@@ -212,9 +212,9 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
     for name in scenes().iter().map(|(name, ..)| *name).chain(by_paths.iter().copied()) {
         let scene = scene(name);
         let plan = planned(&scene);
-        let is_by_paths = is_by_paths(&scene, &plan);
+        let is_by_paths = plan.is_by_paths();
         assert_eq!(is_by_paths, by_paths.contains(&name), "{name}");
-        let on = plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
+        let on = plan.effects().iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
         // a receiver along a ray asks for the surface that the ray meets
         let looks = scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }));
         let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
@@ -223,18 +223,18 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         // where nothing is inlined, functions identify the effects
         let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
         let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
-        for planned in plan.effects.iter().filter(is_told) {
+        for planned in plan.effects().iter().filter(is_told) {
             let count = parts::of_effect(&counts, planned.effect);
             let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
             assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
         }
         let rays = parts::of_rays(&counts);
-        let hides = plan.effects.iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
+        let hides = plan.effects().iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
         assert!(
             is_by_paths || hides || looks || rays == 0,
             "{name}: {rays} instructions for rays without a use"
         );
-        let listed: BTreeSet<String> = plan.kernels.iter().map(|kernel| kernel.name.to_owned()).collect();
+        let listed: BTreeSet<String> = plan.kernels().iter().map(|kernel| kernel.name.to_owned()).collect();
         let run = parts::kernels(&counts);
         assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");
         let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
@@ -252,7 +252,7 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         let is_seen = |kernel: &&UsedKernel| {
             kernel.name == "gathered_light" || kernel.operations >= SEEN && !INLINED.contains(&kernel.name)
         };
-        let mut seen = plan.kernels.iter().filter(is_seen).map(|kernel| kernel.name);
+        let mut seen = plan.kernels().iter().filter(is_seen).map(|kernel| kernel.name);
         let unused = seen.find(|kernel| !by_error.contains(kernel) && !has_run(kernel));
         assert_eq!(unused, None, "{name}: is in the plan and does not run");
     }

@@ -37,8 +37,8 @@ impl Exhibit {
             scene.solve.forced.push(ForcedEffect { effect, force, place });
         }
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        let found = simulate(&scene, &plan, &Unwatched);
-        Simulated { found, tolerance: scene.solve.tolerance, dropped: plan.dropped }
+        let found = simulate(&plan, &Unwatched);
+        Simulated { found, tolerance: scene.solve.tolerance, dropped: plan.dropped() }
     }
 
     /// Asserts that known answers lie within the reported errors, and these within the requested
@@ -145,7 +145,7 @@ fn scenes_of_the_book_have_the_answers_that_it_derives() {
     for (file, known) in scenes_of_the_book() {
         let scene = open(&folder.join(file)).unwrap_or_else(|errors| panic!("{}", errors[0]));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        known.assert_within(file, &simulate(&scene, &plan, &Unwatched).answers);
+        known.assert_within(file, &simulate(&plan, &Unwatched).answers);
     }
 }
 
@@ -153,7 +153,7 @@ fn scenes_of_the_book_have_the_answers_that_it_derives() {
 fn squares_near_each_other_have_the_mean_irradiance_of_their_view_factor() {
     let scene = scene("near_squares.toml");
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     known(&[(1.0, "receiver", Irradiance)], 0.999_998_000_010_029_5)
         .assert_within("near_squares.toml", &found.answers);
 }

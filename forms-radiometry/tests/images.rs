@@ -2,7 +2,7 @@
 //! path tracing.
 
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
+use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, plan, simulate};
 use std::f64::consts::PI;
 
 #[expect(dead_code, reason = "other tests need the rest")]
@@ -30,8 +30,8 @@ fn rectangle(name: &str, [low, high]: [[f64; 2]; 2], z: f64, radiance: f64) -> S
 fn simulated(text: &str) -> Simulation {
     let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    assert!(!is_by_paths(&scene, &plan), "images of diffuse surfaces need no samples");
-    simulate(&scene, &plan, &Unwatched)
+    assert!(!plan.is_by_paths(), "images of diffuse surfaces need no samples");
+    simulate(&plan, &Unwatched)
 }
 
 fn image(simulation: &Simulation) -> &Map {
@@ -143,8 +143,8 @@ fn pixels_are_what_paths_find() {
         let scene =
             read(&(text + timed + &tolerance(asked)), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
         let plan = plan(&scene).unwrap();
-        assert!(is_by_paths(&scene, &plan));
-        let by_paths = simulate(&scene, &plan, &Unwatched);
+        assert!(plan.is_by_paths());
+        let by_paths = simulate(&plan, &Unwatched);
         let (exact, sampled) = (image(&simulation), &by_paths.maps[0]);
         for pixel in 0..exact.values[0].len() {
             let [a, b] = [exact, sampled].map(|map| [map.values[0][pixel], map.errors[0][pixel]]);

@@ -4,7 +4,7 @@
 use forms_radiometry::scene::{Overrides, Scene, Sources};
 use forms_radiometry::simulation::{
     Budget, ErrorKind, Identity, Job, Keeper, Map, Misfit, Plan, Share, Simulation, Snapshot, State,
-    StateFile, Unwatched, Watch, is_by_paths, merge, plan, simulate, simulate_job,
+    StateFile, Unwatched, Watch, merge, plan, simulate, simulate_job,
 };
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -107,12 +107,12 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 
 /// Runs a shard, with or without a budget. The work is stopped again and again, each time after
 /// more queries.
-fn resumed(scene: &Scene, plan: &Plan, budget: Option<Budget>, share: Share) -> (Simulation, State, usize) {
+fn resumed(plan: &Plan, budget: Option<Budget>, share: Share) -> (Simulation, State, usize) {
     let mut state: Option<State> = None;
     for stops in 0.. {
         let (memory, patience) = (Memory::default(), Patience(AtomicU32::new(2 + 3 * stops)));
         let job = Job { budget, share, state: state.take(), keeper: Some(&memory) };
-        let found = on_threads(1 + stops as usize % 2, || simulate_job(scene, plan, job, &patience));
+        let found = on_threads(1 + stops as usize % 2, || simulate_job(plan, job, &patience));
         let found = found.expect("the state is of this work");
         if !found.stopped {
             return (found, memory.state(), stops as usize);
@@ -127,10 +127,10 @@ fn work_that_is_stopped_again_and_again_comes_to_the_same_bits() {
     for bands in ["", "bands = [[400, 500], [500, 600]]\n"] {
         let scene = hall(bands);
         let plan = plan(&scene).expect("a plan");
-        assert!(is_by_paths(&scene, &plan));
-        let whole = on_threads(2, || simulate(&scene, &plan, &Unwatched));
-        assert_eq!(bits(&on_threads(1, || simulate(&scene, &plan, &Unwatched))), bits(&whole));
-        let (found, state, stops) = resumed(&scene, &plan, None, Share::WHOLE);
+        assert!(plan.is_by_paths());
+        let whole = on_threads(2, || simulate(&plan, &Unwatched));
+        assert_eq!(bits(&on_threads(1, || simulate(&plan, &Unwatched))), bits(&whole));
+        let (found, state, stops) = resumed(&plan, None, Share::WHOLE);
         assert!(stops > 2 && state.is_done(), "{stops}");
         assert_eq!(bits(&found), bits(&whole), "{bands}");
     }
@@ -147,10 +147,10 @@ fn assert_shares_are_one_run(scene: &Scene) {
     for (count, samples) in [(3, None), (7, None), (3, Some(512)), (7, Some(512))] {
         let budget = samples.map(|samples| Budget::new(samples).expect("a number of samples"));
         let job = Job { budget, ..Job::default() };
-        let whole = simulate_job(scene, &plan, job, &Unwatched).expect("there is no state");
+        let whole = simulate_job(&plan, job, &Unwatched).expect("there is no state");
         let shares = format!("1/{count}").parse::<Share>().expect("a share").all();
-        let parts = shares.map(|share| (share, resumed(scene, &plan, budget, share).1)).collect();
-        let merged = merge(scene, &plan, budget, parts).expect("all shares");
+        let parts = shares.map(|share| (share, resumed(&plan, budget, share).1)).collect();
+        let merged = merge(&plan, budget, parts).expect("all shares");
         assert_eq!(bits(&merged), bits(&whole), "{count} shares, {samples:?}");
         let kinds = |found: &Simulation| found.answers.iter().map(|answer| answer.kind).collect::<Vec<_>>();
         assert_eq!(kinds(&merged), kinds(&whole));
@@ -164,7 +164,7 @@ fn assert_shares_are_one_run(scene: &Scene) {
 #[test]
 fn cells_are_as_exact_as_the_largest_of_them_asks_for() {
     let scene = hall("");
-    let found = simulate(&scene, &plan(&scene).expect("a plan"), &Unwatched);
+    let found = simulate(&plan(&scene).expect("a plan"), &Unwatched);
     let map = &found.maps[0];
     let largest = map.values[0].iter().copied().fold(0.0, f64::max);
     assert!(map.errors[0].iter().all(|&error| error <= TOLERANCE * largest), "{map:?}");
@@ -174,16 +174,13 @@ fn cells_are_as_exact_as_the_largest_of_them_asks_for() {
 fn a_state_of_another_scene_is_refused() {
     let (scene, other) = (hall(""), hall("bands = [[400, 500], [500, 600]]\n"));
     let [here, there] = [&scene, &other].map(|scene| plan(scene).expect("a plan"));
-    let (_, state, _) = resumed(&scene, &here, None, Share::WHOLE);
+    let (_, state, _) = resumed(&here, None, Share::WHOLE);
     let mut other = other;
     other.materials[0].kind = forms_radiometry::scene::MaterialKind::Diffuse { reflectance: vec![0.5, 0.25] };
     let there = plan(&other).unwrap_or(there);
     let job = Job { state: Some(state.clone()), ..Job::default() };
-    assert_eq!(simulate_job(&other, &there, job, &Unwatched).err(), Some(Misfit));
-    assert_eq!(
-        merge(&scene, &here, None, vec![("1/2".parse().expect("a share"), state)]).err(),
-        Some(Misfit)
-    );
+    assert_eq!(simulate_job(&there, job, &Unwatched).err(), Some(Misfit));
+    assert_eq!(merge(&here, None, vec![("1/2".parse().expect("a share"), state)]).err(), Some(Misfit));
 }
 
 #[test]
@@ -193,7 +190,7 @@ fn every_changed_byte_of_a_file_is_found() {
     let memory = Memory::default();
     let budget = Budget::new(32).ok();
     let job = Job { budget, keeper: Some(&memory), ..Job::default() };
-    simulate_job(&scene, &planned, job, &Unwatched).expect("there is no state");
+    simulate_job(&planned, job, &Unwatched).expect("there is no state");
     let bytes = memory.0.into_inner().expect("nobody panicked");
     assert!(StateFile::Checkpoint.read::<()>(&bytes).is_ok() && StateFile::Part.read::<()>(&bytes).is_err());
     for place in (0..bytes.len()).step_by(bytes.len() / 200 + 1).chain(bytes.len() - 40..bytes.len()) {
@@ -221,12 +218,12 @@ fn work_is_told_from_other_work() {
     let (scene, sources) = open("one", &text(0.5));
     let planned = plan(&scene).expect("a plan");
     let share: Share = "2/3".parse().expect("a share");
-    let identity = |sources: &Sources| Identity::new(sources, &scene, &planned, None, share);
+    let identity = |sources: &Sources| Identity::new(sources, &planned, None, share);
     let with = |overrides: Overrides| {
         let mut scene = scene.clone();
         overrides.apply(&mut scene);
         let planned = plan(&scene).expect("a plan");
-        Identity::new(&sources, &scene, &planned, None, share)
+        Identity::new(&sources, &planned, None, share)
     };
     let one = identity(&sources);
     assert_eq!(one.difference(&identity(&open("two", &text(0.5)).1)), None);
@@ -235,8 +232,8 @@ fn work_is_told_from_other_work() {
     assert_eq!(one.difference(&with(same)), None);
     let others = [
         identity(&open("three", &text(0.6)).1),
-        Identity::new(&sources, &scene, &planned, Budget::new(64).ok(), share),
-        Identity::new(&sources, &scene, &planned, None, Share::WHOLE),
+        Identity::new(&sources, &planned, Budget::new(64).ok(), share),
+        Identity::new(&sources, &planned, None, Share::WHOLE),
         with(Overrides { tolerance: Some(0.01), ..Overrides::default() }),
         with(Overrides { seed: Some(7), ..Overrides::default() }),
         with(Overrides { effects: "interreflection=2".parse().ok(), ..Overrides::default() }),

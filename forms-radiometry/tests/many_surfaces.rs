@@ -42,7 +42,7 @@ impl Meshes {
     fn answers(&self, text: &str) -> Vec<Answer> {
         let scene = self.scene(text);
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        simulate(&scene, &plan, &Unwatched).answers
+        simulate(&plan, &Unwatched).answers
     }
 }
 

@@ -17,7 +17,7 @@ fn scene(text: &str) -> Scene {
 fn answers(text: &str) -> Vec<Answer> {
     let scene = scene(text);
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched).answers
+    simulate(&plan, &Unwatched).answers
 }
 
 /// A cell of a map, on the plane z = 0.
@@ -36,7 +36,7 @@ fn triangle(more: &str) -> (String, Vec<Cell>) {
         + &surface("floor", "polygon = [[-2,-2,0], [3,-2,0], [0,2,0]]", "0", "0")
         + more;
     let scene = scene(&format!("{text}{}grid = {SIZE:?}\n", surface_receiver("floor")));
-    let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
+    let found = simulate(&plan(&scene).expect("the scene is right"), &Unwatched);
     let of_bands = &found.maps[0].values;
     let place = |index: usize, count: usize, length: f64| length * (index as f64 + 0.5) / count as f64 - 2.0;
     let of_cell = |cell: usize| Cell {
@@ -89,7 +89,7 @@ fn cells_of_maps_with_reflected_light_are_within_their_errors_though_most_are_in
     let map = |orders: &str, tolerance: f64| {
         let text = format!("{room}{}grid = [{SIDE}, {SIDE}]\n", surface_receiver("floor"));
         let scene = scene(&format!("{text}[solve]\ntolerance = {tolerance}\n{orders}"));
-        let found = simulate(&scene, &plan(&scene).expect("the scene is right"), &Unwatched);
+        let found = simulate(&plan(&scene).expect("the scene is right"), &Unwatched);
         (found.maps[0].values[0].clone(), found.maps[0].errors[0].clone(), found.maps[0].scales[0])
     };
     for orders in ["", "effects = { interreflection = 1 }\n"] {

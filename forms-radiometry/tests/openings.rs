@@ -118,7 +118,7 @@ impl Shaft {
 
 fn answers(text: &str) -> Vec<Answer> {
     let scene = read(text, "room.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-    simulate(&scene, &plan(&scene).expect("a plan"), &Unwatched).answers
+    simulate(&plan(&scene).expect("a plan"), &Unwatched).answers
 }
 
 #[test]

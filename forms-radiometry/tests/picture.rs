@@ -19,7 +19,7 @@ fn direct(mut scene: Scene) -> (Scene, Simulation) {
     let (effect, force) = (Effect::Interreflection, Force::Off);
     scene.solve.forced.push(ForcedEffect { effect, force, place: Place::default() });
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     (scene, found)
 }
 

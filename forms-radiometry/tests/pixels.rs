@@ -4,7 +4,7 @@
 //! the pixels of a finer image.
 
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, is_by_paths, plan, simulate};
+use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 
 #[expect(dead_code, reason = "other tests need the rest")]
@@ -79,8 +79,8 @@ fn simulated(look: &Look, asked: f64) -> Simulation {
     let scene =
         read(&(look.text.clone() + &tolerance(asked)), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    assert_eq!(is_by_paths(&scene, &plan), look.is_by_paths, "{}", look.name);
-    simulate(&scene, &plan, &Unwatched)
+    assert_eq!(plan.is_by_paths(), look.is_by_paths, "{}", look.name);
+    simulate(&plan, &Unwatched)
 }
 
 /// Returns the mean of the pixels that are no brighter than this, or of all pixels where those are
@@ -177,7 +177,7 @@ fn pixels_that_shadows_and_horizons_cut_are_the_means_of_finer_ones() {
             let scene =
                 read(&cut_by_shadows(seed, resolution), "test.toml").unwrap_or_else(|e| panic!("{}", e[0]));
             let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-            simulate(&scene, &plan, &Unwatched).maps.swap_remove(0)
+            simulate(&plan, &Unwatched).maps.swap_remove(0)
         };
         let [coarse, fine] = [SIZE, SIZE.map(|size| FINER * size)].map(image);
         for pixel in 0..SIZE[0] * SIZE[1] {

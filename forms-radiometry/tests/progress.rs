@@ -34,7 +34,7 @@ impl Watch for Told {
 fn watched(scene: &Scene) -> (Simulation, Told, f64) {
     let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let told = Told { start: Instant::now(), all: Mutex::default(), left: Mutex::default() };
-    let found = simulate(scene, &plan, &told);
+    let found = simulate(&plan, &told);
     let seconds = told.start.elapsed().as_secs_f64();
     (found, told, seconds)
 }

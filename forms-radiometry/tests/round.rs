@@ -46,7 +46,7 @@ fn answers(elements: &[String], solve: &str) -> Vec<Answer> {
     let text = material("black", 0) + &elements.concat() + &tolerance(1e-2) + solve;
     let scene = read(&text, "round.toml").unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     let first = found.answers[0].receiver.clone();
     let answers: Vec<_> = found.answers.into_iter().filter(|answer| answer.receiver == first).collect();
     // the error reported for all answers is no less than the error of these

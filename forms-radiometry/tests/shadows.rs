@@ -151,7 +151,7 @@ impl Case {
         let scene: Scene =
             read(&self.text(), "shadows.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        simulate(&scene, &plan, &Unwatched).answers
+        simulate(&plan, &Unwatched).answers
     }
 }
 
@@ -340,7 +340,7 @@ fn the_sun_through_a_window_lights_what_is_behind_it() {
         let (text, right) = room(&mut random);
         let scene = read(&text, "room.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        let mean = &simulate(&scene, &plan, &Unwatched).answers[0];
+        let mean = &simulate(&plan, &Unwatched).answers[0];
         let off = (mean.value - right).abs();
         assert!(off <= mean.error + 1e-9, "{number}: {} ± {:e}, right is {right}", mean.value, mean.error);
     }

@@ -19,7 +19,7 @@ fn scene(text: &str) -> Scene {
 fn answers(text: &str) -> Vec<Answer> {
     let scene = scene(text);
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched).answers
+    simulate(&plan, &Unwatched).answers
 }
 
 /// Returns the answer of a receiver for a quantity, in the first band.
@@ -119,10 +119,10 @@ fn what_the_plan_drops_changes_less_than_its_bound() {
     let text = lamp + &dark_floor + at;
     let planned = plan(&scene(&text)).expect("it is simulated");
     let dropped: Vec<&str> =
-        planned.effects.iter().filter(|planned| !planned.on).map(|planned| planned.why.as_str()).collect();
+        planned.effects().iter().filter(|planned| !planned.on).map(|planned| planned.why.as_str()).collect();
     assert!(dropped.iter().any(|why| why.contains("its bound is within the tolerance")), "{dropped:?}");
     let bound: f64 =
-        planned.effects.iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound).sum();
+        planned.effects().iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound).sum();
     let (with_plan, _) = answer(&answers(&text), "here", Quantity::Irradiance);
     let text_of_plan = text.clone();
     let all = text + "[solve]\neffects = { occlusion = \"on\", interreflection = \"on\", bands = \"on\" }\n";
@@ -152,7 +152,7 @@ fn what_faces_send_on_to_others_behind_them_is_within_the_bound_of_leaving_it_ou
     let text = plates + &at + "[ambient]\nradiance = 2\n[solve]\ntolerance = 3e-2\n";
     let off = text.clone() + "effects = { interreflection = \"off\" }\n";
     let planned = plan(&scene(&off)).expect("it is simulated");
-    let bounds = planned.effects.iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound);
+    let bounds = planned.effects().iter().filter(|planned| !planned.on).filter_map(|planned| planned.bound);
     let bound: f64 = bounds.sum();
     let (without, _) = answer(&answers(&off), "here", Quantity::Irradiance);
     let (with, error) = answer(&answers(&text), "here", Quantity::Irradiance);
@@ -199,7 +199,7 @@ fn in_a_convex_room_nothing_hides_a_light_that_is_in_it() {
         ("a sky", "[ambient]\nradiance = 1\n".to_owned(), true),
     ] {
         let plan = plan(&scene(&format!("{room}{more}"))).expect("the scene is right");
-        let occlusion = plan.effects.iter().find(|planned| planned.effect == Effect::Occlusion);
+        let occlusion = plan.effects().iter().find(|planned| planned.effect == Effect::Occlusion);
         assert_eq!(occlusion.map(|planned| planned.on), Some(is_hidden), "{name}");
     }
 }
@@ -273,7 +273,7 @@ fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
         let plan = plan(&scene).expect("the scene is right");
         let run = |most: usize| {
             let watch = StopsAfter { most, told: AtomicUsize::new(0) };
-            let found = simulate(&scene, &plan, &watch);
+            let found = simulate(&plan, &watch);
             (found, watch.told.into_inner())
         };
         let (whole, all) = run(usize::MAX);
@@ -319,7 +319,7 @@ fn a_body_that_stands_open_on_another_one_is_seen_as_its_faces() {
     let files = |_: &str| Ok(mesh.clone().into_bytes());
     let scene = read_with_files(&text, "seat.toml", &files).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched).answers;
+    let found = simulate(&plan, &Unwatched).answers;
     let (fluence, _) = answer(&found, "below", Quantity::FluenceRate);
     // only the lower body is visible from below, and it hides the upper one
     let seen = |x: f64, y: f64| (x * y / (1.42 * (x * x + y * y + 1.42 * 1.42).sqrt())).atan();

@@ -86,7 +86,7 @@ fn resized(scene: &Scene, size: f64) -> Scene {
 
 fn answers(scene: &Scene) -> Vec<Answer> {
     let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(scene, &plan, &Unwatched).answers
+    simulate(&plan, &Unwatched).answers
 }
 
 /// Asserts that the answers equal those of the scene before its lengths were multiplied by `size`.

@@ -20,7 +20,7 @@ fn scene(text: &str) -> Scene {
 fn results(text: &str) -> Simulation {
     let scene = scene(text);
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched)
+    simulate(&plan, &Unwatched)
 }
 
 /// Frame of a room: its origin, and the directions of its sides of length 1.

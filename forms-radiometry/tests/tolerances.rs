@@ -52,7 +52,7 @@ fn answers(scene: &Scene, tolerance: f64) -> Vec<Answer> {
     let mut scene = scene.clone();
     scene.solve.tolerance = tolerance;
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched).answers
+    simulate(&plan, &Unwatched).answers
 }
 
 #[test]

@@ -167,7 +167,7 @@ fn scene(text: &str) -> Scene {
 
 fn simulated(text: &str) -> Simulation {
     let scene = scene(text);
-    simulate(&scene, &plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])), &Unwatched)
+    simulate(&plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])), &Unwatched)
 }
 
 /// A mirror that is not visible from anywhere: with it, the scene is path traced.
@@ -303,8 +303,8 @@ fn no_seed_and_no_kernel_of_samples_takes_part() {
     let found = |seed| simulated(&text(seed)).answers.iter().map(|a| [a.value, a.error]).collect::<Vec<_>>();
     assert_eq!(found(1), found(2));
     let plan = plan(&scene(&text(1))).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    assert!(plan.effects.iter().any(|planned| planned.why.contains("without samples")));
-    let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();
+    assert!(plan.effects().iter().any(|planned| planned.why.contains("without samples")));
+    let names: Vec<&str> = plan.kernels().iter().map(|kernel| kernel.name).collect();
     assert_eq!(names, ["measure_area_to_solid_angle", "transmittance"]);
 }
 

@@ -26,9 +26,7 @@ use crate::status::Status;
 use crate::streams::tell;
 use forms::math::Instructions;
 use forms_radiometry::scene::{Overrides, Scene, SceneError, Sources};
-use forms_radiometry::simulation::{
-    self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State, is_by_paths,
-};
+use forms_radiometry::simulation::{self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State};
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
 use missed::Missed;
@@ -121,10 +119,9 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
 
 /// Runs the simulation.
 fn found(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Simulation, String> {
-    let Planned { scene, plan, .. } = planned;
     let share = request.share.unwrap_or(Share::WHOLE);
     let job = Job { budget: request.budget, share, state: ready.state.take(), keeper: Some(&ready.kept) };
-    let found = simulation::simulate_job(scene, plan, job, &ready.progress)
+    let found = simulation::simulate_job(&planned.plan, job, &ready.progress)
         .map_err(|error| format!("cannot resume from the checkpoint: {error}"));
     ready.progress.end();
     let mut found = found?;
@@ -159,12 +156,12 @@ struct Ready {
 /// Checks, before the work begins, that it can be done as requested, and prepares its resources.
 fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
-    let is_by_paths = is_by_paths(&planned.scene, &planned.plan);
+    let is_by_paths = planned.plan.is_by_paths();
     if !is_by_paths {
         solved_as_a_whole(request)?;
     }
     let share = request.share.unwrap_or(Share::WHOLE);
-    let identity = || Identity::new(&planned.sources, &planned.scene, &planned.plan, request.budget, share);
+    let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
     if let Some(file) = request.checkpoint {
         let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
         if found.is_some() {

@@ -40,8 +40,12 @@ fn json_is_the_plan_effect_by_effect_and_then_the_answers() {
     };
     let [plan, methods, answers, shared] = ["effect", "method", "receiver", "shared"].map(of);
     assert_eq!(run.output.lines().count(), plan.len() + 1 + answers.len() + 1);
-    assert_eq!(methods[0].0, ["method"]);
-    assert_eq!(methods[0].1["method"], serde_json::json!(["radiosity on adaptive elements"]));
+    assert_eq!(methods[0].0, ["method", "receivers"]);
+    let method = serde_json::json!(["radiosity on adaptive elements"]);
+    assert_eq!(methods[0].1["method"], method);
+    let why = "surfaces are diffuse, in a vacuum, and reflect light";
+    let of_receiver = |receiver| serde_json::json!({ "receiver": receiver, "method": method, "why": why });
+    assert_eq!(methods[0].1["receivers"], serde_json::json!(["here", "floor: map"].map(of_receiver)));
     assert_eq!(shared[0].0, ["shared", "seconds"]);
     assert_eq!(shared[0].1["shared"], "solution");
     assert!(shared[0].1["seconds"].as_f64().is_some_and(|seconds| seconds > 0.0), "{}", shared[0].1);
@@ -100,7 +104,8 @@ fn the_text_is_the_plan_and_the_answers_as_tables() {
         "{answer}"
     );
     assert!(run.output.contains("largest error relative to its answer"), "{}", run.output);
-    assert!(run.output.contains("\n  method: radiosity on adaptive elements\n"), "{}", run.output);
+    let method = "\n  method: radiosity on adaptive elements\n  reason: surfaces are diffuse, in a vacuum";
+    assert!(run.output.contains(method), "{}", run.output);
     let shared = lines.iter().find(|line| line.trim_start().starts_with("(shared) ")).expect("the rest");
     assert!(shared.contains(" solution ") && shared.ends_with('s'), "{shared}");
 }

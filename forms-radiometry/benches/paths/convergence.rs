@@ -100,7 +100,7 @@ impl Series {
         let budget = Budget::new(1 << power).unwrap_or_else(|error| panic!("{error}"));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
         let job = Job { budget: Some(budget), ..Job::default() };
-        let simulation = simulate_job(&scene, &plan, job, &Unwatched).expect("there is no state to misfit");
+        let simulation = simulate_job(&plan, job, &Unwatched).expect("there is no state to misfit");
         values(&simulation)[0] / self.known - 1.0
     }
 }

@@ -29,7 +29,7 @@ pub(crate) fn cornell_box() -> Scene {
 /// Plans and simulates a scene.
 pub(crate) fn simulated(scene: &Scene) -> Simulation {
     let plan = plan(scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(scene, &plan, &Unwatched)
+    simulate(&plan, &Unwatched)
 }
 
 /// Returns the cells of all maps, or the answers if there is no map.

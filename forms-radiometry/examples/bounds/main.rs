@@ -58,7 +58,7 @@ fn of_gallery() -> Result<Vec<Bounded>, Problem> {
         let known = GALLERY.iter().find(|exhibit| exhibit.file == own).map_or(&[][..], |it| it.known);
         let scene = scene(&std::fs::read_to_string(&file)?, &own)?;
         let plan = plan(&scene).map_err(said)?;
-        let answers = simulate(&scene, &plan, &Unwatched).answers;
+        let answers = simulate(&plan, &Unwatched).answers;
         found.extend(known.iter().filter(|known| has_bound(known, &answers)).map(|known| {
             let [value, bound] = known.found(&answers);
             let what = format!("{}: {}", name(&file), known.sum[0].1);

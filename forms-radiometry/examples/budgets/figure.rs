@@ -210,18 +210,18 @@ fn costs(svg: &mut String, costs: &Costs, plan: &Plan) -> f64 {
 /// effect.
 fn operations(plan: &Plan) -> Vec<String> {
     let mut lines = vec!["operations per value:".to_owned()];
-    for (number, kernel) in plan.kernels.iter().enumerate() {
+    for (number, kernel) in plan.kernels().iter().enumerate() {
         let of_all = if kernel.without.is_empty() {
             String::new()
         } else {
             format!(" of {}", kernel.operations_of_all)
         };
-        let comma = if number + 1 == plan.kernels.len() { "" } else { "," };
+        let comma = if number + 1 == plan.kernels().len() { "" } else { "," };
         let words = format!(" {} {}{of_all}{comma}", kernel.name, kernel.operations);
         match lines.last_mut() {
             Some(line) if line.chars().count() + words.chars().count() <= LINE => line.push_str(&words),
             _ => lines.push(words.trim_start().to_owned()),
         }
     }
-    if plan.kernels.is_empty() { Vec::new() } else { lines }
+    if plan.kernels().is_empty() { Vec::new() } else { lines }
 }

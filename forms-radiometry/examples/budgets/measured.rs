@@ -160,7 +160,7 @@ fn halved(scene: &Scene, planned: &Run) -> Result<Vec<Halved>, Problem> {
         Ok(())
     };
     if parts.effects > 0.0 {
-        let dropped = planned.plan.effects.iter().filter(|planned| !planned.on);
+        let dropped = planned.plan.effects().iter().filter(|planned| !planned.on);
         for effect in dropped.filter(|planned| planned.bound > Some(0.0)).map(|planned| planned.effect) {
             run(format!("keep {}", effect.name()), &forced(scene, &[effect], Force::On))?;
         }
@@ -190,7 +190,7 @@ fn costs(scene: &Scene, rungs: &[Rung]) -> Result<Costs, Problem> {
     let scene = with_tolerance(scene, rung.tolerance);
     let plan = plan(&scene).map_err(said)?;
     let mut without = Vec::new();
-    for effect in plan.effects.iter().filter(|planned| planned.on).map(|planned| planned.effect) {
+    for effect in plan.effects().iter().filter(|planned| planned.on).map(|planned| planned.effect) {
         let scene = forced(&scene, &[effect], Force::Off);
         // an effect that cannot be off is refused: without occlusion rays would pass through the
         // surfaces they meet

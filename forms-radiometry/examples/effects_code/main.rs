@@ -19,7 +19,7 @@ mod parts;
 
 use callgrind::Counts;
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene};
-use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, is_by_paths, plan, simulate};
+use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
 use gallery::{Problem, said, scene};
 use std::fmt::Write;
 use std::path::Path;
@@ -75,9 +75,8 @@ fn run(file: &Path, on: &str) -> Result<(), Problem> {
             bound: None,
         }
     };
-    let plan =
-        Plan { effects: Effect::ALL.into_iter().map(planned).collect(), kernels: Vec::new(), dropped: 0.0 };
-    let found = simulate(&scene, &plan, &Unwatched);
+    let plan = Plan::with_effects(&scene, Effect::ALL.into_iter().map(planned).collect());
+    let found = simulate(&plan, &Unwatched);
     let are_numbers = found.answers.iter().all(|answer| answer.value.is_finite());
     if are_numbers { Ok(()) } else { Err("an answer is not finite".into()) }
 }
@@ -98,9 +97,9 @@ fn rows(file: &Path) -> Result<String, Problem> {
     let name = gallery::name(file);
     let scene = coarse(file)?;
     let plan = plan(&scene).map_err(said)?;
-    let is_by_paths = is_by_paths(&scene, &plan);
-    let is_on = |effect: Effect| plan.effects.iter().any(|planned| planned.effect == effect && planned.on);
-    let planned = counted(file, &words(plan.effects.iter().filter(|planned| planned.on)))?;
+    let is_by_paths = plan.is_by_paths();
+    let is_on = |effect: Effect| plan.effects().iter().any(|planned| planned.effect == effect && planned.on);
+    let planned = counted(file, &words(plan.effects().iter().filter(|planned| planned.on)))?;
     let all: Vec<String> = Effect::ALL.iter().map(|(name, _)| format!("{name}=")).collect();
     let all = counted(file, &all.join(","))?;
     if !parts::has_lines(&all) {
@@ -124,7 +123,7 @@ fn rows(file: &Path) -> Result<String, Problem> {
     }
     let [solver, solver_all] = [&planned, &all].map(|counts| grouped(parts::of_solver(counts)));
     writeln!(rows, "| {name} | whole solver | | {solver} | {solver_all} |")?;
-    let names: Vec<&str> = plan.kernels.iter().map(|kernel| kernel.name).collect();
+    let names: Vec<&str> = plan.kernels().iter().map(|kernel| kernel.name).collect();
     let files: Vec<&str> = names.iter().filter_map(|name| parts::file_of(name)).collect();
     let unlisted = parts::kernels(&planned).into_iter().find(|name| !names.contains(&name.as_str()));
     let unlisted = unlisted

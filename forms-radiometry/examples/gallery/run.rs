@@ -24,7 +24,7 @@ impl Run {
         for _ in 0..RUNS {
             let start = Instant::now();
             let plan = plan(scene).map_err(said)?;
-            let found = simulate(scene, &plan, &Unwatched);
+            let found = simulate(&plan, &Unwatched);
             let run = Self { plan, found, seconds: start.elapsed().as_secs_f64() };
             if run.seconds > LONG {
                 return Ok(run);

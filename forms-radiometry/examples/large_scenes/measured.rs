@@ -56,7 +56,7 @@ pub(crate) fn here(count: usize, text: String) -> Measured {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let planning = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     let answering = begin.elapsed().as_secs_f64();
     let error = found.history.last().map_or(f64::NAN, |moment| moment.error);
     Measured { count, reading, planning, answering, memory: most_memory(), error }

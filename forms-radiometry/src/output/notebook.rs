@@ -21,7 +21,7 @@ impl Plan {
             let bound = planned.bound.map_or_else(|| "unknown".to_owned(), rough);
             [planned.effect.name().to_owned(), extent(planned), bound, planned.why.clone()]
         };
-        Table::new(["effect", "simulated", "bound on omitted part", "why"], self.effects.iter().map(row))
+        Table::new(["effect", "simulated", "bound on omitted part", "why"], self.effects().iter().map(row))
     }
 
     /// Displays the plan in a notebook cell.

@@ -43,11 +43,13 @@ use scale::{Scales, known, settled};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Scene in working units, the simulated effects, and the working unit of length in metres.
+/// Scene in working units, the simulated effects, the kinds of receivers that need no samples, and
+/// the working unit of length in metres.
 #[derive(Clone, Copy)]
 pub(crate) struct Task<'s> {
     pub(crate) scene: &'s Scene,
     pub(crate) effects: &'s SimulatedEffects,
+    pub(crate) computable: Computable,
     pub(crate) metres: f64,
 }
 
@@ -67,7 +69,7 @@ pub(crate) fn simulate(
     // contains none of them
     let contained = EffectSet::of_scene(task.scene);
     let samplers = path_samplers(&world, contained | task.effects.on, limits);
-    let computing = Computing::of(task.scene, &limits, &samplers);
+    let computing = Computing::of(task.scene, (task.computable, &limits), &samplers);
     let mut work = Work::new(&world, task.metres, (division, keeper), &computing, progress);
     if let Some(state) = state {
         work.restore(state)?;

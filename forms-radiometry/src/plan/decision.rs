@@ -9,11 +9,11 @@
 //! ‖L − L̃‖ ≤ ‖(T − T̃) L̃ + (Lₑ − L̃ₑ)‖/(1 − k): all reflections pass on light that is omitted
 //! once.
 
-use super::reduced_scene::{without, without_forced};
-use super::solver::is_by_paths;
+use super::Plan;
+use super::method::{Solver, reason_for_paths};
+use super::reduced_scene::without_forced;
 use super::survey::Survey;
-use super::{Plan, kernels};
-use crate::effects::{EffectSet, PlannedEffect, SimulatedEffects, forcing};
+use crate::effects::{EffectSet, PlannedEffect, forcing};
 use crate::paths::driver::{Computable, all_estimands};
 use crate::paths::{Limits, World, endless, has_too_many_images, trap};
 use crate::radiosity::orders;
@@ -31,8 +31,8 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if !refused.is_empty() {
         return Err(refused);
     }
-    if is_by_paths(&without_forced(scene)) {
-        return plan_of_paths(scene);
+    if let Some(reason) = reason_for_paths(&without_forced(scene)) {
+        return plan_of_paths(scene, reason);
     }
     let survey = Survey::of(&scene.in_working_units());
     if let Some(surface) = survey.trap(scene) {
@@ -42,29 +42,25 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
-    let (effects, dropped) = decided(scene, survey);
-    let kernels = kernels::of_whole(&SimulatedEffects::of(&effects), scene);
-    Ok(Plan { effects, kernels, dropped })
+    Ok(Plan::new(scene, decided(scene, survey), None))
 }
 
-/// Returns the plan of a scene that is simulated by path tracing.
-fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
+/// Returns the plan of a scene that is simulated by path tracing for this reason.
+fn plan_of_paths(scene: &Scene, reason: String) -> Result<Plan, Vec<SceneError>> {
     let is_pervious =
         |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
     if let Some(forced) = scene.solve.forced.iter().find(is_pervious) {
         let message = "path tracing cannot ignore occlusion";
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let (mut effects, dropped) = decided(scene, Survey::without_bounds(scene));
-    let simulated = SimulatedEffects::of(&effects);
-    let limits = Limits::of(&simulated);
-    let left = without(scene, &effects);
-    let working = left.in_working_units();
-    let world = World::new(&working.scene);
+    let mut plan = Plan::new(scene, decided(scene, Survey::without_bounds(scene)), Some(reason));
+    let working = plan.simulated.scene();
+    let limits = Limits::of(&plan.simulated.effects);
+    let world = World::new(working);
     if let Some(trap) = trap(&world) {
         return Err(vec![trap]);
     }
-    let estimands = || all_estimands(&working.scene);
+    let estimands = || all_estimands(working);
     if let Some(endless) = endless(&world, estimands, &limits) {
         return Err(vec![endless]);
     }
@@ -73,16 +69,16 @@ fn plan_of_paths(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
         return Err(vec![SceneError::new(&light.place, message, expected)]);
     }
-    let kernels = kernels::of_paths(&simulated, &left);
-    tell_computed(&mut effects, &left, &limits);
-    Ok(Plan { effects, kernels, dropped })
+    if let Solver::Paths(computable) = plan.solver {
+        tell_computed(&mut plan.effects, working, computable);
+    }
+    Ok(plan)
 }
 
 /// Adds to the reasons of absorption and scattering where these need no samples.
-fn tell_computed(effects: &mut [PlannedEffect], left: &Scene, limits: &Limits) {
-    let computable = Computable::of(left, limits);
+fn tell_computed(effects: &mut [PlannedEffect], scene: &Scene, computable: Computable) {
     let computed: Vec<&Receiver> =
-        left.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
+        scene.receivers.iter().filter(|receiver| computable.has(receiver)).collect();
     let is_along = |receiver: &&&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. });
     let rays = computed.iter().filter(is_along).count();
     for planned in effects.iter_mut() {

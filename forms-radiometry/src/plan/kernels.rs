@@ -1,29 +1,23 @@
 //! Kernels that a plan lists: those that its simulation runs.
 
-use crate::effects::SimulatedEffects;
+use super::method::Solver;
+use super::working_scene::SimulatedScene;
 use crate::faces::faces;
-use crate::paths::driver::Computable;
-use crate::paths::{self, Limits};
+use crate::paths;
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{Question, is_precise, kernels};
-use crate::scene::Scene;
 use crate::used_kernel::UsedKernel;
 
-/// Returns the kernels that their simulation runs.
-pub(super) fn of_whole(effects: &SimulatedEffects, scene: &Scene) -> Vec<UsedKernel> {
-    let merged = effects.merges_bands(scene).then(|| scene.with_one_band());
-    let scene = merged.as_ref().unwrap_or(scene);
+/// Returns the kernels that the simulation of a scene by this solver runs.
+pub(super) fn of(simulated: &SimulatedScene, solver: &Solver) -> Vec<UsedKernel> {
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
+    let transport = match solver {
+        Solver::Paths(computable) => return paths::kernels(scene, &|receiver| computable.has(receiver)),
+        Solver::Radiosity(transport) => transport[0],
+    };
     let (faces, question) = (faces(scene, 0), Question::of(scene, effects));
     let readings =
         scene.receivers.iter().enumerate().map(|(index, receiver)| Reading::of(index, receiver).len());
     let is_precise = effects.orders == Some(0) && is_precise(scene, &faces, readings.sum());
-    kernels(scene, &faces, &question, (effects.hiding, is_precise))
-}
-
-/// Returns the kernels that path tracing of a scene runs.
-pub(super) fn of_paths(effects: &SimulatedEffects, scene: &Scene) -> Vec<UsedKernel> {
-    let merged = effects.merges_bands(scene).then(|| scene.with_one_band());
-    let scene = merged.as_ref().unwrap_or(scene);
-    let computable = Computable::of(scene, &Limits::of(effects));
-    paths::kernels(scene, &|receiver| computable.has(receiver))
+    kernels(scene, &faces, &question, (transport, is_precise))
 }

@@ -1,4 +1,4 @@
-//! Methods: the names of the field for the ways in which the answers of a plan are found.
+//! Methods: how the answers of a plan are found, decided once.
 //!
 //! ```text
 //! diffuse surfaces in a vacuum
@@ -6,19 +6,19 @@
 //!   reflections    ─▶ radiosity                              ┘ fewer operations
 //! anything else    ─▶ path tracing; quadrature and ray trees where these need no samples
 //! ```
-//! This module only reports names. The choice itself is made by
-//! [`is_by_paths`](super::solver::is_by_paths) and [`Gathering::of`]. Where only the work shows
-//! which of two methods suffices, both are named.
+//! [`Solver`] is the decision as a solver takes it, and [`ReceiverMethod`] the same decision for one
+//! receiver, by name and with its reason. Where only the work shows which of two methods suffices,
+//! both are named.
 
-use super::Plan;
-use super::working_scene::Prepared;
+use super::survey::MANY;
+use super::working_scene::SimulatedScene;
 use crate::effects::{EffectSet, SimulatedEffects};
 use crate::faces::{faces, is_round};
 use crate::paths::Limits;
 use crate::paths::driver::Computable;
 use crate::radiosity::driver::FINEST;
 use crate::radiosity::{Gathering, Question};
-use crate::scene::{Effect, Receiver, ReceiverKind, Scene};
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
 
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,67 +58,145 @@ impl Method {
     }
 }
 
-/// Returns the methods of a plan, the main one first. There are several where receivers differ, or
-/// where only the work shows which one suffices.
-pub fn methods(scene: &Scene, plan: &Plan) -> Vec<Method> {
-    let prepared = Prepared::of(scene, plan);
-    let working = prepared.working();
-    if prepared.is_by_paths() {
-        of_paths(&working.scene, &prepared.effects)
-    } else {
-        of_whole(&working.scene, &prepared.effects)
+/// Methods of a receiver.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReceiverMethod {
+    /// Name of the receiver.
+    pub receiver: String,
+    /// The methods, the main one first. There are several where only the work shows which one
+    /// suffices.
+    pub methods: Vec<Method>,
+    /// Reason for the choice.
+    pub why: String,
+}
+
+/// Solver of a scene, with the choices that it takes from the plan.
+#[derive(Clone, Debug)]
+pub(crate) enum Solver {
+    /// The scene is solved as a whole, with this transport method at each tessellation level.
+    Radiosity(Vec<Gathering>),
+    /// Path tracing, except for the kinds of receivers whose answers need no samples.
+    Paths(Computable),
+}
+
+/// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
+/// in a vacuum, with numbers and maps of them, and with images only of flat surfaces with few
+/// faces.
+pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
+    let kind = |material: usize| &scene.materials[material].kind;
+    let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
+    if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
+        return Some(format!("the surface `{}` is not diffuse", surface.name));
+    }
+    if let Some(receiver) = scene.receivers.iter().find(|receiver| receiver.time.is_some()) {
+        return Some(format!("the receiver `{}` is time-resolved", receiver.name));
+    }
+    let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
+    if let Some(medium) = ambient.filter(|medium| !medium.is_vacuum()) {
+        return Some(format!("the medium `{}` fills the scene", medium.name));
+    }
+    let is_image = |receiver: &&Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
+    let image = scene.receivers.iter().find(is_image)?;
+    if is_round(scene) {
+        return Some(format!("the image `{}` is of curved surfaces", image.name));
+    }
+    (faces(scene, 0).len() > MANY).then(|| format!("the image `{}` is of more than {MANY} faces", image.name))
+}
+
+/// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by
+/// path tracing if there is a reason for it.
+pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
+    match paths {
+        Some(reason) => {
+            let computable = Computable::of(scene, &Limits::of(effects));
+            (Solver::Paths(computable), of_paths(scene, computable, &reason))
+        }
+        None => {
+            // curved surfaces are tessellated several times
+            let finest = if is_round(scene) { FINEST } else { 0 };
+            let question = Question::of(scene, effects);
+            let transport = Gathering::at_each_level(scene, &question, effects.hiding, finest);
+            let methods = of_radiosity(scene, effects, &transport);
+            (Solver::Radiosity(transport), methods)
+        }
     }
 }
 
-/// Returns the methods of a scene of diffuse surfaces in a vacuum. Curved surfaces are tessellated
-/// several times, and the method is chosen again each time.
-fn of_whole(scene: &Scene, effects: &SimulatedEffects) -> Vec<Method> {
-    let finest = if is_round(scene) { FINEST } else { 0 };
-    let question = Question::of(scene, effects);
-    let gathering = |fineness| Gathering::of(scene, &faces(scene, fineness), &question, effects.hiding);
-    let is_integrated =
-        |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Surface { .. } | ReceiverKind::Camera(_));
-    let (sampling, exact): (Method, &[Method]) = match effects.orders {
-        Some(0) if scene.receivers.iter().any(is_integrated) => {
-            (Method::DirectSampling, &[Method::ClosedFormIntegrals])
-        }
-        Some(0) => (Method::DirectSampling, &[Method::ClosedForms]),
-        _ => (Method::FinalGathering, &[Method::Radiosity]),
+/// Returns the methods of a scene that is solved as a whole with these transport methods.
+fn of_radiosity(scene: &Scene, effects: &SimulatedEffects, transport: &[Gathering]) -> Vec<ReceiverMethod> {
+    let is_direct = effects.orders == Some(0);
+    let sampling = if is_direct { Method::DirectSampling } else { Method::FinalGathering };
+    let mut why = match is_direct {
+        true => "surfaces are diffuse, in a vacuum, and no reflection is simulated".to_owned(),
+        false => "surfaces are diffuse, in a vacuum, and reflect light".to_owned(),
     };
-    let of_gathering = |gathering| match gathering {
-        Gathering::Pieces => exact.to_vec(),
-        Gathering::Rays { most } if most.is_infinite() => vec![sampling],
-        Gathering::Rays { .. } => [&[sampling], exact].concat(),
+    let is_sampled = |gathering: &Gathering| matches!(gathering, Gathering::Rays { .. });
+    let is_sampled_only = |gathering: &Gathering| *gathering == Gathering::Rays { most: f64::INFINITY };
+    if transport.iter().any(is_sampled_only) {
+        why += "; exact visibility would need too many nodes";
+    } else if transport.iter().any(is_sampled) {
+        why += "; rays are expected to take less time than exact visibility, which follows if they do not";
+    }
+    let of_receiver = |receiver: &Receiver| {
+        let exact = match receiver.kind {
+            _ if !is_direct => Method::Radiosity,
+            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => Method::ClosedFormIntegrals,
+            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } | ReceiverKind::Ray { .. } => {
+                Method::ClosedForms
+            }
+        };
+        let of_level = |gathering: &Gathering| match gathering {
+            Gathering::Pieces => vec![exact],
+            gathering if is_sampled_only(gathering) => vec![sampling],
+            Gathering::Rays { .. } => vec![sampling, exact],
+        };
+        let mut methods = Vec::new();
+        transport.iter().flat_map(of_level).for_each(|method| add(&mut methods, method));
+        ReceiverMethod { receiver: receiver.name.clone(), methods, why: why.clone() }
     };
-    distinct((0..=finest).flat_map(|fineness| of_gathering(gathering(fineness))))
+    scene.receivers.iter().map(of_receiver).collect()
 }
 
-/// Returns the methods of any other scene. Which rays are split by smooth surfaces only, is known
-/// after tracing them.
-fn of_paths(scene: &Scene, effects: &SimulatedEffects) -> Vec<Method> {
-    let computable = Computable::of(scene, &Limits::of(effects));
+/// Returns the methods of a scene that is solved by path tracing for this reason. Which rays are
+/// split by smooth surfaces only is known after tracing them.
+fn of_paths(scene: &Scene, computable: Computable, reason: &str) -> Vec<ReceiverMethod> {
     let scatters = EffectSet::of_scene(scene).has(Effect::Scattering);
-    let of_receiver = |receiver: &Receiver| match receiver.kind {
-        _ if computable.has(receiver) => vec![Method::Quadrature],
-        ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {
-            vec![Method::PathTracing, Method::RayTrees]
-        }
-        _ => vec![Method::PathTracing],
+    let of_receiver = |receiver: &Receiver| {
+        let (methods, more) = match receiver.kind {
+            ReceiverKind::Ray { .. } if computable.has(receiver) => {
+                (vec![Method::Quadrature], "; it scatters light of point or distant lights once")
+            }
+            _ if computable.has(receiver) => (vec![Method::Quadrature], "; it only attenuates light"),
+            ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {
+                let both = vec![Method::PathTracing, Method::RayTrees];
+                (both, "; no samples are needed if the ray meets only smooth or black surfaces")
+            }
+            _ => (vec![Method::PathTracing], ""),
+        };
+        ReceiverMethod { receiver: receiver.name.clone(), methods, why: format!("{reason}{more}") }
     };
-    let mut methods = distinct(scene.receivers.iter().flat_map(of_receiver));
-    methods.sort_unstable();
-    methods
+    scene.receivers.iter().map(of_receiver).collect()
 }
 
-/// Returns each method once, in the order of first occurrence.
-fn distinct(methods: impl Iterator<Item = Method>) -> Vec<Method> {
-    let mut found = Vec::new();
-    for method in methods {
-        if !found.contains(&method) {
-            found.push(method);
-        }
+fn add(methods: &mut Vec<Method>, method: Method) {
+    if !methods.contains(&method) {
+        methods.push(method);
     }
-    found
+}
+
+/// Returns each method of the receivers once, the main one first. Integrals of closed forms include
+/// the closed forms.
+pub(super) fn distinct(receivers: &[ReceiverMethod], is_by_paths: bool) -> Vec<Method> {
+    let mut methods = Vec::new();
+    receivers.iter().flat_map(|own| &own.methods).for_each(|&method| add(&mut methods, method));
+    if methods.contains(&Method::ClosedFormIntegrals) {
+        methods.retain(|&method| method != Method::ClosedForms);
+    }
+    if is_by_paths {
+        methods.sort_unstable();
+    }
+    methods
 }
 
 #[cfg(test)]
@@ -133,7 +211,7 @@ mod tests {
         let lamp = surface("lamp", "wall", &lamp) + "radiance = 1\n";
         let text = [&material("wall", 0.5), &surface("floor", "wall", &square(0.0)), &lamp, rest].concat();
         let scene = crate::scene::read(&text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
-        methods(&scene, &plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])))
+        plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])).methods()
     }
 
     #[test]
@@ -148,6 +226,7 @@ mod tests {
         assert_eq!(of(&[&point, &direct[..]].concat()), [Method::ClosedForms]);
         let floor = surface_receiver("floor");
         assert_eq!(of(&[&floor, &direct[..]].concat()), [Method::ClosedFormIntegrals]);
+        assert_eq!(of(&[&point, &floor, &direct[..]].concat()), [Method::ClosedFormIntegrals]);
         assert_eq!(of(&[&point, fog].concat()), [Method::PathTracing]);
         assert_eq!(of(&[ray, glass].concat()), [Method::PathTracing, Method::RayTrees]);
         let black = "effects = { interreflection = \"off\" }\n";

@@ -202,7 +202,7 @@ mod tests {
     fn solved(text: &str) -> (Plan, Vec<Answer>) {
         let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        let answers = simulate(&scene, &plan, &Unwatched).answers;
+        let answers = simulate(&plan, &Unwatched).answers;
         (plan, answers)
     }
 

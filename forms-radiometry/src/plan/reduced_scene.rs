@@ -11,17 +11,17 @@
 //! A boundary with a vacuum on both sides is removed, so that the reduced scene may have only
 //! diffuse surfaces in a vacuum.
 
-use crate::effects::{PlannedEffect, forced};
-use crate::scene::{Effect, Force, MaterialKind, Medium, ReceiverKind, Scene, middle};
+use crate::effects::{PlannedEffect, fillings, forced};
+use crate::scene::{Effect, Force, MaterialKind, ReceiverKind, Scene, middle};
 
 /// Returns the scene without the effects that the plan turns off.
-pub(crate) fn without(scene: &Scene, effects: &[PlannedEffect]) -> Scene {
+pub(super) fn without(scene: &Scene, effects: &[PlannedEffect]) -> Scene {
     let is_off = |effect| effects.iter().any(|planned| planned.effect == effect && !planned.on);
     leave_out(scene, &is_off)
 }
 
 /// Returns the scene without the effects that its file turns off.
-pub(crate) fn without_forced(scene: &Scene) -> Scene {
+pub(super) fn without_forced(scene: &Scene) -> Scene {
     leave_out(scene, &|effect| forced(scene, effect) == Some(Force::Off))
 }
 
@@ -57,7 +57,7 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
     if is_off(Effect::Time) {
         scene.receivers.iter_mut().for_each(|receiver| receiver.time = None);
     }
-    if scene.media.iter().all(Medium::is_vacuum) {
+    if fillings(&scene).into_iter().flatten().all(|medium| scene.media[medium].is_vacuum()) {
         remove_boundaries(&mut scene);
     }
     scene

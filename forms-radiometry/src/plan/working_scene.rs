@@ -1,54 +1,51 @@
-//! Working scene: a scene and its plan become the simulated scene in working units, and its results
-//! become the requested answers.
+//! Working scene: a scene and the decisions about its effects become the simulated scene in working
+//! units, and its results become the requested answers.
 
-use super::Plan;
 use super::reduced_scene::without;
-use super::solver::is_by_paths;
 use crate::answer::{Answer, ErrorParts, Simulation};
-use crate::effects::SimulatedEffects;
-use crate::paths::driver::Task;
+use crate::effects::{PlannedEffect, SimulatedEffects};
+use crate::paths::driver::{Computable, Task};
 use crate::scene::{Scene, WorkingScene};
 
-/// Scene as it is simulated.
-pub(crate) struct Prepared {
+/// Scene as it is simulated: reduced to the effects that are simulated, in working units.
+#[derive(Clone, Debug)]
+pub(crate) struct SimulatedScene {
     pub(crate) effects: SimulatedEffects,
-    /// Reduced scene.
-    left: Scene,
+    working: WorkingScene<'static>,
     /// Number of bands that are simulated as a single one, if they are.
     merged: Option<usize>,
     /// Error budget spent on omitted effects, relative to every answer; the solver gets the
     /// remaining tolerance.
-    dropped: f64,
+    pub(super) dropped: f64,
+    /// Tolerance of the answers.
+    pub(crate) tolerance: f64,
 }
 
-impl Prepared {
-    pub(crate) fn of(scene: &Scene, plan: &Plan) -> Self {
-        let effects = SimulatedEffects::of(&plan.effects);
-        let left = without(scene, &plan.effects);
+impl SimulatedScene {
+    pub(super) fn of(scene: &Scene, planned: &[PlannedEffect], dropped: f64) -> Self {
+        let effects = SimulatedEffects::of(planned);
+        let reduced = without(scene, planned);
         let merged = effects.merges_bands(scene).then_some(scene.band_count());
-        let mut left = if merged.is_some() { left.with_one_band() } else { left };
-        left.solve.tolerance -= plan.dropped;
-        Self { effects, left, merged, dropped: plan.dropped }
+        let mut reduced = if merged.is_some() { reduced.with_one_band() } else { reduced };
+        reduced.solve.tolerance -= dropped;
+        let working = reduced.into_working_units();
+        Self { effects, working, merged, dropped, tolerance: scene.solve.tolerance }
     }
 
-    /// Whether light is simulated by path tracing.
-    pub(crate) fn is_by_paths(&self) -> bool {
-        is_by_paths(&self.left)
+    /// Returns the scene in working units.
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.working.scene
     }
 
-    /// Returns the reduced scene in working units.
-    pub(crate) fn working(&self) -> WorkingScene<'_> {
-        self.left.in_working_units()
-    }
-
-    /// Returns the task of the path driver.
-    pub(crate) fn task<'s>(&'s self, working: &'s WorkingScene) -> Task<'s> {
-        Task { scene: &working.scene, effects: &self.effects, metres: working.square_metres.sqrt() }
+    /// Returns the task of the path driver. Receivers of these kinds need no samples.
+    pub(crate) fn task(&self, computable: Computable) -> Task<'_> {
+        let metres = self.working.square_metres.sqrt();
+        Task { scene: self.scene(), effects: &self.effects, computable, metres }
     }
 
     /// Converts the results to the units of their quantities and to all bands.
-    pub(crate) fn finished(&self, mut simulation: Simulation, working: &WorkingScene) -> Simulation {
-        simulation.leave_working_units(working);
+    pub(crate) fn finished(&self, mut simulation: Simulation) -> Simulation {
+        simulation.leave_working_units(&self.working);
         if self.dropped > 0.0 {
             add_dropped(&mut simulation, self.dropped);
         }

@@ -23,7 +23,7 @@ mod tessellation;
 use super::question::asks_for_rays;
 use super::{Gathering, Lights, Paths, Question, Radiosity, Scratch, Transport};
 use crate::answer::{Answer, ErrorParts, Moment, Simulation};
-use crate::effects::{Hiding, SimulatedEffects};
+use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
 use crate::geometry::{Face, Screens};
 use crate::parallelism::Parallelism;
@@ -58,13 +58,14 @@ const ATTEMPTS: usize = 2;
 /// boundaries of shadows converge no faster than elements shrink.
 const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
 
-/// Solves a scene as a whole, in working units. `choose` decides how light is gathered.
+/// Solves a scene as a whole, in working units, with the transport method at each tessellation
+/// level; the last one is also that of finer levels.
 pub(crate) fn solved(
-    choose: Choose,
+    gathering: &[Gathering],
     (scene, effects): (&Scene, SimulatedEffects),
     progress: &Progress<'_>,
 ) -> Simulation {
-    Work::new(scene, effects, choose, progress).run()
+    Work::new(scene, effects, gathering, progress).run()
 }
 
 /// Returns the faces that occlude light or that rays meet. The rays are those of receivers, or
@@ -82,14 +83,12 @@ fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face], gathering:
     }
 }
 
-/// Function that chooses how light is gathered in a scene with these faces and this occlusion.
-type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
-
 /// State of the solver.
 pub(crate) struct Work<'s> {
     pub(crate) scene: &'s Scene,
     effects: SimulatedEffects,
-    choose: Choose,
+    /// Transport method at each tessellation level.
+    gathering: &'s [Gathering],
     pub(crate) watch: &'s dyn Watch,
     pub(crate) progress: &'s Progress<'s>,
     pub(crate) times: Times,
@@ -112,14 +111,19 @@ enum Solution<'t> {
 }
 
 impl<'s> Work<'s> {
-    fn new(scene: &'s Scene, effects: SimulatedEffects, choose: Choose, progress: &'s Progress<'s>) -> Self {
+    fn new(
+        scene: &'s Scene,
+        effects: SimulatedEffects,
+        gathering: &'s [Gathering],
+        progress: &'s Progress<'s>,
+    ) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
         Self {
             scene,
             effects,
-            choose,
+            gathering,
             watch: progress,
             progress,
             times: Times::new(scene.receivers.len()),
@@ -139,7 +143,7 @@ impl<'s> Work<'s> {
         for fineness in 0.. {
             self.progress.begin(Outlook::Unknown);
             let faces = faces(self.scene, fineness);
-            let gathering = (self.choose)(self.scene, &faces, &self.question(), self.effects.hiding);
+            let gathering = self.gathering[fineness.min(self.gathering.len() - 1)];
             let transport = self.transport(faces, gathering);
             let lights = Lights::of(self.scene, &transport);
             let grids = self.grids(&transport);

@@ -13,7 +13,6 @@ use super::element::Element;
 use super::method::Gathering;
 use super::question::Question;
 use super::system::is_reflecting;
-use crate::effects::Hiding;
 use crate::geometry::Face;
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::kernels::{
@@ -48,11 +47,16 @@ struct Computed {
 }
 
 impl Computed {
-    fn of(scene: &Scene, faces: &[Face], question: &Question, (hiding, is_precise): (Hiding, bool)) -> Self {
+    fn of(
+        scene: &Scene,
+        faces: &[Face],
+        question: &Question,
+        (transport, is_precise): (Gathering, bool),
+    ) -> Self {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
         // if rays take too long, pieces follow
-        let (rays, pieces) = match Gathering::of(scene, faces, question, hiding) {
+        let (rays, pieces) = match transport {
             Gathering::Pieces => (false, true),
             Gathering::Rays { most } => (true, most.is_finite()),
         };
@@ -98,16 +102,16 @@ impl Computed {
 }
 
 /// Returns the kernels that the simulation of a scene with these faces runs. They depend on the
-/// occlusion between surfaces, and on whether direct light at points [is computed to the last
+/// transport method, and on whether direct light at points [is computed to the last
 /// digit](super::is_precise).
 pub(crate) fn kernels(
     scene: &Scene,
     faces: &[Face],
     question: &Question,
-    (hiding, is_precise): (Hiding, bool),
+    (transport, is_precise): (Gathering, bool),
 ) -> Vec<UsedKernel> {
     let Computed { gathered, straight, views, spheres, reflections, whole, exchange, rays, triangles } =
-        Computed::of(scene, faces, question, (hiding, is_precise));
+        Computed::of(scene, faces, question, (transport, is_precise));
     let [whole_spheres, whole_disks] = whole;
     let all_light = gathered.map(|kinds| member(kinds, "light gathered by a receiver"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);

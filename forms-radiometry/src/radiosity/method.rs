@@ -25,6 +25,7 @@ use super::question::Question;
 use super::reference::{Shape, reference};
 use super::system::{MOST_NODES, first_order, is_reflecting};
 use crate::effects::Hiding;
+use crate::faces::faces;
 use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
 
@@ -52,12 +53,23 @@ pub(crate) enum Gathering {
 }
 
 impl Gathering {
-    /// Selects the method for a scene with these faces.
-    pub(crate) fn of(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> Self {
+    /// Selects the method at each tessellation level of a scene, up to the finest.
+    pub(crate) fn at_each_level(
+        scene: &Scene,
+        question: &Question,
+        hiding: Hiding,
+        finest: usize,
+    ) -> Vec<Self> {
         let is_straight = hiding == Hiding::Nothing && question.orders == Some(0);
         if is_straight || hiding == Hiding::LeftOut || asks_for_images(scene) {
-            return Self::Pieces;
+            return vec![Self::Pieces; finest + 1];
         }
+        let of_level = |fineness| Self::of(scene, &faces(scene, fineness), hiding);
+        (0..=finest).map(of_level).collect()
+    }
+
+    /// Selects the method for a scene with these faces by the expected time.
+    fn of(scene: &Scene, faces: &[Face], hiding: Hiding) -> Self {
         let is_hidden = hiding == Hiding::Simulated;
         let [first_error, power] = if is_hidden { HIDDEN } else { FREE };
         let sources = sources(scene, faces);

@@ -69,6 +69,16 @@ impl Scene {
         WorkingScene { scene, factor, square_metres, light: darker.recip() }
     }
 
+    /// Returns the same for a scene that is not needed otherwise.
+    pub(crate) fn into_working_units(self) -> WorkingScene<'static> {
+        let WorkingScene { scene, factor, square_metres, light } = self.in_working_units();
+        let changed = match scene {
+            Cow::Owned(scene) => Some(scene),
+            Cow::Borrowed(_) => None,
+        };
+        WorkingScene { scene: Cow::Owned(changed.unwrap_or(self)), factor, square_metres, light }
+    }
+
     /// Returns the largest irradiance or radiance that a light causes at distances of about 1 in
     /// working units.
     fn brightest(&self, square_metres: f64) -> f64 {

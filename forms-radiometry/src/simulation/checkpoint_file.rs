@@ -12,7 +12,7 @@ use crate::checkpoint::Snapshot;
 use crate::effects::PlannedEffect;
 use crate::job::{Budget, Share};
 use crate::plan::Plan;
-use crate::scene::{Scene, Sources};
+use crate::scene::Sources;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -73,14 +73,14 @@ impl fmt::Display for NoState {
 impl std::error::Error for NoState {}
 
 impl Identity {
-    /// Returns the identity of work on this machine. `scene` is the simulated scene, with the
-    /// settings that replace those of `sources`.
-    pub fn new(sources: &Sources, scene: &Scene, plan: &Plan, budget: Option<Budget>, share: Share) -> Self {
+    /// Returns the identity of work on this machine. The plan is that of the scene of `sources`, with
+    /// the settings that replace its own.
+    pub fn new(sources: &Sources, plan: &Plan, budget: Option<Budget>, share: Share) -> Self {
         Self {
             scene: sources.digest(),
             plan: digest(plan),
-            tolerance: scene.solve.tolerance.to_bits(),
-            seed: scene.solve.seed,
+            tolerance: plan.simulated.tolerance.to_bits(),
+            seed: plan.simulated.scene().solve.seed,
             arithmetic: Arithmetic::here(),
             budget,
             share,
@@ -147,7 +147,7 @@ impl Identity {
 /// enter.
 fn digest(plan: &Plan) -> [u8; 32] {
     let of_effect = |planned: &PlannedEffect| (planned.effect, planned.on, planned.orders, planned.bound);
-    let effects: Vec<_> = plan.effects.iter().map(of_effect).collect();
+    let effects: Vec<_> = plan.effects().iter().map(of_effect).collect();
     *blake3::hash(format!("{effects:?}").as_bytes()).as_bytes()
 }
 

@@ -13,68 +13,53 @@ use crate::checkpoint::{Misfit, Snapshot};
 use crate::job::{Budget, Share};
 use crate::paths::driver::{self, Division, Task};
 use crate::plan::Plan;
-use crate::plan::working_scene::Prepared;
+use crate::plan::method::Solver;
+use crate::plan::working_scene::SimulatedScene;
 use crate::progress::Progress;
 use crate::radiosity::Gathering;
 use crate::radiosity::driver::solved;
-use crate::scene::{Scene, WorkingScene};
 use crate::watch::{Unwatched, Watch};
 
-/// Whether a scene is simulated by path tracing. Other scenes are solved as a whole.
-pub fn is_by_paths(scene: &Scene, plan: &Plan) -> bool {
-    Prepared::of(scene, plan).is_by_paths()
-}
-
-/// Simulates a scene with the effects of a plan.
-pub fn simulate(scene: &Scene, plan: &Plan, watch: &dyn Watch) -> Simulation {
-    let found = simulate_job(scene, plan, Job::default(), watch);
+/// Simulates the scene of a plan with its effects.
+pub fn simulate(plan: &Plan, watch: &dyn Watch) -> Simulation {
+    let found = simulate_job(plan, Job::default(), watch);
     found.expect("there is no state that could be of another simulation")
 }
 
-/// Runs a job on a scene. The result of a shard without any unit of work is empty.
+/// Runs a job on the scene of a plan. The result of a shard without any unit of work is empty.
 ///
 /// # Errors
 /// The checkpoint of the job does not belong to this scene.
-pub fn simulate_job(
-    scene: &Scene,
-    plan: &Plan,
-    job: Job<'_>,
-    watch: &dyn Watch,
-) -> Result<Simulation, Misfit> {
+pub fn simulate_job(plan: &Plan, job: Job<'_>, watch: &dyn Watch) -> Result<Simulation, Misfit> {
     let progress = Progress::new(watch);
-    let prepared = Prepared::of(scene, plan);
-    let working = prepared.working();
-    let found = if prepared.is_by_paths() {
-        by_paths(prepared.task(&working), job, &progress)?
-    } else {
-        in_one_piece(&prepared, &working, job, &progress)?
+    let simulated = &plan.simulated;
+    let found = match &plan.solver {
+        Solver::Paths(computable) => by_paths(simulated.task(*computable), job, &progress)?,
+        Solver::Radiosity(gathering) => in_one_piece(simulated, gathering, job, &progress)?,
     };
-    Ok(prepared.finished(found, &working))
+    Ok(simulated.finished(found))
 }
 
 /// Merges the final checkpoints of all shards into the result of one undivided simulation.
 ///
 /// # Errors
 /// A shard is missing or not done, or its checkpoint does not belong to this scene.
-pub fn merge(
-    scene: &Scene,
-    plan: &Plan,
-    budget: Option<Budget>,
-    parts: Vec<(Share, State)>,
-) -> Result<Simulation, Misfit> {
-    let prepared = Prepared::of(scene, plan);
-    let working = prepared.working();
-    let found = if prepared.is_by_paths() {
-        let part = |(share, state): (Share, State)| Some((share, state.of_paths()?));
-        let parts = parts.into_iter().map(part).collect::<Option<_>>().ok_or(Misfit)?;
-        let division = Division { budget, share: Share::WHOLE };
-        driver::merge(prepared.task(&working), division, parts, &Progress::new(&Unwatched))?
-    } else {
-        let piece =
-            parts.into_iter().map(|(share, state)| piece(share, state)).collect::<Result<Vec<_>, _>>()?;
-        piece.into_iter().flatten().next().ok_or(Misfit)?
+pub fn merge(plan: &Plan, budget: Option<Budget>, parts: Vec<(Share, State)>) -> Result<Simulation, Misfit> {
+    let simulated = &plan.simulated;
+    let found = match plan.solver {
+        Solver::Paths(computable) => {
+            let part = |(share, state): (Share, State)| Some((share, state.of_paths()?));
+            let parts = parts.into_iter().map(part).collect::<Option<_>>().ok_or(Misfit)?;
+            let division = Division { budget, share: Share::WHOLE };
+            driver::merge(simulated.task(computable), division, parts, &Progress::new(&Unwatched))?
+        }
+        Solver::Radiosity(_) => {
+            let piece = parts.into_iter().map(|(share, state)| piece(share, state));
+            let piece = piece.collect::<Result<Vec<_>, _>>()?;
+            piece.into_iter().flatten().next().ok_or(Misfit)?
+        }
     };
-    Ok(prepared.finished(found, &working))
+    Ok(simulated.finished(found))
 }
 
 /// Runs a job by path tracing.
@@ -93,15 +78,16 @@ const PIECE: usize = 0;
 /// Solves a scene as a whole, if the shard has that unit of work. The checkpoint is kept at the
 /// end, and only there.
 fn in_one_piece(
-    prepared: &Prepared,
-    working: &WorkingScene<'_>,
+    simulated: &SimulatedScene,
+    gathering: &[Gathering],
     job: Job<'_>,
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
         None => {
-            job.share.has(PIECE).then(|| solved(Gathering::of, (&working.scene, prepared.effects), progress))
+            let scene = (simulated.scene(), simulated.effects);
+            job.share.has(PIECE).then(|| solved(gathering, scene, progress))
         }
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);

@@ -2,13 +2,10 @@
 
 use super::{Answer, Unwatched, plan};
 use crate::effects::Hiding;
-use crate::faces::faces;
-use crate::geometry::Face;
-use crate::plan::working_scene::Prepared;
 use crate::progress::Progress;
 use crate::radiosity::driver::solved;
 use crate::radiosity::{Gathering, Question};
-use crate::scene::{Scene, read};
+use crate::scene::read;
 use crate::scene_text::{
     CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
 };
@@ -87,20 +84,15 @@ kind = "surface"
 surface = "floor"
 "#;
 
-type Choose = fn(&Scene, &[Face], &Question, Hiding) -> Gathering;
-
-fn by(gathering: Choose, text: &str) -> Vec<Answer> {
+fn by(gathering: Gathering, text: &str) -> Vec<Answer> {
     let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let prepared = Prepared::of(&scene, &plan);
-    let working = prepared.working();
-    prepared
-        .finished(solved(gathering, (&working.scene, prepared.effects), &Progress::new(&Unwatched)), &working)
-        .answers
+    let scene = (plan.simulated.scene(), plan.simulated.effects);
+    plan.simulated.finished(solved(&[gathering], scene, &Progress::new(&Unwatched))).answers
 }
 
 fn by_rays(text: &str) -> Vec<Answer> {
-    by(|_, _, _, _| Gathering::Rays { most: f64::INFINITY }, text)
+    by(Gathering::Rays { most: f64::INFINITY }, text)
 }
 
 fn closed_room() -> String {
@@ -127,7 +119,7 @@ fn rays_and_exact_pieces_find_the_same_light() {
             let solve = format!("[solve]\ntolerance = {tolerance}\neffects = {{ {effects} }}\n");
             format!("{}{RECEIVERS}{lights}{solve}", closed_room())
         });
-        for (a, b) in by(|_, _, _, _| Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
+        for (a, b) in by(Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
             let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
             let what = format!("{name}: {} {:?}", a.receiver, a.quantity);
             assert!(off <= allowed, "{what}: {} ± {:e} and {} ± {:e}", a.value, a.error, b.value, b.error);
@@ -145,7 +137,7 @@ fn where_nothing_is_hidden_rays_and_exact_pieces_find_the_same_light_too() {
     let room =
         |tolerance| [&material("wall", 0.6), &faces.concat(), &receivers, light, &asked(tolerance)].concat();
     let rays = by_rays(&room(5e-2));
-    for (a, b) in by(|_, _, _, _| Gathering::Pieces, &room(1e-2)).iter().zip(&rays) {
+    for (a, b) in by(Gathering::Pieces, &room(1e-2)).iter().zip(&rays) {
         let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
         assert!(off <= allowed, "{} {:?}: {} and {}, {allowed:e}", a.receiver, a.quantity, a.value, b.value);
     }
@@ -160,7 +152,7 @@ fn what_is_left_out_is_not_met_by_rays() {
     let receiver = point_receiver("point", [0.0, 0.0, 0.2], [0.0, 0.0, 1.0]);
     let scene = read(&(wall + &receiver + &asked(0.1)), "test.toml").expect("the scene is right");
     let question = |orders| Question { orders, receives: vec![false], direct: true, is_seen: false };
-    let gathering = |orders, hiding| Gathering::of(&scene, &faces(&scene, 0), &question(orders), hiding);
+    let gathering = |orders, hiding| Gathering::at_each_level(&scene, &question(orders), hiding, 0)[0];
     assert!(matches!(gathering(None, Hiding::Simulated), Gathering::Rays { .. }));
     assert!(matches!(gathering(None, Hiding::Nothing), Gathering::Rays { .. }));
     assert_eq!(gathering(None, Hiding::LeftOut), Gathering::Pieces);

@@ -59,7 +59,7 @@ pub(crate) fn numbers(world: &World, tolerance: f64) -> Vec<Number> {
     let scene =
         read_with_files(&text, "scene.toml", &file).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}\n{text}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     let index = |name: &str| name.parse::<usize>().expect("the number of a receiver");
     let of_answers =
         found.answers.iter().filter(|answer| answer.quantity != Quantity::Flux).map(|answer| Number {

@@ -10,7 +10,7 @@ const TOLERANCE: f64 = 3e-3;
 fn simulated(mut scene: Scene) -> Simulation {
     scene.solve.tolerance = TOLERANCE;
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    simulate(&scene, &plan, &Unwatched)
+    simulate(&plan, &Unwatched)
 }
 
 /// Returns the radiance that a pixel of the camera sees of a floor that shines in haze, averaged

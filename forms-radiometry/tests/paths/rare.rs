@@ -67,10 +67,10 @@ fn of(seed: u64) -> Scene {
 /// Returns the results, and those with `MANY` samples of each pixel and cell.
 fn both(mut scene: Scene) -> [Simulation; 2] {
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     scene.solve.seed += 1;
     let budget = Some(Budget::new(MANY).unwrap_or_else(|error| panic!("{error}")));
-    let many = simulate_job(&scene, &plan, Job { budget, ..Job::default() }, &Unwatched);
+    let many = simulate_job(&plan, Job { budget, ..Job::default() }, &Unwatched);
     [found, many.unwrap_or_else(|error| panic!("{error}"))]
 }
 

@@ -85,7 +85,7 @@ impl Row {
             read => read.unwrap_or_else(|errors| panic!("{}\n{text}", errors[0])),
         };
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}: {}", self.id, errors[0]));
-        let found = simulate(&scene, &plan, &Unwatched).answers;
+        let found = simulate(&plan, &Unwatched).answers;
         let is_meant = |answer: &&Answer| answer.quantity == *quantity && answer.kind != ErrorKind::Sigma;
         let answer = found.iter().find(is_meant)?;
         let value = factor * answer.value;

@@ -137,7 +137,7 @@ fn has_direct_light(mut scene: Scene, text: &str) -> bool {
     let (effect, force) = (Effect::Interreflection, Force::Off);
     scene.solve.forced = vec![ForcedEffect { effect, force, place: Place::default() }];
     let Ok(plan) = plan(&scene) else { return false };
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     assert!(!found.answers.iter().any(|answer| answer.value.is_nan() || answer.value < 0.0), "{text}");
     true
 }
@@ -222,7 +222,7 @@ fn is_simulated(mut scene: Scene, text: &str) -> bool {
         }
     }
     let Ok(plan) = plan(&scene) else { return false };
-    let found = simulate(&scene, &plan, &Impatient(AtomicUsize::new(0)));
+    let found = simulate(&plan, &Impatient(AtomicUsize::new(0)));
     for answer in &found.answers {
         let is_told = answer.value.is_finite() || answer.error == f64::INFINITY;
         assert!(!answer.value.is_nan() && is_told && answer.error >= 0.0, "{answer:?}\n{text}");

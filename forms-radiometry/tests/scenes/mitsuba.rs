@@ -303,7 +303,7 @@ fn a_scene_of_rectangles_is_seen_like_its_likeness_in_toml() {
     );
     assert_eq!(not_simulated(&scene), []);
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", shown(&errors)));
-    let found = simulate(&scene, &plan, &Unwatched);
+    let found = simulate(&plan, &Unwatched);
     let [image] = &found.maps[..] else { panic!("a camera is asked for") };
     let values = || image.values.iter().flatten();
     let brightest = values().copied().fold(0.0, f64::max);

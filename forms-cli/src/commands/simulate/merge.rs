@@ -12,7 +12,7 @@ use crate::files::reason;
 use crate::status::Status;
 use crate::streams::tell;
 use forms_radiometry::scene::{Scene, SceneError, read_file};
-use forms_radiometry::simulation::{self, Share, Simulation, State, StateFile, is_by_paths};
+use forms_radiometry::simulation::{self, Share, Simulation, State, StateFile};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::Path;
@@ -55,7 +55,7 @@ pub(crate) fn merge(
     match merged(parts) {
         Ok((scene, planned, found)) => {
             plan::show(&planned, &scene, json, output)?;
-            let is_by_paths = is_by_paths(&scene, &planned);
+            let is_by_paths = planned.is_by_paths();
             finish(&Asked { scene: &scene, folder, json, is_to_tolerance, is_by_paths }, &found, output)
         }
         Err(messages) => {
@@ -158,7 +158,7 @@ fn merged(parts: Vec<Part<'_>>) -> Result<Merged, Vec<String>> {
     let plan = simulation::plan(&scene).map_err(messages)?;
     let states: BTreeMap<Share, State> =
         parts.into_iter().map(|part| (part.belongs_to.identity.share(), part.state)).collect();
-    let mut found = simulation::merge(&scene, &plan, budget, states.into_iter().collect())
+    let mut found = simulation::merge(&plan, budget, states.into_iter().collect())
         .map_err(|error| vec![format!("the parts cannot be combined: {error}")])?;
     if let Some(exposure) = exposure {
         exposure.add_to(&mut found);

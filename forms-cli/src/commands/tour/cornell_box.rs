@@ -88,7 +88,7 @@ fn lit() -> Result<Lit, Vec<SceneError>> {
     let mut scene = with_receivers(&scene, is_camera, Force::On);
     scene.solve.tolerance = TOLERANCE;
     let start = Instant::now();
-    let image = simulate(&scene, &plan(&scene)?, &Unwatched).maps.pop();
+    let image = simulate(&plan(&scene)?, &Unwatched).maps.pop();
     Ok(Lit { points: points.collect(), scene, image, time: start.elapsed() })
 }
 
@@ -105,7 +105,7 @@ fn with_receivers(scene: &Scene, is_kept: fn(&Receiver) -> bool, occlusion: Forc
 
 /// Returns the irradiance of every receiver, summed over the bands.
 fn totals(scene: &Scene) -> Result<Vec<(String, f64)>, Vec<SceneError>> {
-    let answers = simulate(scene, &plan(scene)?, &Unwatched).answers;
+    let answers = simulate(&plan(scene)?, &Unwatched).answers;
     let of_receiver = answers.chunk_by(|a, b| a.receiver == b.receiver);
     let total = |bands: &[Answer]| bands.iter().map(|answer| answer.value).sum();
     Ok(of_receiver.map(|bands| (bands[0].receiver.clone(), total(bands))).collect())

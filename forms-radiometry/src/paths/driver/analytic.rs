@@ -32,10 +32,13 @@ pub(crate) struct Computing<'s> {
 }
 
 impl<'s> Computing<'s> {
-    pub(crate) fn of(scene: &'s Scene, limits: &Limits, samplers: &'s [Box<dyn PathSampler + 's>]) -> Self {
-        let exact = has_exact_pieces(scene);
-        let transmitted = extinction_alone(scene, limits).filter(|_| exact);
-        let scattered = scattering_once(scene, limits).filter(|_| exact);
+    pub(crate) fn of(
+        scene: &'s Scene,
+        (computable, limits): (Computable, &Limits),
+        samplers: &'s [Box<dyn PathSampler + 's>],
+    ) -> Self {
+        let transmitted = computable.points.then(|| extinction_alone(scene, limits)).flatten();
+        let scattered = computable.rays.then(|| scattering_once(scene, limits)).flatten();
         Self {
             samplers,
             transmitted: transmitted.map(|extinction| Transmitted::of(scene, extinction)),
@@ -84,7 +87,7 @@ impl From<Reached> for Computed {
 }
 
 /// Kinds of receivers in a scene of media whose answers are computed without samples.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Computable {
     points: bool,
     rays: bool,

@@ -137,7 +137,7 @@ impl Claim {
         scene.solve.seed = seed;
         let plan = planned(self.name, &scene);
         let job = Job { budget: Some(budget), ..Job::default() };
-        let found = simulate_job(&scene, &plan, job, &Unwatched);
+        let found = simulate_job(&plan, job, &Unwatched);
         self.beside(&found.unwrap_or_else(|error| panic!("{}: {error}", self.name)).answers)
     }
 
@@ -183,7 +183,7 @@ impl Compared {
 
 /// Simulates a scene as planned and returns the answers of its receivers.
 pub(crate) fn answers(name: &str, scene: &Scene) -> Vec<Answer> {
-    simulate(scene, &planned(name, scene), &Unwatched).answers
+    simulate(&planned(name, scene), &Unwatched).answers
 }
 
 fn planned(name: &str, scene: &Scene) -> Plan {
