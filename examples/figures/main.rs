@@ -2,13 +2,12 @@
 //!
 //! ```text
 //! wedge  patch  cone  lambert  … ──────────┐
-//! neumann  warps  plan  … ─▶ flat (a plane) ┴─▶ drawing (points of space, projected) ─▶ SVG text
+//! neumann  warps  plan  … ─▶ flat (a plane) ┴─▶ forms_figures::Drawing (points of space, projected) ─▶ SVG text
 //! ```
 //! `cargo run --example figures` writes them; a test compares the stored files with the current
 //! output.
 
 mod cone;
-mod drawing;
 mod flat;
 mod lambert;
 mod neumann;
@@ -23,7 +22,6 @@ mod quantities;
 mod sharing;
 mod solid_angle;
 mod stokes;
-mod vector;
 mod vector_irradiance;
 mod warps;
 mod wave;

@@ -1,7 +1,7 @@
 //! A surface with its tangent vectors, and the beam of light through the parallelogram that they span.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add, cross, dot, parallelogram, scaled, unit};
+use forms_figures::vector::{Vector, add, cross, dot, parallelogram, scaled, unit};
+use forms_figures::{Colour, Drawing, Pen, View};
 
 /// Half the side of the parameter square.
 const HALF: f64 = 1.25;
@@ -26,6 +26,7 @@ fn tangents(u: f64, v: f64) -> [Vector; 2] {
 pub(crate) fn figure() -> String {
     let view = View::from_direction(28.0, 24.0, 125.0, [265.0, 256.0]);
     let mut drawing = Drawing::new(
+        "A beam through a surface element",
         "A surface patch, its tangent vectors and normal, and a beam that crosses it at an angle",
         [620, 370],
         view,
@@ -37,18 +38,18 @@ pub(crate) fn figure() -> String {
     let direction = unit(DIRECTION);
     beam(&mut drawing, parallelogram(at, along_u, along_v), direction);
     for (vector, name, shift) in
-        [(along_u, "S_u\u{a0}du", [-18.0, 14.0]), (along_v, "S_v\u{a0}dv", [32.0, 12.0])]
+        [(along_u, "Sᵤ\u{a0}du", [-18.0, 14.0]), (along_v, "Sᵥ\u{a0}dv", [32.0, 12.0])]
     {
-        drawing.arrow(at, vector, Pen::solid(style::INK, 2.0));
-        drawing.label(add(at, vector), shift, name, style::INK);
+        drawing.arrow(at, vector, Pen::solid(Colour::Ink, 2.0));
+        drawing.label(add(at, vector), shift, name, Colour::Ink);
     }
-    drawing.arrow(at, scaled(1.3, normal), Pen::solid(style::FIRST, 2.0));
-    drawing.label(add(at, scaled(1.3, normal)), [-12.0, -8.0], "n", style::FIRST);
-    drawing.arrow(at, scaled(1.25, direction), Pen::solid(style::SECOND, 2.0));
-    drawing.label(add(at, scaled(1.25, direction)), [-2.0, -14.0], "p", style::SECOND);
-    drawing.angle(at, normal, direction, 0.55, Pen::solid(style::INK, 1.2));
+    drawing.arrow(at, scaled(1.3, normal), Pen::solid(Colour::Vermilion, 2.0));
+    drawing.label(add(at, scaled(1.3, normal)), [-12.0, -8.0], "n", Colour::Vermilion);
+    drawing.arrow(at, scaled(1.25, direction), Pen::solid(Colour::Blue, 2.0));
+    drawing.label(add(at, scaled(1.25, direction)), [-2.0, -14.0], "p", Colour::Blue);
+    drawing.angle(at, normal, direction, 0.55, Pen::solid(Colour::Ink, 1.2));
     let between = unit(add(normal, direction));
-    drawing.label(add(at, scaled(0.68, between)), [0.0, -2.0], "θ", style::INK);
+    drawing.label(add(at, scaled(0.68, between)), [0.0, -2.0], "θ", Colour::Ink);
     drawing.finish()
 }
 
@@ -59,10 +60,10 @@ fn grid(drawing: &mut Drawing) {
         let fixed = place(step);
         let (of_u, of_v): (Vec<Vector>, Vec<Vector>) =
             (0..=LINES).map(|other| (surface(place(other), fixed), surface(fixed, place(other)))).unzip();
-        drawing.line(&of_u, Pen::solid(style::FAINT, 0.7));
-        drawing.line(&of_v, Pen::solid(style::FAINT, 0.7));
+        drawing.line(&of_u, Pen::solid(Colour::Faint, 0.7));
+        drawing.line(&of_v, Pen::solid(Colour::Faint, 0.7));
     }
-    drawing.label(surface(HALF, -HALF), [16.0, 22.0], "S(u, v)", style::FAINT);
+    drawing.label(surface(HALF, -HALF), [16.0, 22.0], "S(u, v)", Colour::Faint);
 }
 
 /// Draws the parallelogram, the rays through its corners, and the cross section of the beam.
@@ -72,12 +73,12 @@ fn beam(drawing: &mut Drawing, corners: [Vector; 4], direction: Vector) {
         let missing = dot(add(far, scaled(-1.0, corner)), direction);
         add(corner, scaled(missing, direction))
     });
-    drawing.area(&corners, 0.3, Pen::solid(style::FOURTH, 1.2));
+    drawing.area(&corners, 0.3, Pen::solid(Colour::Ochre, 1.2));
     for (corner, end) in corners.into_iter().zip(across) {
-        drawing.line(&[corner, add(end, scaled(0.25, direction))], Pen::dashed(style::SECOND, 1.0));
+        drawing.line(&[corner, add(end, scaled(0.25, direction))], Pen::dashed(Colour::Blue, 1.0));
     }
-    drawing.area(&across, 0.25, Pen::solid(style::SECOND, 1.2));
+    drawing.area(&across, 0.25, Pen::solid(Colour::Blue, 1.2));
     let middle = |quad: [Vector; 4]| scaled(0.5, add(quad[0], quad[2]));
-    drawing.label(middle(corners), [0.0, 6.0], "dA", style::INK);
-    drawing.label(middle(across), [90.0, 14.0], "cos θ dA", style::SECOND);
+    drawing.label_inside(middle(corners), "dA", Colour::Ink);
+    drawing.label(middle(across), [90.0, 14.0], "cos θ dA", Colour::Blue);
 }

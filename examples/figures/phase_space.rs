@@ -1,8 +1,8 @@
 //! A beam in phase space: free space shears it along the position, a lens along the direction; its
 //! area is preserved.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add};
+use forms_figures::vector::{Vector, add};
+use forms_figures::{Colour, Drawing, Pen, View};
 
 const PANEL: f64 = 3.2;
 const AXIS: f64 = 1.35;
@@ -24,6 +24,7 @@ fn bent([x, a]: [f64; 2]) -> [f64; 2] {
 pub(crate) fn figure() -> String {
     let view = View::flat(60.0, [118.0, 120.0]);
     let mut drawing = Drawing::new(
+        "A beam in phase space",
         "A beam in phase space, a rectangle: sheared by free space, then by a lens, with the same area",
         [620, 250],
         view,
@@ -32,19 +33,19 @@ pub(crate) fn figure() -> String {
         [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|[u, v]| [u * BEAM[0], v * BEAM[1]]);
     let after_space = corners.map(further);
     let panels = [
-        (corners, "a beam", style::FIRST),
-        (after_space, "after free space", style::SECOND),
-        (after_space.map(bent), "after a lens", style::THIRD),
+        (corners, "a beam", Colour::Vermilion),
+        (after_space, "after free space", Colour::Blue),
+        (after_space.map(bent), "after a lens", Colour::Green),
     ];
     for (panel, (beam, name, colour)) in (0_i32..).zip(panels) {
         let middle: Vector = [PANEL * f64::from(panel), 0.0, 0.0];
-        drawing.arrow(add(middle, [-AXIS, 0.0, 0.0]), [2.0 * AXIS, 0.0, 0.0], Pen::solid(style::INK, 1.0));
-        drawing.arrow(add(middle, [0.0, -AXIS, 0.0]), [0.0, 2.0 * AXIS, 0.0], Pen::solid(style::INK, 1.0));
-        drawing.label(add(middle, [AXIS, 0.0, 0.0]), [2.0, 14.0], "x", style::INK);
-        drawing.label(add(middle, [0.0, AXIS, 0.0]), [14.0, 2.0], "a", style::INK);
+        drawing.arrow(add(middle, [-AXIS, 0.0, 0.0]), [2.0 * AXIS, 0.0, 0.0], Pen::solid(Colour::Ink, 1.0));
+        drawing.arrow(add(middle, [0.0, -AXIS, 0.0]), [0.0, 2.0 * AXIS, 0.0], Pen::solid(Colour::Ink, 1.0));
+        drawing.label(add(middle, [AXIS, 0.0, 0.0]), [2.0, 14.0], "x", Colour::Ink);
+        drawing.label(add(middle, [0.0, AXIS, 0.0]), [14.0, 2.0], "a", Colour::Ink);
         let outline = beam.map(|[x, a]| add(middle, [x, a, 0.0]));
         drawing.area(&outline, 0.3, Pen::solid(colour, 1.8));
-        drawing.label(add(middle, [0.0, -AXIS, 0.0]), [0.0, 24.0], name, colour);
+        drawing.words(add(middle, [0.0, -AXIS, 0.0]), [0.0, 24.0], name, colour);
     }
     drawing.finish()
 }

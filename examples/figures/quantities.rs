@@ -1,17 +1,17 @@
 //! From energy to radiance: every arrow divides by time, by area or by solid angle.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add, scaled};
+use forms_figures::vector::{Vector, add, scaled};
+use forms_figures::{Colour, Drawing, Pen, View};
 
 const HALF_WIDTH: f64 = 0.78;
 const HALF_HEIGHT: f64 = 0.3;
 
 /// Divisor of an arrow: its name and colour.
-type Divisor = (&'static str, &'static str);
+type Divisor = (&'static str, Colour);
 
-const TIME: Divisor = ("time", style::THIRD);
-const AREA: Divisor = ("area", style::FIRST);
-const ANGLE: Divisor = ("solid angle", style::SECOND);
+const TIME: Divisor = ("time", Colour::Green);
+const AREA: Divisor = ("area", Colour::Vermilion);
+const ANGLE: Divisor = ("solid angle", Colour::Blue);
 
 /// Symbols with units, and their places.
 const QUANTITIES: [(&str, Vector); 6] = [
@@ -36,21 +36,25 @@ const STEPS: [(usize, usize, Divisor, [f64; 2]); 7] = [
 
 pub(crate) fn figure() -> String {
     let view = View::flat(76.0, [310.0, 360.0]);
-    let mut drawing =
-        Drawing::new("Energy divided by time, area and solid angle, step by step", [620, 400], view);
+    let mut drawing = Drawing::new(
+        "From energy to radiance",
+        "Energy divided by time, area and solid angle, step by step",
+        [620, 400],
+        view,
+    );
     for (from, to, (name, colour), shift) in STEPS {
         let (from, to) = (QUANTITIES[from].1, QUANTITIES[to].1);
         let way = add(to, scaled(-1.0, from));
         let (start, end) = (add(from, leaving(way)), add(to, leaving(scaled(-1.0, way))));
         drawing.arrow(start, add(end, scaled(-1.0, start)), Pen::solid(colour, 2.0));
-        drawing.label(scaled(0.5, add(start, end)), shift, name, colour);
+        drawing.words(scaled(0.5, add(start, end)), shift, name, colour);
     }
     for (text, place) in QUANTITIES {
         let [x, y, _] = place;
         let (left, right, low, high) = (x - HALF_WIDTH, x + HALF_WIDTH, y - HALF_HEIGHT, y + HALF_HEIGHT);
         let frame = [[left, low, 0.0], [right, low, 0.0], [right, high, 0.0], [left, high, 0.0]];
-        drawing.area(&frame, 0.1, Pen::solid(style::INK, 1.2));
-        drawing.label(place, [0.0, 0.0], text, style::INK);
+        drawing.area(&frame, 0.1, Pen::solid(Colour::Ink, 1.2));
+        drawing.label_inside(place, text, Colour::Ink);
     }
     drawing.finish()
 }

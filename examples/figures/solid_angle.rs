@@ -1,8 +1,8 @@
 //! A patch seen from the origin, its shadow on the unit sphere, and the angle between line of sight
 //! and normal.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add, cross, parallelogram, scaled, unit};
+use forms_figures::vector::{Vector, add, cross, parallelogram, scaled, unit};
+use forms_figures::{Colour, Drawing, Pen, View};
 use std::f64::consts::TAU;
 
 pub(crate) const EYE: Vector = [0.0; 3];
@@ -15,6 +15,7 @@ const SIDE: i32 = 12;
 pub(crate) fn figure() -> String {
     let view = View::from_direction(15.0, 18.0, 128.0, [180.0, 232.0]);
     let mut drawing = Drawing::new(
+        "The solid angle of a patch",
         "A patch seen from the centre of the unit sphere, and the region of the sphere it covers",
         [620, 370],
         view,
@@ -24,14 +25,14 @@ pub(crate) fn figure() -> String {
     let outline = outline(corners);
     let shadow: Vec<Vector> = outline.iter().map(|&point| unit(point)).collect();
     for corner in corners {
-        drawing.line(&[EYE, corner], Pen::dashed(style::SECOND, 1.0));
+        drawing.line(&[EYE, corner], Pen::dashed(Colour::Blue, 1.0));
     }
-    drawing.area(&shadow, 0.35, Pen::solid(style::FIRST, 1.4));
-    drawing.area(&corners, 0.25, Pen::solid(style::FOURTH, 1.4));
+    drawing.area(&shadow, 0.35, Pen::solid(Colour::Vermilion, 1.4));
+    drawing.area(&corners, 0.25, Pen::solid(Colour::Ochre, 1.4));
     sight(&mut drawing, corners);
-    drawing.dot(EYE, style::INK);
-    drawing.label(EYE, [-14.0, 10.0], "o", style::INK);
-    drawing.label(unit(scaled(0.5, add(corners[0], corners[2]))), [-48.0, -32.0], "dω", style::FIRST);
+    drawing.dot(EYE, Colour::Ink);
+    drawing.label(EYE, [-14.0, 10.0], "o", Colour::Ink);
+    drawing.label(unit(scaled(0.5, add(corners[0], corners[2]))), [-48.0, -32.0], "dω", Colour::Vermilion);
     drawing.finish()
 }
 
@@ -46,9 +47,9 @@ pub(crate) fn sphere(drawing: &mut Drawing, view: View) {
             })
             .collect()
     };
-    drawing.area(&circle(right, up), 0.04, Pen::solid(style::FAINT, 1.2));
-    drawing.line(&circle([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), Pen::dashed(style::FAINT, 0.7));
-    drawing.line(&circle([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), Pen::dashed(style::FAINT, 0.7));
+    drawing.area(&circle(right, up), 0.04, Pen::solid(Colour::Faint, 1.2));
+    drawing.line(&circle([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), Pen::dashed(Colour::Faint, 0.7));
+    drawing.line(&circle([0.0, 1.0, 0.0], [0.0, 0.0, 1.0]), Pen::dashed(Colour::Faint, 0.7));
 }
 
 /// Returns points along the sides of a polygon.
@@ -68,14 +69,15 @@ fn sight(drawing: &mut Drawing, corners: [Vector; 4]) {
     let middle = scaled(0.5, add(corners[0], corners[2]));
     let normal = unit(cross(A, B));
     let direction = unit(middle);
-    let normal = if crate::vector::dot(normal, direction) < 0.0 { scaled(-1.0, normal) } else { normal };
-    drawing.line(&[EYE, middle], Pen::solid(style::SECOND, 1.6));
-    drawing.label(scaled(0.6, middle), [10.0, 14.0], "r", style::SECOND);
-    drawing.arrow(middle, scaled(0.95, direction), Pen::solid(style::SECOND, 2.0));
-    drawing.label(add(middle, scaled(0.95, direction)), [12.0, -6.0], "p", style::SECOND);
-    drawing.arrow(middle, scaled(0.95, normal), Pen::solid(style::INK, 2.0));
-    drawing.label(add(middle, scaled(0.95, normal)), [12.0, 6.0], "n", style::INK);
-    drawing.angle(middle, direction, normal, 0.5, Pen::solid(style::INK, 1.2));
-    drawing.label(add(middle, scaled(0.64, unit(add(direction, normal)))), [4.0, 0.0], "θ", style::INK);
-    drawing.label(corners[3], [-16.0, -8.0], "dA", style::FOURTH);
+    let normal =
+        if forms_figures::vector::dot(normal, direction) < 0.0 { scaled(-1.0, normal) } else { normal };
+    drawing.line(&[EYE, middle], Pen::solid(Colour::Blue, 1.6));
+    drawing.label(scaled(0.6, middle), [10.0, 14.0], "r", Colour::Blue);
+    drawing.arrow(middle, scaled(0.95, direction), Pen::solid(Colour::Blue, 2.0));
+    drawing.label(add(middle, scaled(0.95, direction)), [12.0, -6.0], "p", Colour::Blue);
+    drawing.arrow(middle, scaled(0.95, normal), Pen::solid(Colour::Ink, 2.0));
+    drawing.label(add(middle, scaled(0.95, normal)), [12.0, 6.0], "n", Colour::Ink);
+    drawing.angle(middle, direction, normal, 0.5, Pen::solid(Colour::Ink, 1.2));
+    drawing.label(add(middle, scaled(0.64, unit(add(direction, normal)))), [4.0, 0.0], "θ", Colour::Ink);
+    drawing.label(corners[3], [-16.0, -8.0], "dA", Colour::Ochre);
 }

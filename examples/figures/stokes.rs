@@ -1,8 +1,8 @@
 //! Stokes' theorem: circulations around the cells of a surface cancel on inner sides, and only the
 //! boundary remains.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add, scaled};
+use forms_figures::vector::{Vector, add, scaled};
+use forms_figures::{Colour, Drawing, Pen, View};
 
 const CELLS: [i32; 2] = [4, 3];
 /// Distance of the loop inside a cell from its sides, as a fraction of the cell.
@@ -16,6 +16,7 @@ fn surface(u: f64, v: f64) -> Vector {
 pub(crate) fn figure() -> String {
     let view = View::from_direction(-70.0, 42.0, 98.0, [80.0, 270.0]);
     let mut drawing = Drawing::new(
+        "Stokes' theorem on a surface in cells",
         "A surface in cells. Walks around neighbouring cells run against each other; the rim is left",
         [620, 400],
         view,
@@ -37,11 +38,11 @@ fn corners(u: f64, v: f64, inset: f64) -> [Vector; 4] {
 
 /// Draws a cell and the loop inside it.
 fn cell(drawing: &mut Drawing, u: f64, v: f64) {
-    drawing.area(&corners(u, v, 0.0), 0.06, Pen::solid(style::FAINT, 0.8));
+    drawing.area(&corners(u, v, 0.0), 0.06, Pen::solid(Colour::Faint, 0.8));
     let walk = corners(u, v, INSET);
     for side in 0..4 {
         let (from, to) = (walk[side], walk[(side + 1) % 4]);
-        drawing.arrow(from, add(to, scaled(-1.0, from)), Pen::solid(style::SECOND, 1.2));
+        drawing.arrow(from, add(to, scaled(-1.0, from)), Pen::solid(Colour::Blue, 1.2));
     }
 }
 
@@ -54,8 +55,8 @@ fn rim(drawing: &mut Drawing) {
     let left = (0..CELLS[1]).map(|v| [(0.0, deep - f64::from(v)), (0.0, deep - f64::from(v) - 1.0)]);
     for [from, to] in bottom.chain(right).chain(top).chain(left) {
         let (from, to) = (surface(from.0, from.1), surface(to.0, to.1));
-        drawing.arrow(from, add(to, scaled(-1.0, from)), Pen::solid(style::FIRST, 2.4));
+        drawing.arrow(from, add(to, scaled(-1.0, from)), Pen::solid(Colour::Vermilion, 2.4));
     }
-    drawing.label(surface(wide, deep), [26.0, -8.0], "∂M", style::FIRST);
-    drawing.label(surface(2.5, 1.5), [0.0, 0.0], "M", style::INK);
+    drawing.label(surface(wide, deep), [26.0, -8.0], "∂M", Colour::Vermilion);
+    drawing.label(surface(2.5, 1.5), [0.0, 0.0], "M", Colour::Ink);
 }

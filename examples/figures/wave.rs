@@ -1,8 +1,8 @@
 //! A plane wave: the perpendicular electric and magnetic fields, and the parallelogram that
 //! represents the energy flux.
 
-use crate::drawing::{Drawing, Pen, View, style};
-use crate::vector::{Vector, add, parallelogram, scaled};
+use forms_figures::vector::{Vector, add, parallelogram, scaled};
+use forms_figures::{Colour, Drawing, Pen, View};
 use std::f64::consts::TAU;
 
 const PERIODS: f64 = 1.5;
@@ -26,14 +26,15 @@ fn field(z: f64) -> [Vector; 2] {
 pub(crate) fn figure() -> String {
     let view = View::from_direction(32.0, 24.0, 112.0, [110.0, 175.0]);
     let mut drawing = Drawing::new(
+        "A plane wave and its energy flux",
         "A plane wave: two fields at right angles, in step, and the parallelogram that they span",
-        [620, 400],
+        [620, 412],
         view,
     );
     let end = PERIODS * PERIOD;
-    drawing.arrow(place(-0.3), [0.0, end + 0.9, 0.0], Pen::solid(style::INK, 1.2));
-    drawing.label(place(end + 0.6), [14.0, 2.0], "z", style::INK);
-    for (which, (name, colour)) in [("E", style::FIRST), ("H", style::SECOND)].into_iter().enumerate() {
+    drawing.arrow(place(-0.3), [0.0, end + 0.9, 0.0], Pen::solid(Colour::Ink, 1.2));
+    drawing.label(place(end + 0.6), [14.0, 2.0], "z", Colour::Ink);
+    for (which, (name, colour)) in [("E", Colour::Vermilion), ("H", Colour::Blue)].into_iter().enumerate() {
         let tips: Vec<Vector> = (0..=120)
             .map(|step| f64::from(step) / 120.0 * end)
             .map(|z| add(place(z), field(z)[which]))
@@ -47,9 +48,9 @@ pub(crate) fn figure() -> String {
         drawing.label(crest, if which == 0 { [0.0, -14.0] } else { [-4.0, 18.0] }, name, colour);
     }
     let [electric, magnetic] = field(PERIOD);
-    drawing.area(&parallelogram(place(PERIOD), electric, magnetic), 0.3, Pen::solid(style::FOURTH, 1.4));
+    drawing.area(&parallelogram(place(PERIOD), electric, magnetic), 0.3, Pen::solid(Colour::Ochre, 1.4));
     let middle = add(place(PERIOD), scaled(0.5, add(electric, magnetic)));
-    drawing.arrow(middle, [0.0, 0.9, 0.0], Pen::solid(style::FOURTH, 2.4));
-    drawing.label(add(middle, [0.0, 0.9, 0.0]), [34.0, 0.0], "E∧H", style::FOURTH);
+    drawing.arrow(middle, [0.0, 0.9, 0.0], Pen::solid(Colour::Ochre, 2.4));
+    drawing.label(add(middle, [0.0, 0.9, 0.0]), [34.0, 0.0], "E∧H", Colour::Ochre);
     drawing.finish()
 }

@@ -64,6 +64,7 @@ const LAYERS: [(&str, &[&str]); 12] = [
     ("forms-radiometry", &["forms", "forms-kernels"]),
     ("forms-book", &["forms", "forms-core"]),
     ("forms-serve", &["forms", "forms-core", "forms-book", "forms-radiometry"]),
+    ("forms-figures", &[]),
     ("forms-testing", &[]),
     ("forms-tidy", &[]),
     ("forms-notebooks", &["forms", "forms-core", "forms-kernels", "forms-radiometry", "forms-book"]),
