@@ -9,12 +9,12 @@
 //!                        ├─ eval     ─▶ numbers        (decimal, kernel)
 //!                        ├─ emit     ─▶ source code
 //!                        ├─ kernels  ─▶ the library
-//!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene (drawing)
+//!                        ├─ simulate ─▶ the plan, numbers and pictures of a scene
 //!                        ├─ merge    ─▶ the same, from parts that several machines computed
 //!                        ├─ view-factors ─▶ the matrix of a scene
 //!                        ├─ book     ─▶ the book as HTML pages, or for mdBook
 //!                        ├─ man, completions ─▶ manual pages and shell completions
-//!                        ├─ serve    ─▶ a page on localhost, answered by `work` (drawing)
+//!                        ├─ serve    ─▶ a page on localhost, answered by `work`
 //!                        └─ tour     ─▶ a demonstration of all of it
 //! ```
 //! Answers go to standard output, errors to standard error (with `--json` to standard output). All
@@ -25,7 +25,6 @@ mod certificate;
 mod commands;
 mod decimal;
 mod decisions;
-mod drawing;
 mod files;
 #[cfg(test)]
 mod fuzz;

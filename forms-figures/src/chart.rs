@@ -1,7 +1,7 @@
 //! A chart: axes and grid around an area of the canvas, and the map from values to positions.
 
 use crate::axis::LABEL;
-use crate::mesh::{Curve, ErrorSpan, Mesh, Side};
+use crate::mesh::{Curve, Mesh, Side};
 use crate::{Area, Axis, Canvas, Colour};
 
 /// Room below a chart for numbers and label.
@@ -48,13 +48,8 @@ impl<'a> Chart<'a> {
         self.y.room(&self.y.ticks(self.ranges[1], self.area.bottom - self.area.top, false))
     }
 
-    /// Draws grid, axes, curves and bars of error.
-    pub(crate) fn draw_with(
-        &self,
-        canvas: &mut Canvas,
-        curves: &[(Vec<[f64; 2]>, Colour, f64)],
-        errors: &[ErrorSpan],
-    ) {
+    /// Draws grid, axes and curves.
+    pub(crate) fn draw_with(&self, canvas: &mut Canvas, curves: &[(Vec<[f64; 2]>, Colour, f64)]) {
         let Area { left, top, right, bottom } = self.area;
         let across_ticks = self.x.ticks(self.ranges[0], right - left, true);
         let up_ticks = self.y.ticks(self.ranges[1], bottom - top, false);
@@ -63,7 +58,6 @@ impl<'a> Chart<'a> {
         let room = self.y.room(&up_ticks);
         let up = side(self.ranges[1], &up_ticks, self.y.label.as_str(), self.grid[1], room);
         let mut mesh = Mesh::draw(canvas, self.area, &across, &up);
-        mesh.errors(errors);
         for (places, colour, width) in curves {
             mesh.curve(&Curve { places, colour: *colour, width: *width });
         }
@@ -71,7 +65,7 @@ impl<'a> Chart<'a> {
 
     /// Draws grid and axes.
     pub fn draw(&self, canvas: &mut Canvas) {
-        self.draw_with(canvas, &[], &[]);
+        self.draw_with(canvas, &[]);
     }
 
     pub(crate) fn coordinates(&self, [x, y]: [f64; 2]) -> [f64; 2] {

@@ -78,7 +78,8 @@ impl HeatMap<'_> {
     /// Returns the map as the text of an SVG file. Cells without a value are hatched.
     pub fn svg(&self) -> String {
         let mut canvas = Canvas::new();
-        let Area { left, top, right, bottom } = FRAME;
+        let area = self.area();
+        let Area { left, top, right, bottom } = area;
         canvas.text([20.0, 28.0], Style::of(TITLE, Colour::Ink).bold(), self.title);
         canvas.text([20.0, 47.0], Style::of(NOTE, Colour::Quiet), self.note);
         let has_gaps = self.values.iter().any(|value| value.is_nan());
@@ -87,10 +88,10 @@ impl HeatMap<'_> {
             canvas.hatch([left, top], [right - left, bottom - top]);
         }
         if let Some(scale) = scale {
-            self.cells(&mut canvas, scale);
+            self.cells(&mut canvas, area, scale);
             colour_bar(&mut canvas, scale);
         }
-        Chart::new(FRAME, &self.x, &self.y, &[]).without_grid().draw(&mut canvas);
+        Chart::new(area, &self.x, &self.y, &[]).without_grid().draw(&mut canvas);
         let outline = Pen::solid(Colour::Ink, 1.2);
         canvas.rectangle([left, top], [right - left, bottom - top], None, Some(outline));
         if has_gaps {
@@ -98,6 +99,12 @@ impl HeatMap<'_> {
             canvas.text([BAR[1] + 7.0, bottom + 31.5], Style::of(NUMBER, Colour::Ink), "not defined");
         }
         canvas.finish(SIZE, self.title, &self.description(scale))
+    }
+
+    /// Returns the frame, with room for the numbers at its left.
+    fn area(&self) -> Area {
+        let room = Chart::new(FRAME, &self.x, &self.y, &[]).room();
+        Area { left: FRAME.left.max(room + 14.0), ..FRAME }
     }
 
     fn description(&self, scale: Option<ColourScale>) -> String {
@@ -109,7 +116,7 @@ impl HeatMap<'_> {
 
     /// Draws the cells. Neighbours of one colour in a row form one box, and all boxes of one colour
     /// form one path.
-    fn cells(&self, canvas: &mut Canvas, scale: ColourScale) {
+    fn cells(&self, canvas: &mut Canvas, area: Area, scale: ColourScale) {
         let rows = self.values.len() / self.columns;
         let mut levels: Vec<_> = (0..=LEVELS).map(|level| (colour(level), Vec::new())).collect();
         for (row, values) in self.values.chunks_exact(self.columns).enumerate() {
@@ -124,7 +131,7 @@ impl HeatMap<'_> {
                 column += run.len();
             }
         }
-        let Area { left, top, right, bottom } = FRAME;
+        let Area { left, top, right, bottom } = area;
         let cell = [(right - left) / self.columns as f64, (bottom - top) / rows as f64];
         canvas.cells([left, top], cell, &levels);
     }

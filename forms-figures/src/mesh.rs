@@ -1,4 +1,4 @@
-//! Grid, axes, curves and bars of error by plotters, whose backend here is the canvas. Colours pass
+//! Grid, axes and curves by plotters, whose backend here is the canvas. Colours pass
 //! through plotters as numbers of the theme, and positions as whole tenths of a paper unit.
 
 use crate::axis::{LABEL, NUMBER};
@@ -8,8 +8,8 @@ use plotters::coord::Shift;
 use plotters::coord::cartesian::Cartesian2d;
 use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::prelude::{
-    ChartBuilder, ChartContext, DrawingArea, DrawingBackend, ErrorBar, FontTransform, IntoDrawingArea,
-    IntoFont, LineSeries, RGBColor, ShapeStyle,
+    ChartBuilder, ChartContext, DrawingArea, DrawingBackend, FontTransform, IntoDrawingArea, IntoFont,
+    LineSeries, RGBColor, ShapeStyle,
 };
 use plotters_backend::text_anchor::{HPos, VPos};
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind};
@@ -27,13 +27,6 @@ pub(crate) struct Curve<'a> {
     pub(crate) places: &'a [[f64; 2]],
     pub(crate) colour: Colour,
     pub(crate) width: f64,
-}
-
-/// Bar of error in coordinates of the chart: position, and the two ends of the value.
-pub(crate) struct ErrorSpan {
-    pub(crate) x: f64,
-    pub(crate) ends: [f64; 2],
-    pub(crate) colour: Colour,
 }
 
 /// Axis as plotters needs it: range of coordinates, numbers, and label.
@@ -132,16 +125,6 @@ impl<'a> Mesh<'a> {
         let places = curve.places.iter().map(|&[x, y]| (x, y));
         self.chart.draw_series(LineSeries::new(places, style)).expect(EXPECTED);
     }
-
-    /// Draws bars of error.
-    pub(crate) fn errors(&mut self, errors: &[ErrorSpan]) {
-        let bar = |error: &ErrorSpan| {
-            let [low, high] = error.ends;
-            let style = stroke(error.colour, 1.4);
-            ErrorBar::new_vertical(error.x, low, f64::midpoint(low, high), high, style, steps(8.0))
-        };
-        self.chart.draw_series(errors.iter().map(bar)).expect(EXPECTED);
-    }
 }
 
 /// Builds the coordinates of a chart with room for numbers and labels.
@@ -226,19 +209,6 @@ impl DrawingBackend for Paper<'_> {
         Ok(())
     }
 
-    fn draw_rect<S: BackendStyle>(
-        &mut self,
-        upper_left: BackendCoord,
-        bottom_right: BackendCoord,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        let ([left, top], [right, bottom]) = (self.place(upper_left), self.place(bottom_right));
-        let (filled, outline) = if fill { (Some(pen(style).colour), None) } else { (None, Some(pen(style))) };
-        self.canvas.rectangle([left, top], [right - left, bottom - top], filled, outline);
-        Ok(())
-    }
-
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
         &mut self,
         path: I,
@@ -249,29 +219,6 @@ impl DrawingBackend for Paper<'_> {
             [from, to] => self.canvas.line(from, to, pen(style)),
             _ => self.canvas.path(&places, pen(style)),
         }
-        Ok(())
-    }
-
-    fn draw_circle<S: BackendStyle>(
-        &mut self,
-        center: BackendCoord,
-        radius: u32,
-        style: &S,
-        fill: bool,
-    ) -> Drawn {
-        let place = self.place(center);
-        let (filled, outline) = if fill { (Some(pen(style).colour), None) } else { (None, Some(pen(style))) };
-        self.canvas.circle(place, f64::from(radius) / FINE, filled, outline);
-        Ok(())
-    }
-
-    fn fill_polygon<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        vert: I,
-        style: &S,
-    ) -> Drawn {
-        let places: Vec<[f64; 2]> = vert.into_iter().map(|point| self.place(point)).collect();
-        self.canvas.polygon(&places, 1.0, Pen::solid(pen(style).colour, 0.0));
         Ok(())
     }
 

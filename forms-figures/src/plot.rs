@@ -1,7 +1,6 @@
 //! Plots: series of values as lines, marks and bars of error over linear or logarithmic axes.
 
 use crate::chart::BELOW;
-use crate::mesh::ErrorSpan;
 use crate::text::width;
 use crate::{Anchor, Area, Axis, Canvas, Chart, Colour, Mark, Numbers, Pen, Style};
 
@@ -19,6 +18,8 @@ const SAMPLE: f64 = 28.0;
 pub(crate) const TITLE: f64 = 16.0;
 pub(crate) const NOTE: f64 = 12.0;
 const MARK: f64 = 4.2;
+/// Half the width of the ends of a bar of error.
+const CAP: f64 = 4.0;
 const STROKE: f64 = 2.0;
 
 /// Line through the points of a series.
@@ -220,7 +221,7 @@ impl Plot {
                 pieces(series).into_iter().map(move |piece| (coordinates(piece), self.colour(number), STROKE))
             })
             .collect();
-        chart.draw_with(canvas, &curves, &self.error_spans(chart));
+        chart.draw_with(canvas, &curves);
         for level in &self.levels {
             self.level(canvas, chart, level);
         }
@@ -231,26 +232,16 @@ impl Plot {
                     self.stroke(canvas, number, &places);
                 }
             }
-            for &point in series.points.iter().filter(|point| is_shown(point)) {
-                if let Some(mark) = series.mark {
-                    canvas.mark(chart.place(point), mark, MARK, self.colour(number));
+            let colour = self.colour(number);
+            for (&point, &error) in series.points.iter().zip(&series.errors) {
+                error_bar(canvas, chart, point, error, colour);
+            }
+            if let Some(mark) = series.mark {
+                for &point in series.points.iter().filter(|point| is_shown(point)) {
+                    canvas.mark(chart.place(point), mark, MARK, colour);
                 }
             }
         }
-    }
-
-    fn error_spans(&self, chart: &Chart<'_>) -> Vec<ErrorSpan> {
-        let mut spans = Vec::new();
-        for (number, series) in self.series.iter().enumerate() {
-            for (&[x, y], error) in series.points.iter().zip(&series.errors) {
-                let ends = [y - error, y + error].map(|end| chart.coordinates([x, end])[1]);
-                let x = chart.coordinates([x, y])[0];
-                if ends.iter().all(|end| end.is_finite()) && x.is_finite() {
-                    spans.push(ErrorSpan { x, ends, colour: self.colour(number) });
-                }
-            }
-        }
-        spans
     }
 
     fn level(&self, canvas: &mut Canvas, chart: &Chart<'_>, level: &Level) {
@@ -259,6 +250,18 @@ impl Plot {
         canvas.line([left, y], [right, y], Pen::dashed(level.colour, 1.6));
         let style = Style::of(NOTE, level.colour).anchored(Anchor::End);
         canvas.text_over_lines([right - 6.0, y - 6.0], style, &level.name);
+    }
+}
+
+/// Draws a bar from the least to the greatest value of a point within its error.
+fn error_bar(canvas: &mut Canvas, chart: &Chart<'_>, [x, y]: [f64; 2], error: f64, colour: Colour) {
+    let ends = [y - error, y + error].map(|end| chart.place([x, end]));
+    if error > 0.0 && ends.iter().flatten().all(|number| number.is_finite()) {
+        let pen = Pen::solid(colour, 1.4);
+        canvas.line(ends[0], ends[1], pen);
+        for [x, y] in ends {
+            canvas.line([x - CAP, y], [x + CAP, y], pen);
+        }
     }
 }
 

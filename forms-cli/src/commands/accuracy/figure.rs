@@ -5,57 +5,67 @@
 //!         └─ strip ─▶ the variants, their times, the bits lost in each regime
 //! ```
 
-mod names;
 mod panel;
 mod strip;
 
 use super::report::Report;
 use super::timing::RUNS;
-use crate::drawing::{Anchor, Drawing, INK, QUIET, Style, width, wrapped};
+use crate::layout::filled;
 use forms::core::accuracy::{Arithmetic, Variant};
-use names::Area;
+use forms_figures::{Area, Canvas, Colour, Pen, Style, width};
 use panel::{Panel, Times};
 use strip::{HEAD, ROW, Strip};
 
 const WIDTH: f64 = 960.0;
-/// Left edges of the texts and of the panels.
+/// Left edge of the texts, and edges of the panels.
 const EDGE: f64 = 28.0;
-const LEFT: f64 = 62.0;
+const LEFT: f64 = 82.0;
 const RIGHT: f64 = 940.0;
 /// Gap between the panels.
-const GAP: f64 = 26.0;
+const GAP: f64 = 48.0;
 /// Height of the panels, and the space above and below them.
 const PANEL: f64 = 310.0;
 const ABOVE_PANEL: f64 = 34.0;
 const BELOW_PANEL: f64 = 50.0;
 
-/// Colour of the Pareto front.
-const FRONT: &str = "#b9c0c7";
+const DESCRIPTION: &str = "Two panels: correct decimal digits over the time of one value, for typical arguments and for \
+                           the hardest ones. Below: the bits lost by each variant in each regime of arguments.";
+
+/// Line of the Pareto front.
+fn front() -> Pen {
+    Pen::solid(Colour::Faint, 2.4)
+}
+
+/// Breaks a text into lines that are at most this wide.
+fn wrapped(content: &str, size: f64, widest: f64) -> Vec<String> {
+    filled(content, |line, word| width(line, size) + width(&format!(" {word}"), size) <= widest)
+}
 
 /// Returns the figure as SVG.
 pub(super) fn svg(report: &Report, machine: &str) -> String {
-    let mut drawing = Drawing::new();
-    let mut y = head(&mut drawing, report);
+    let mut canvas = Canvas::new();
+    let mut y = head(&mut canvas, report);
     if let Some(times) = Times::of(report) {
-        panels(&mut drawing, report, times, y + ABOVE_PANEL);
+        panels(&mut canvas, report, times, y + ABOVE_PANEL);
         y += ABOVE_PANEL + PANEL + BELOW_PANEL;
     }
-    Strip { left: EDGE, right: RIGHT, top: y }.draw(&mut drawing, report);
+    Strip { left: EDGE, right: RIGHT, top: y }.draw(&mut canvas, report);
     y += HEAD + ROW * report.rows.len() as f64 + 24.0;
-    key(&mut drawing, y);
+    key(&mut canvas, y);
     y += 22.0;
     let [least, most] = RUNS;
     let times = format!("Times are medians of {least} to {most} runs on typical arguments: {machine}.");
     for line in wrapped(&times, 11.5, RIGHT - EDGE) {
-        drawing.text([EDGE, y], Style::of(11.5, QUIET), &line);
+        canvas.text([EDGE, y], Style::of(11.5, Colour::Quiet), &line);
         y += 16.0;
     }
-    drawing.finish(WIDTH, y, &format!("{}: accuracy and time of every variant", report.kernel))
+    let title = format!("{}: accuracy and time of every variant", report.kernel);
+    canvas.finish([WIDTH, y], &title, DESCRIPTION)
 }
 
 /// Draws the name and the summary of the kernel; returns the y coordinate of the end.
-fn head(drawing: &mut Drawing, report: &Report) -> f64 {
-    drawing.text([EDGE, 30.0], Style::of(19.0, INK).bold(), &report.kernel);
+fn head(canvas: &mut Canvas, report: &Report) -> f64 {
+    canvas.text([EDGE, 30.0], Style::of(19.0, Colour::Ink).bold(), &report.kernel);
     let mut y = 34.0;
     let (summary, formula) = (report.summary(), format!("{} = {}", report.kernel, report.formula));
     let with_formula = format!("{summary} {formula}");
@@ -63,55 +73,56 @@ fn head(drawing: &mut Drawing, report: &Report) -> f64 {
     let has_room = summary != formula && width(&with_formula, 13.0) <= RIGHT - EDGE;
     for line in wrapped(if has_room { &with_formula } else { &summary }, 13.0, RIGHT - EDGE) {
         y += 17.0;
-        drawing.text([EDGE, y], Style::of(13.0, QUIET), &line);
+        canvas.text([EDGE, y], Style::of(13.0, Colour::Quiet), &line);
     }
     y
 }
 
-fn panels(drawing: &mut Drawing, report: &Report, times: Times, top: f64) {
+fn panels(canvas: &mut Canvas, report: &Report, times: Times, top: f64) {
     let width = (RIGHT - LEFT - GAP) / 2.0;
     let area = |left: f64| Area { left, top, right: left + width, bottom: top + PANEL };
     Panel {
         area: area(LEFT),
         times,
         title: "typical arguments",
+        digits: "correct decimal digits, mean",
         score: |row| row.line.typical(),
-        numbered: true,
     }
-    .draw(drawing, report);
+    .draw(canvas, report);
     Panel {
         area: area(LEFT + width + GAP),
         times,
         title: "each variant in the regime that is hardest for it",
+        digits: "",
         score: |row| row.hardest().or(row.line.typical()),
-        numbered: false,
     }
-    .draw(drawing, report);
-    drawing.upright([EDGE, top + PANEL / 2.0], 12.0, "correct decimal digits, mean");
+    .draw(canvas, report);
 }
 
-fn colour(arithmetic: Arithmetic) -> &'static str {
+fn colour(arithmetic: Arithmetic) -> Colour {
     match arithmetic {
-        Arithmetic::Single => "#a8412a",
-        Arithmetic::Double => "#22618f",
-        Arithmetic::DoubleDouble => "#3f7030",
+        Arithmetic::Single => Colour::Vermilion,
+        Arithmetic::Double => Colour::Blue,
+        Arithmetic::DoubleDouble => Colour::Green,
     }
 }
 
 /// Draws the marker of a variant: a circle for single values, a square for batches; open as
 /// written, small and filled for the stable form, so that both are visible where they coincide.
-fn marker(drawing: &mut Drawing, at: [f64; 2], variant: Variant) {
+fn marker(canvas: &mut Canvas, at: [f64; 2], variant: Variant) {
     let colour = colour(variant.arithmetic);
+    let square = |half: f64| ([at[0] - half, at[1] - half], [2.0 * half; 2]);
+    let outline = Some(Pen::solid(colour, 1.8));
     match (variant.batch, variant.stable) {
-        (false, false) => drawing.circle(at, 6.0, "none", colour),
-        (false, true) => drawing.circle(at, 3.4, colour, colour),
-        (true, false) => drawing.square(at, 5.5, "none", colour),
-        (true, true) => drawing.square(at, 3.0, colour, colour),
+        (false, false) => canvas.circle(at, 6.0, None, outline),
+        (false, true) => canvas.circle(at, 3.4, Some(colour), outline),
+        (true, false) => canvas.rectangle(square(5.5).0, square(5.5).1, None, outline),
+        (true, true) => canvas.rectangle(square(3.0).0, square(3.0).1, Some(colour), outline),
     }
 }
 
 /// Draws the key of the markers and lines.
-fn key(drawing: &mut Drawing, y: f64) {
+fn key(canvas: &mut Canvas, y: f64) {
     let variant = |stable: bool, batch: bool| Variant { arithmetic: Arithmetic::Double, stable, batch };
     let marks = [
         (variant(false, false), "as written"),
@@ -121,13 +132,13 @@ fn key(drawing: &mut Drawing, y: f64) {
     ];
     let mut x = EDGE + 8.0;
     for (variant, name) in marks {
-        marker(drawing, [x, y - 4.0], variant);
-        drawing.text([x + 12.0, y], Style::of(11.5, INK), name);
+        marker(canvas, [x, y - 4.0], variant);
+        canvas.text([x + 12.0, y], Style::of(11.5, Colour::Ink), name);
         x += 30.0 + width(name, 11.5);
     }
-    drawing.line([x - 4.0, y - 4.0], [x + 20.0, y - 4.0], FRONT, 3.0);
+    canvas.line([x - 4.0, y - 4.0], [x + 20.0, y - 4.0], front());
     let front = "Pareto front; up and to the left is better";
-    drawing.text([x + 26.0, y], Style::of(11.5, INK).anchored(Anchor::Start), front);
+    canvas.text([x + 26.0, y], Style::of(11.5, Colour::Ink), front);
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ by the stable form that was proved equal to it, one value at a time or in batche
 value (left is faster) and at the mean number of correct decimal digits (up is better): in the left panel for typical
 arguments, in the right panel for the regime of arguments that is hardest for that variant. The grey stairs are the
 Pareto front: a variant that is not on them is beaten by another that is as fast and more accurate. The table below
-the panels shows the mean number of bits lost in each regime, and a darker cell has lost more. One bit lost is a
+the panels shows the mean number of bits lost in each regime; a cell of stronger colour has lost more. One bit lost is a
 neighbour of the correctly rounded result, and each further bit doubles the error ([what is
 measured](#what-is-measured)).
 
@@ -81,9 +81,9 @@ impl Page<'_> {
              medians of {} to {} runs over {ROWS} rows on {machine}; the machine also ran other programs.\n",
             self.samples, RUNS[0], RUNS[1]
         );
-        for report in reports {
+        for (number, report) in (1..).zip(reports) {
             std::fs::write(figures.join(format!("{}.svg", report.kernel)), svg(report, &machine))?;
-            section(&mut page, report);
+            section(&mut page, number, report);
         }
         page.push_str(MEASURED);
         if !self.left_out.is_empty() {
@@ -139,9 +139,14 @@ fn losses(row: &Row) -> String {
     format!("{:.2}{hardest}", row.mean_loss())
 }
 
-fn section(page: &mut String, report: &Report) {
+fn section(page: &mut String, number: usize, report: &Report) {
     let name = &report.kernel;
-    let _ = writeln!(page, "## {name}\n\n![Digits and time of {name}]({FIGURES}/{name}.svg)\n");
+    let _ = writeln!(
+        page,
+        "## {name}\n\n![Digits and time of {name}]({FIGURES}/{name}.svg)\n\n\
+         *Figure {number}. `{name}`: correct decimal digits over the time of one value in nanoseconds (logarithmic), \
+         and bits lost in\neach regime of arguments.*\n"
+    );
     if report.formula.len() <= LONGEST {
         let _ = writeln!(page, "The formula is `{}`.\n", report.formula);
     }

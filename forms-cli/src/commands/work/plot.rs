@@ -2,10 +2,10 @@
 
 use super::Refusal;
 use super::record::{read, tell};
-use crate::drawing::{HeatMap, Range, Scale, curve};
 use crate::json::write_record;
 use crate::kernel::{find, generated};
 use forms::core::generation::Generated;
+use forms_figures::{self as figures, ColourScale, HeatMap, Plot as Curve, Series};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -45,8 +45,9 @@ impl Axis {
         self.from * (1.0 - share) + self.to * share
     }
 
-    fn range(&self) -> Range<'_> {
-        Range { name: &self.name, from: self.from, to: self.to }
+    /// Returns the axis of the figure.
+    fn drawn(&self) -> figures::Axis {
+        figures::Axis::linear(&self.name).over([self.from, self.to])
     }
 }
 
@@ -87,13 +88,13 @@ impl Request {
     fn drawing(&self, generated: &Generated) -> Result<DrawingRecord, String> {
         let Request { across, up, .. } = self;
         let values = self.values(generated)?;
-        let scale = Scale::of(&values);
+        let scale = ColourScale::of(&values);
         let (title, note) = (self.title(generated), self.note());
         let svg = match up {
-            None => curve(&title, &note, &across.range(), &values),
+            None => curve(title, note, across, &values),
             Some(up) => {
-                let (across, up) = (across.range(), up.range());
-                HeatMap { title: &title, note: &note, across, up, values: &values, columns: CELLS[0] }.svg()
+                let (x, y) = (across.drawn(), up.drawn());
+                HeatMap { title: &title, note: &note, x, y, values: &values, columns: CELLS[0] }.svg()
             }
         };
         let undefined = values.iter().filter(|value| value.is_nan()).count();
@@ -182,6 +183,23 @@ impl Request {
         let fixed: Vec<String> = fixed.map(|(name, value)| format!("{name} = {value}")).collect();
         if fixed.is_empty() { String::new() } else { format!("at {}", fixed.join(", ")) }
     }
+}
+
+/// Draws the curve through values at equal steps of an argument, with gaps where it is undefined.
+fn curve(title: String, note: String, across: &Axis, values: &[f64]) -> String {
+    let last = values.len().max(2) as f64 - 1.0;
+    let at = |(index, &value): (usize, &f64)| [across.at(index as f64 / last), value];
+    let curve = Curve {
+        title,
+        description: format!("The values over {}.", across.name),
+        note,
+        x: across.drawn(),
+        y: figures::Axis::linear("value"),
+        series: vec![Series::curve("", values.iter().enumerate().map(at).collect())],
+        missing: "not defined".to_owned(),
+        ..Curve::default()
+    };
+    curve.svg()
 }
 
 /// Function from the arguments of a kernel to one number.

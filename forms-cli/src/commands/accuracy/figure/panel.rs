@@ -1,17 +1,14 @@
 //! A panel: correct digits of a result over the time of one value, with a named marker for each
 //! variant and the Pareto front.
 
-use super::names::{Area, Names};
-use super::{FRONT, colour, marker};
+use super::{colour, front, marker};
 use crate::commands::accuracy::report::{Report, Row};
-use crate::drawing::{Anchor, Axis, Drawing, GRID, INK, QUIET, Style, width};
 use forms::core::accuracy::{Arithmetic, Score};
+use forms_figures::{Anchor, Area, Axis, Canvas, Chart, Colour, Names, Pen, Style, width};
+use std::f64::consts::LOG10_2;
 
 /// Number of digits at the upper end of the axis.
 const MOST_DIGITS: f64 = 34.0;
-
-/// Smallest distance between numbers on the axis of times.
-const APART: f64 = 31.0;
 
 /// Font size of names.
 const NAME: f64 = 11.0;
@@ -23,12 +20,9 @@ const LEVELS: [(Arithmetic, &str, f64); 3] = [
     (Arithmetic::DoubleDouble, "all of dd: 106 bits", 106.0),
 ];
 
-/// Range of the axis of times: decimal logarithms of nanoseconds.
+/// Range of the axis of times, in nanoseconds.
 #[derive(Clone, Copy)]
-pub(super) struct Times {
-    from: f64,
-    to: f64,
-}
+pub(super) struct Times([f64; 2]);
 
 impl Times {
     /// Returns the range of the measured times, or `None` if there are none.
@@ -36,7 +30,7 @@ impl Times {
         let times = || report.rows.iter().filter_map(|row| row.nanoseconds);
         let (least, most) = (times().reduce(f64::min)?.log10(), times().reduce(f64::max)?.log10());
         let margin = 0.06 * (most - least).max(0.5);
-        Some(Times { from: least - margin, to: most + margin })
+        Some(Times([least - margin, most + margin].map(|power| 10_f64.powf(power))))
     }
 }
 
@@ -45,89 +39,58 @@ pub(super) struct Panel<'a> {
     pub(super) area: Area,
     pub(super) times: Times,
     pub(super) title: &'a str,
+    /// Label of the vertical axis; empty for the label of the panel at the left.
+    pub(super) digits: &'a str,
     /// Score of a variant that is drawn.
     pub(super) score: fn(&Row) -> Option<&Score>,
-    /// Whether the axis of digits is numbered.
-    pub(super) numbered: bool,
 }
 
 impl Panel<'_> {
-    pub(super) fn draw(&self, drawing: &mut Drawing, report: &Report) {
-        let taken = self.frame(drawing);
-        let times = self.times();
-        let rows: Vec<(&Row, [f64; 2])> = report
-            .rows
-            .iter()
-            .filter_map(|row| {
-                let lost = (self.score)(row)?.bits.mean;
-                Some((row, [times.place(row.nanoseconds?), self.y(row.correct_bits(lost))]))
-            })
-            .collect();
+    pub(super) fn draw(&self, canvas: &mut Canvas, report: &Report) {
+        let x = Axis::logarithmic("time of one value [ns]").over(self.times.0);
+        let y = Axis::linear(self.digits).over([0.0, MOST_DIGITS]);
+        let chart = Chart::new(self.area, &x, &y, &[]);
+        chart.draw(canvas);
+        canvas.text([self.area.left, self.area.top - 10.0], Style::of(13.0, Colour::Ink).bold(), self.title);
+        let taken = self.levels(canvas, &chart);
+        let place =
+            |row: &Row, lost: f64| Some(chart.place([row.nanoseconds?, row.correct_bits(lost) * LOG10_2]));
+        let marked = report.rows.iter().filter_map(|row| {
+            let lost = (self.score)(row)?.bits.mean;
+            Some((row, place(row, lost)?))
+        });
+        let rows: Vec<(&Row, [f64; 2])> = marked.collect();
         let marks: Vec<[f64; 2]> = rows.iter().map(|(_, mark)| *mark).collect();
         let stairs = self.front(&marks);
-        drawing.path(&stairs, FRONT, 3.0);
-        let levels = LEVELS
-            .iter()
-            .map(|level| [[self.area.left, self.y(level.2)], [self.area.right, self.y(level.2)]]);
+        canvas.path(&stairs, front());
+        let Area { left, right, .. } = self.area;
+        let levels = LEVELS.map(|level| chart.place([1.0, level.2 * LOG10_2])[1]);
+        let levels = levels.into_iter().map(|y| [[left, y], [right, y]]);
         let lines = stairs.windows(2).map(|step| [step[0], step[1]]).chain(levels).collect();
         let mut names = Names::new(self.area, &marks, taken, lines);
         for (row, mark) in &rows {
+            let colour = colour(row.variant().arithmetic);
             let name = row.variant().name();
             let place = names.place(*mark, width(&name, NAME));
             if let Some(end) = place.thread {
-                drawing.line(*mark, end, colour(row.variant().arithmetic), 0.7);
+                canvas.line(*mark, end, Pen::solid(colour, 0.7));
             }
-            let style = Style::of(NAME, colour(row.variant().arithmetic)).anchored(place.anchor);
-            drawing.text_over_lines(place.text, style, &name);
+            canvas.text_over_lines(place.text, Style::of(NAME, colour).anchored(place.anchor), &name);
         }
-        rows.iter().for_each(|(row, mark)| marker(drawing, *mark, row.variant()));
+        rows.iter().for_each(|(row, mark)| marker(canvas, *mark, row.variant()));
     }
 
-    fn times(&self) -> Axis {
-        Axis { powers: [self.times.from, self.times.to], paper: [self.area.left, self.area.right] }
-    }
-
-    fn y(&self, bits: f64) -> f64 {
-        let part = bits * std::f64::consts::LOG10_2 / MOST_DIGITS;
-        self.area.bottom - part * (self.area.bottom - self.area.top)
-    }
-
-    /// Draws axes and levels; returns the boxes of their texts.
-    fn frame(&self, drawing: &mut Drawing) -> Vec<Area> {
-        let Area { left, top, right, bottom } = self.area;
-        drawing.text([left, top - 10.0], Style::of(13.0, INK).bold(), self.title);
-        for digits in (0..=32).step_by(4) {
-            let y = self.y(f64::from(digits) / std::f64::consts::LOG10_2);
-            drawing.line([left, y], [right, y], GRID, 1.0);
-            if self.numbered {
-                let style = Style::of(12.0, INK).anchored(Anchor::End);
-                drawing.text([left - 8.0, y + 4.0], style, &digits.to_string());
-            }
-        }
-        self.time_axis(drawing);
-        let mut taken = Vec::new();
-        for (arithmetic, name, bits) in LEVELS {
-            let y = self.y(bits);
-            drawing.line([left, y], [right, y], colour(arithmetic), 0.9);
-            let style = Style::of(NAME, QUIET).anchored(Anchor::End);
-            drawing.text_over_lines([right - 4.0, y - 4.0], style, name);
-            let start = right - 4.0 - width(name, NAME);
-            taken.push(Area { left: start, top: y - 14.0, right, bottom: y });
-        }
-        drawing.line([left, bottom], [right, bottom], INK, 1.0);
-        drawing.line([left, top], [left, bottom], INK, 1.0);
-        taken
-    }
-
-    fn time_axis(&self, drawing: &mut Drawing) {
-        let Area { left, top, right, bottom } = self.area;
-        for (x, number) in self.times().ticks(APART) {
-            drawing.line([x, top], [x, bottom], GRID, 1.0);
-            let style = Style::of(12.0, INK).anchored(Anchor::Middle);
-            drawing.text([x, bottom + 17.0], style, &number);
-        }
-        let style = Style::of(12.0, INK).anchored(Anchor::Middle);
-        drawing.text([(left + right) / 2.0, bottom + 35.0], style, "time of one value [ns], logarithmic");
+    /// Draws the precision of each arithmetic; returns the boxes of the texts.
+    fn levels(&self, canvas: &mut Canvas, chart: &Chart<'_>) -> Vec<Area> {
+        let Area { left, right, .. } = self.area;
+        let level = |(arithmetic, name, bits): (Arithmetic, &str, f64)| {
+            let y = chart.place([1.0, bits * LOG10_2])[1];
+            canvas.line([left, y], [right, y], Pen::solid(colour(arithmetic), 0.9));
+            let style = Style::of(NAME, Colour::Quiet).anchored(Anchor::End);
+            canvas.text_over_lines([right - 4.0, y - 4.0], style, name);
+            Area { left: right - 4.0 - width(name, NAME), top: y - 14.0, right, bottom: y }
+        };
+        LEVELS.map(level).to_vec()
     }
 
     /// Returns the staircase of the Pareto front: the variants that no other beats in both time and
