@@ -57,7 +57,9 @@ fn shadow(drawing: &mut Drawing, dropped: usize, colour: Colour) {
     let fallen = corners.map(flat);
     drawing.area(&fallen, 0.3, Pen::solid(colour, 1.4));
     let middle = scaled(0.5, add(fallen[0], fallen[2]));
-    let names = ["dy∧dz", "dz∧dx", "dx∧dy"];
-    let shifts = [[30.0, -40.0], [-24.0, -52.0], [-6.0, 28.0]];
-    drawing.label(middle, shifts[dropped], names[dropped], colour);
+    match dropped {
+        0 => drawing.label(middle, [30.0, -40.0], "dy∧dz", colour),
+        1 => drawing.label(middle, [-24.0, -52.0], "dz∧dx", colour),
+        _ => drawing.label_inside(middle, "dx∧dy", colour),
+    }
 }
