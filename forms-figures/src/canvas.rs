@@ -100,12 +100,14 @@ impl Canvas {
         let mut classes = Vec::new();
         if let Some(fill) = fill {
             classes.push(self.sheet.class(Use::Fill, fill));
-        } else {
+        } else if shape.get_name() != "line" {
             shape.assign("fill", "none");
         }
         if let Some(pen) = stroke.filter(|pen| pen.width > 0.0) {
             classes.push(self.sheet.class(Use::Stroke, pen.colour));
-            shape.assign("stroke-width", pen.width);
+            if pen.width != 1.0 {
+                shape.assign("stroke-width", pen.width);
+            }
             if pen.dashed {
                 shape.assign("stroke-dasharray", "6 4");
             }

@@ -85,7 +85,9 @@ fn loss(canvas: &mut Canvas, [x, y]: [f64; 2], width: f64, row: &Row, score: &Sc
     let share = ((lost - 0.5).max(0.0) / row.correct_bits(0.0)).min(1.0).sqrt();
     let (corner, size) = ([x + 1.5, y + 1.5], [width - 3.0, ROW - 3.0]);
     canvas.tint(corner, size, Colour::FineGrid, 1.0);
-    canvas.tint(corner, size, Colour::Vermilion, STRONGEST * share);
+    if share > 0.0 {
+        canvas.tint(corner, size, Colour::Vermilion, STRONGEST * share);
+    }
     if hardest {
         canvas.rectangle(corner, size, None, Some(Pen::solid(Colour::Ink, 1.6)));
     }
