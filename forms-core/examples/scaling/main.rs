@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! workload ─ clock ─▶ seconds ─┬─ table ─▶ docs/benchmarks.md
-//!                              └─ plot  ─▶ docs/figures/*.svg
+//!                              └─ Plot  ─▶ docs/figures/*.svg
 //! ```
 //! `cargo run --release -p forms-core --example scaling [FILE]` writes them. FILE is the output of
 //! `benches/compare/product_by_flint.py`; without it the figures have no line for FLINT.
@@ -13,13 +13,11 @@ mod page;
 mod workload;
 
 mod clock;
-#[expect(dead_code, reason = "memory is measured of scenes")]
-mod plot;
 mod table;
 
 use clock::seconds;
+use forms_figures::{Axis, Mark, Numbers, Plot, Series};
 use page::processor;
-use plot::{Measure, Plot, Scale, Series};
 use std::io;
 use std::path::PathBuf;
 use workload::{Work, built, text};
@@ -42,8 +40,8 @@ fn main() -> io::Result<()> {
     std::fs::write(path, written)
 }
 
-/// Returns the caption of the figures: the processor and the measured quantity.
-fn caption() -> String {
+/// Returns the note of the figures: the processor and the measured quantity.
+fn note() -> String {
     format!("{}, processor time of one thread, medians", processor())
 }
 
@@ -54,26 +52,37 @@ fn timed(name: &str, works: impl IntoIterator<Item = (f64, Work)>) -> Series {
         println!("{:9.1} µs  {}", time * 1e6, work.name);
         [x, time]
     });
-    Series { name: name.to_string(), points: points.collect() }
+    Series::line(name, points.collect())
 }
 
 fn against_dimension() -> Plot {
     let closed_text = (3..=12).map(|n| (n as f64, text::closed(n)));
     let closed_built = (3..=12).map(|n| (f64::from(n), built::closed(n)));
     let powers = (2..=7).map(|m| (f64::from(2 * m), built::power_of_two_form(m)));
+    plot_against_dimension(vec![
+        timed("ωᵐ of the generic 2-form, n = 2m: (n − 1)!! terms", powers),
+        timed("d of the solid angle of Rⁿ is 0, from text", closed_text),
+        timed("the same, forms built beforehand", closed_built),
+    ])
+}
+
+fn plot_against_dimension(series: Vec<Series>) -> Plot {
     Plot {
         title: "Time against the dimension n".into(),
-        caption: caption(),
-        across: "n".into(),
-        scale: Scale::Linear,
-        measure: Measure::Seconds,
-        is_paired: false,
-        series: vec![
-            timed("ωᵐ of the generic 2-form, n = 2m: (n − 1)!! terms", powers),
-            timed("d of the solid angle of Rⁿ is 0, from text", closed_text),
-            timed("the same, forms built beforehand", closed_built),
-        ],
+        description:
+            "On a logarithmic axis the time of powers of a 2-form grows faster than that of derivatives."
+                .into(),
+        note: note(),
+        x: Axis::linear("dimension n"),
+        y: Axis::logarithmic("time").with_numbers(Numbers::Seconds),
+        series: marked(series),
+        ..Plot::default()
     }
+}
+
+/// Gives each line a mark of its own.
+fn marked(series: Vec<Series>) -> Vec<Series> {
+    series.into_iter().zip(Mark::ALL).map(|(series, mark)| series.marked(mark)).collect()
 }
 
 fn against_terms(flint: Option<&str>) -> io::Result<Plot> {
@@ -86,15 +95,19 @@ fn against_terms(flint: Option<&str>) -> io::Result<Plot> {
     if let Some(text) = flint {
         series.push(of_flint(text)?);
     }
-    Ok(Plot {
+    Ok(plot_against_terms(series))
+}
+
+fn plot_against_terms(series: Vec<Series>) -> Plot {
+    Plot {
         title: "Time against the number of terms".into(),
-        caption: caption(),
-        across: "terms".into(),
-        scale: Scale::Logarithmic,
-        measure: Measure::Seconds,
-        is_paired: false,
-        series,
-    })
+        description: "On two logarithmic axes the times are nearly straight lines.".into(),
+        note: note(),
+        x: Axis::logarithmic("number of terms").with_numbers(Numbers::Thousands),
+        y: Axis::logarithmic("time").with_numbers(Numbers::Seconds),
+        series: marked(series),
+        ..Plot::default()
+    }
 }
 
 /// Parses the line `# version`, followed by lines `terms,seconds`.
@@ -108,5 +121,20 @@ fn of_flint(text: &str) -> io::Result<Series> {
     };
     let points = rest.lines().map(|line| point(line).ok_or_else(unreadable));
     let version = first.trim_start_matches(['#', ' ']);
-    Ok(Series { name: format!("the same product by {version}"), points: points.collect::<io::Result<_>>()? })
+    Ok(Series::line(format!("the same product by {version}"), points.collect::<io::Result<_>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plot_has_a_line_with_a_mark_of_its_own_for_each_series() {
+        let line = |name: &str| Series::line(name, vec![[3.0, 1e-5], [4.0, 2e-3], [5.0, 0.1]]);
+        for plot in [plot_against_dimension, plot_against_terms] {
+            let file = plot(vec![line("first"), line("second")]).svg();
+            assert_eq!((file.matches("<circle").count(), file.matches(">10 ms<").count()), (4, 1), "{file}");
+            assert!(file.contains(">first</text>") && file.contains(">second</text>"), "{file}");
+        }
+    }
 }

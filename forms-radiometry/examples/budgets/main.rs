@@ -20,9 +20,6 @@ mod known;
 mod measured;
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
-#[path = "../../../forms-core/examples/scaling/plot.rs"]
-#[expect(dead_code, reason = "plots of other axes are there too")]
-mod plot;
 #[path = "../gallery/run.rs"]
 mod run;
 mod table;

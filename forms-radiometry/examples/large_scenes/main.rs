@@ -4,7 +4,7 @@
 //! ```text
 //! kind of scene, number ─▶ text of a scene ─ separate process, 1 or 2 threads
 //!                              └─▶ times, memory, errors ─┬─ table ─▶ docs/benchmarks.md
-//!                                                         └─ plot  ─▶ docs/figures/many_*.svg
+//!                                                         └─ Plot  ─▶ docs/figures/many_*.svg
 //! ```
 //! `cargo run --release -p forms-radiometry --example large_scenes [--write] [surfaces|receivers]
 //! [NUMBER…]` measures scenes of 10 to 100 000 surfaces and of 100 to 1 000 000 receivers, or the
@@ -12,9 +12,6 @@
 
 #[path = "../../../forms-core/benches/page/mod.rs"]
 mod page;
-#[path = "../../../forms-core/examples/scaling/plot.rs"]
-#[expect(dead_code, reason = "its other scale is for other figures")]
-mod plot;
 #[path = "../../tests/scene_text/mod.rs"]
 #[expect(dead_code, reason = "what tests need is there too")]
 mod scene_text;

@@ -3,8 +3,8 @@
 
 use super::measured::{self, Measured};
 use super::page::{self, processor};
-use super::plot::{Measure, Plot, Scale, Series as Line};
 use super::{points, room};
+use forms_figures::{Axis, Colour, Mark, Numbers, Plot, Series as Line};
 use std::fmt::Write;
 use std::io;
 use std::path::PathBuf;
@@ -131,15 +131,15 @@ impl Series {
         )
     }
 
-    fn plot(&self, what: &str, measure: Measure, series: Vec<Line>) -> Plot {
+    fn plot(&self, what: &str, numbers: Numbers, series: Vec<Line>) -> Plot {
         Plot {
             title: format!("{what} against the number of {}", self.name),
-            caption: format!("{}, {}", processor(), self.caption),
-            across: self.name.into(),
-            scale: Scale::Logarithmic,
-            measure,
-            is_paired: measure == Measure::Seconds,
+            description: format!("{what} grows with the number of {}; both axes are logarithmic.", self.name),
+            note: format!("{}, {}", processor(), self.caption),
+            x: Axis::logarithmic(format!("number of {}", self.name)).with_numbers(Numbers::Thousands),
+            y: Axis::logarithmic(what.to_lowercase()).with_numbers(numbers),
             series,
+            ..Plot::default()
         }
     }
 
@@ -148,25 +148,26 @@ impl Series {
             let what = if self.has_kinds() { kind.words } else { "plan and answers" };
             format!("{what}, {threads} thread{}", if threads == 1 { "" } else { "s" })
         };
-        let pairs = self.kinds.iter().flat_map(|kind| THREADS.map(|threads| (kind, threads)));
         let time = |found: &Measured| found.planning + found.answering;
-        let mut lines: Vec<Line> = pairs
-            .map(|(kind, threads)| Line {
-                name: name(kind, threads),
-                points: points_of(rows, kind, threads, time),
-            })
-            .collect();
+        let mut lines = Vec::new();
+        // the two lines of a kind have one colour
+        for (kind, colour) in self.kinds.iter().zip(Colour::DATA) {
+            for (threads, mark) in THREADS.into_iter().zip([Mark::Dot, Mark::Ring]) {
+                let points = points_of(rows, kind, threads, time);
+                lines.push(Line::line(name(kind, threads), points).coloured(colour).marked(mark));
+            }
+        }
         let points = points_of(rows, &self.kinds[0], 1, |found| found.reading);
-        lines.push(Line { name: "reading the file".into(), points });
-        self.plot("Time", Measure::Seconds, lines)
+        let reading = Line::line("reading the file", points).marked(Mark::Square);
+        lines.push(reading.coloured(Colour::DATA[self.kinds.len()]));
+        self.plot("Time", Numbers::Seconds, lines)
     }
 
     fn memory(&self, rows: &[Row]) -> Plot {
-        let line = |kind: &Kind| Line {
-            name: kind.words.into(),
-            points: points_of(rows, kind, 1, |found| 1024.0 * found.memory),
+        let line = |(kind, mark): (&Kind, Mark)| {
+            Line::line(kind.words, points_of(rows, kind, 1, |found| 1024.0 * found.memory)).marked(mark)
         };
-        self.plot("Memory", Measure::Bytes, self.kinds.iter().map(line).collect())
+        self.plot("Memory", Numbers::Bytes, self.kinds.iter().zip(Mark::ALL).map(line).collect())
     }
 }
 
