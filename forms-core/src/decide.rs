@@ -42,8 +42,14 @@ mod trigonometric_signs;
 mod verdict;
 mod witness;
 
+#[cfg(feature = "internals")]
 pub use account::{Account, Bound, Cancellation, Case, account};
+#[cfg(not(feature = "internals"))]
+pub(crate) use account::{Account, Bound, Cancellation, Case, account};
+#[cfg(feature = "internals")]
 pub use angle_equation::vanishing_angles;
+#[cfg(not(feature = "internals"))]
+pub(crate) use angle_equation::vanishing_angles;
 pub(crate) use finding::{Budget, Equations, Finding, contradiction};
 pub(crate) use observer::Observer;
 
@@ -51,8 +57,14 @@ pub use reasons::{EmptyReason, KernelReason, UnknownReason};
 pub(crate) use report::simplified;
 pub use report::simplified_where;
 pub(crate) use sample::simple_bounds;
+#[cfg(feature = "internals")]
 pub use separation::{Separated, separated};
+#[cfg(not(feature = "internals"))]
+pub(crate) use separation::{Separated, separated};
+#[cfg(feature = "internals")]
 pub use tactics::{Attempt, attempts};
+#[cfg(not(feature = "internals"))]
+pub(crate) use tactics::{Attempt, attempts};
 pub use verdict::{Ratio, Theorem, Verdict, Witness};
 
 use crate::assume::{is_not_zero_densely, is_open, vanishes};
@@ -202,7 +214,7 @@ fn retrace_problem(pool: &mut Pool, problem: &Problem, observer: &mut dyn Observ
 }
 
 /// Returns the conditions that a verdict on a statement assumes; the verdict carries their texts.
-pub fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
+pub(crate) fn conditions(theory: &mut Theory, statement: &Statement) -> Vec<Condition> {
     let problem = Problem::new(theory, statement);
     report::conditions(&mut theory.pool, &problem)
 }

@@ -33,7 +33,11 @@ pub use condition::Condition;
 pub(crate) use integral_table::Quadrature;
 pub(crate) use nature::Nature;
 pub use node::{Expr, FunctionId, Node, Rational, Seam, Symbol, SymbolKind, Unknown};
-pub use operation::{Operation, Row, Spelling, TABLE};
+pub use operation::Operation;
+#[cfg(feature = "internals")]
+pub use operation::{Row, Spelling, TABLE};
+#[cfg(not(feature = "internals"))]
+pub(crate) use operation::{Row, Spelling, TABLE};
 pub use pool::Pool;
 pub use relation::Relation;
 pub use substitution::Substitution;

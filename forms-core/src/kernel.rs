@@ -1,18 +1,16 @@
-//! Kernels: structured expressions become instructions, cheaper instructions, and source text or
-//! values.
+//! Kernels: structured expressions become instructions, cheaper instructions, and values.
 //!
 //! ```text
-//! expressions ─ lower ─▶ Program ─ optimise ─▶ Program ─┬─ emit_rust ─▶ source
-//!       ▲                                               ├─ interpret ─▶ values
+//! expressions ─ lower ─▶ Program ─ optimise ─▶ Program ─┬─ interpret ─▶ values
+//!       ▲                                               ├─ emission ──▶ source text
 //!       └───────────────────── raise ───────────────────┘
 //! ```
 //! A kernel is lowered from the structure its author wrote, never from an expanded normal form, and
-//! emission never simplifies: it prints the program as it stands. Raising closes the circle, so
-//! that an optimised kernel can be proved equal to its formula.
+//! [`crate::emission`] prints the program as it stands. Raising closes the circle, so that an
+//! optimised kernel can be proved equal to its formula.
 //!
 //! ```
 //! use forms_core::expression::{Pool, SymbolKind};
-//! use forms_core::emission::{KernelDocs, emit_rust};
 //! use forms_core::kernel::{KernelSource, lower};
 //!
 //! let mut pool = Pool::new();
@@ -28,7 +26,6 @@
 //! let kernel = lower(&pool, &source)?.optimise();
 //! assert_eq!(kernel.operations().multiplies, 4);
 //! assert_eq!(kernel.interpret(&[2.0]), [128.0]);
-//! assert!(emit_rust(&kernel, &KernelDocs::default(), "forms_math").contains("fn seventh(x: f64) -> f64 {"));
 //! # Ok::<(), forms_core::kernel::LowerError>(())
 //! ```
 
@@ -59,11 +56,17 @@ mod tally;
 pub use constant::Constant;
 pub(crate) use constant::{Binary, DOUBLE, SINGLE, nearest, nearest_f64};
 pub use count::OperationCount;
+#[cfg(feature = "internals")]
 pub use evaluate::evaluate_f64;
+#[cfg(not(feature = "internals"))]
+pub(crate) use evaluate::evaluate_f64;
 pub use interpret::Interpreter;
 pub use lower::{KernelSource, LowerError, lower};
 pub use program::{Comparison, Instruction, ProductSum, Program, Value};
+#[cfg(feature = "internals")]
 pub use raise::Raised;
+#[cfg(not(feature = "internals"))]
+pub(crate) use raise::Raised;
 
 #[cfg(test)]
 #[allow(dead_code, reason = "shared with the integration tests, which use the rest")]

@@ -27,5 +27,12 @@ mod scope;
 mod statement;
 mod warps;
 
+#[cfg(feature = "internals")]
 pub use evaluation::Trace;
-pub use items::{resolve, resolve_traced};
+#[cfg(not(feature = "internals"))]
+pub(crate) use evaluation::Trace;
+pub use items::resolve;
+#[cfg(feature = "internals")]
+pub use items::resolve_traced;
+#[cfg(not(feature = "internals"))]
+pub(crate) use items::resolve_traced;

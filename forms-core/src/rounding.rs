@@ -21,7 +21,10 @@ mod interval;
 mod search;
 mod sensitivity;
 
+#[cfg(feature = "internals")]
 pub use arithmetic::Arithmetic;
+#[cfg(not(feature = "internals"))]
+pub(crate) use arithmetic::Arithmetic;
 
 use crate::kernel::Program;
 use std::fmt;

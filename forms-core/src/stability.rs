@@ -23,6 +23,14 @@ mod rules;
 mod search;
 mod validation;
 
-pub use choice::{Choices, EXTENSION, key, written};
+#[cfg(feature = "internals")]
+pub use choice::key;
+#[cfg(not(feature = "internals"))]
+pub(crate) use choice::key;
+pub use choice::{Choices, EXTENSION, written};
 pub(crate) use rules::by_rules;
-pub use search::{Budget, Form, Found, search};
+#[cfg(feature = "internals")]
+pub use search::Form;
+#[cfg(not(feature = "internals"))]
+pub(crate) use search::Form;
+pub use search::{Budget, Found, search};

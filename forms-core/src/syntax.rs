@@ -12,15 +12,17 @@ mod claims;
 mod lexer;
 mod number;
 mod parser;
-pub mod source;
+mod source;
 pub mod token;
 pub mod words;
 
 pub use lexer::lex;
-pub use parser::{
-    MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS, parse, parse_equation, parse_expression, parse_text,
-};
-pub use source::{Excerpt, Source};
+#[cfg(feature = "internals")]
+pub use parser::{MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS};
+#[cfg(not(feature = "internals"))]
+pub(crate) use parser::{MAXIMUM_DEPTH, MAXIMUM_NESTING, MAXIMUM_TOKENS};
+pub use parser::{parse, parse_equation, parse_expression, parse_text};
+pub use source::{Excerpt, Position, Source};
 
 use crate::diagnostic::{Diagnostic, Span};
 

@@ -12,7 +12,7 @@ pub use named::Named;
 pub(crate) use named::describe;
 pub use value::Value;
 
-use crate::calculus::{Blade, Coordinate, Form, Metric};
+pub use crate::calculus::{Blade, Coordinate, Field, Form, Metric};
 use crate::diagnostic::Span;
 use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
 use crate::syntax::ast::Claim;

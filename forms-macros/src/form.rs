@@ -7,12 +7,12 @@
 
 use crate::expand::{Resolved, resolved, theory_checked};
 use crate::tokens::Body;
-use forms_core::calculus::Blade;
 use forms_core::decide::simplified_where;
 use forms_core::diagnostic::{Diagnostic, Span};
 use forms_core::expression::{Expr, Node, Pool};
 use forms_core::syntax::ast::{self, Item, ItemKind, Name};
 use forms_core::syntax::parse_expression;
+use forms_core::theory::Blade;
 use forms_core::theory::{Named, Theory, Value};
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,8 +1,9 @@
 //! The rules of the repository that no compiler checks: directions of imports, sizes of files and
-//! functions, and the words of comments and pages.
+//! functions, sizes of public surfaces, and the words of comments and pages.
 //!
 //! ```text
 //! workspace ─ crates, files ─┬─ modules ─ imports ─▶ cycles of modules
+//!                            ├─ surface ─▶ public items
 //!                            ├─ sizes ─▶ long files, functions, lines
 //!                            └─ prose ─▶ flagged comments and sentences
 //! ```
@@ -14,4 +15,5 @@ pub mod imports;
 pub mod modules;
 pub mod prose;
 pub mod sizes;
+pub mod surface;
 pub mod workspace;

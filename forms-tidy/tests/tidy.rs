@@ -8,6 +8,7 @@ use forms_tidy::cycles::{cycles_below, edges};
 use forms_tidy::modules::Modules;
 use forms_tidy::prose::{comments, flagged, sentences};
 use forms_tidy::sizes::{functions, long_lines};
+use forms_tidy::surface::public_items;
 use forms_tidy::workspace::{Package, files, packages, root, shown};
 
 /// Largest number of lines of a file, and of a function.
@@ -52,6 +53,9 @@ const WIDE_FILES: [(&str, &str); 8] = [
     ("forms-core/tests/kernel/targets/", "output of the emitter"),
     ("forms-math/src/lane/coefficients.rs", "written by another program"),
 ];
+
+/// Crates with fewer public items than a number. Methods do not count.
+const SURFACES: [(&str, usize); 1] = [("forms-core", 200)];
 
 /// Crates of the workspace that a crate may depend on. The program depends on all of them.
 const LAYERS: [(&str, &[&str]); 12] = [
@@ -163,6 +167,20 @@ fn a_module_is_a_file_beside_its_folder() {
     let found: Vec<String> = sources(&["src"]).into_iter().map(|(path, _)| path).collect();
     let found: Vec<&String> = found.iter().filter(|path| path.ends_with("/mod.rs")).collect();
     assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn the_public_surface_of_a_crate_is_small() {
+    let limits: BTreeMap<&str, usize> = SURFACES.into_iter().collect();
+    let mut large = Vec::new();
+    for package in packages(&root()).iter().filter(|package| package.folder.join("src/lib.rs").exists()) {
+        let items = public_items(&package.folder.join("src"));
+        println!("{:18} {:4} public items", package.name, items.len());
+        if limits.get(package.name.as_str()).is_some_and(|limit| items.len() >= *limit) {
+            large.push(format!("{}: {} public items: {items:?}", package.name, items.len()));
+        }
+    }
+    assert!(large.is_empty(), "{large:#?}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Rendering of diagnostics on a terminal.
 
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::syntax::source::Position;
+use forms_core::syntax::Position;
 use forms_core::syntax::{Source, read};
 
 /// Returns all diagnostics of a text, rendered.
