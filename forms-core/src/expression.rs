@@ -17,7 +17,7 @@ mod derivative;
 mod domain;
 mod import;
 mod integral_table;
-mod kernel;
+mod integrand;
 mod nature;
 mod node;
 mod operation;

@@ -180,8 +180,8 @@ impl Functions {
         orders: &[u32],
         places: &[Expr],
     ) -> Option<Expr> {
-        let (kernel, variables) = pool.kernel_at(function, orders, places)?;
-        let mut value = self.all(pool, &[kernel])?[0];
+        let (integrand, variables) = pool.primitive_integrand_at(function, orders, places)?;
+        let mut value = self.all(pool, &[integrand])?[0];
         let zero = pool.integer(0);
         let ranges =
             variables.into_iter().zip(places).map(|(variable, &end)| (variable, zero, end)).collect();

@@ -3,7 +3,7 @@
 use super::node::{Expr, FunctionId, Symbol};
 use rustc_hash::FxHashMap;
 
-/// Argument of a jet in a kernel.
+/// Argument of a jet in an integrand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Place {
     /// The integration variable with this number, and the order of differentiation of the jet in
@@ -13,14 +13,14 @@ pub(super) enum Place {
     Parameter,
 }
 
-/// Jet of a kernel.
+/// Jet of an integrand.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) struct Factor {
     pub(super) function: FunctionId,
     pub(super) places: Vec<Place>,
 }
 
-/// Kernel of a primitive, with the number of its integration variables and of its parameters.
+/// Integrand of a primitive, with the number of its integration variables and of its parameters.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Primitive {
     pub(super) factors: Vec<Factor>,
@@ -34,10 +34,10 @@ pub(super) struct Primitive {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Primitives {
     pub(super) functions: FxHashMap<Primitive, FunctionId>,
-    pub(super) kernels: FxHashMap<FunctionId, Primitive>,
+    pub(super) integrands: FxHashMap<FunctionId, Primitive>,
     pub(super) integrated: Vec<Symbol>,
     pub(super) parameters: Vec<Symbol>,
-    /// Integration variables of a kernel under construction.
+    /// Integration variables of an integrand under construction.
     pub(super) inner: Vec<Symbol>,
     pub(super) ends: Vec<Symbol>,
 }

@@ -4,7 +4,7 @@
 //! ```text
 //! Φ(b₁ … bₘ; q₁ … qₖ) = ∫₀^b₁ … ∫₀^bₘ f₁(…) f₂(…) … e ds₁ … dsₘ      each argument of an fᵢ is one sⱼ or one qⱼ
 //! ```
-//! A kernel f₁f₂…e is a product of jets and one remaining factor e: elementary expressions, and
+//! An integrand f₁f₂…e is a product of jets and one remaining factor e: elementary expressions, and
 //! jets at arguments that are composed of integration variables. Every argument of a jet that is
 //! not an integration variable becomes a parameter of its own, whatever expression it is. Φ is
 //! therefore recognised at other arguments, its derivative with respect to a parameter is the
@@ -12,8 +12,8 @@
 //! the same function. ∂Φ/∂bⱼ is the primitive without sⱼ: no order of Φ in an upper limit is above
 //! zero.
 //!
-//! The lower limit 0 stands for an arbitrary point where 0 is outside the kernel's domain: definite
-//! integrals are differences and do not depend on the kernel outside their ranges.
+//! The lower limit 0 stands for an arbitrary point where 0 is outside the integrand's domain:
+//! definite integrals are differences and do not depend on the integrand outside their ranges.
 
 use super::integral_table::{Place, Primitive};
 use super::node::{Expr, FunctionId, Node, Symbol, SymbolKind};
@@ -23,13 +23,13 @@ use super::substitution::Substitution;
 impl Pool {
     /// Whether a function is a primitive.
     pub(crate) fn is_primitive(&self, function: FunctionId) -> bool {
-        self.primitives.kernels.contains_key(&function)
+        self.primitives.integrands.contains_key(&function)
     }
 
     /// Returns how many of a function's leading arguments are upper limits of integration: where
     /// any of these limits is 0, the function is 0.
     pub(crate) fn upper_ends(&self, function: FunctionId) -> usize {
-        self.primitives.kernels.get(&function).map_or(0, |primitive| primitive.integrated)
+        self.primitives.integrands.get(&function).map_or(0, |primitive| primitive.integrated)
     }
 
     /// Integrates a product that contains unknown functions of a variable with respect to that
@@ -41,23 +41,23 @@ impl Pool {
 
     /// Returns the integrand of a primitive at these arguments and its integration variables. The
     /// variables are fresh, one for each of the upper limits, which are the first arguments.
-    pub(crate) fn kernel_at(
+    pub(crate) fn primitive_integrand_at(
         &mut self,
         function: FunctionId,
         orders: &[u32],
         arguments: &[Expr],
     ) -> Option<(Expr, Vec<Symbol>)> {
-        let primitive = self.primitives.kernels.get(&function)?.clone();
+        let primitive = self.primitives.integrands.get(&function)?.clone();
         let count = primitive.integrated;
         let variables: Vec<Symbol> =
             (1..=count).map(|number| self.declare_symbol(format!("s{number}"), SymbolKind::Local)).collect();
         let ends: Vec<Expr> = variables.iter().map(|&variable| self.symbol(variable)).collect();
         let places: Vec<Expr> = ends.iter().chain(&arguments[count..]).copied().collect();
-        Some((self.value_of_kernel(&primitive, orders, &places), variables))
+        Some((self.value_of_integrand(&primitive, orders, &places), variables))
     }
 
     /// Rewrites a derivative of a primitive with respect to its upper limits, or to the parameters
-    /// of its kernel outside the jets, as primitives without such orders. `None` if there is no
+    /// of its integrand outside the jets, as primitives without such orders. `None` if there is no
     /// such order.
     pub(super) fn lowered(
         &mut self,
@@ -65,7 +65,7 @@ impl Pool {
         orders: &[u32],
         arguments: &[Expr],
     ) -> Option<Expr> {
-        let primitive = self.primitives.kernels.get(&function)?.clone();
+        let primitive = self.primitives.integrands.get(&function)?.clone();
         let end = orders[..primitive.integrated].iter().position(|&order| order > 0);
         if end.is_none() && orders[primitive.first_beside_jets()..].iter().all(|&order| order == 0) {
             return None;
@@ -84,7 +84,7 @@ impl Pool {
             places[number] = self.symbol(inner[number]);
             integrated.push((inner[number], formal[number]));
         }
-        let product = self.value_of_kernel(&primitive, orders, &places);
+        let product = self.value_of_integrand(&primitive, orders, &places);
         let mut value =
             if integrated.is_empty() { product } else { self.primitive_over(product, integrated) };
         for (number, &order) in orders[..primitive.integrated].iter().enumerate() {
@@ -101,7 +101,7 @@ impl Pool {
     /// Returns a primitive with the parameters of equal factors sorted, or `None` if they are
     /// sorted already. Exchanging equal factors does not change the value.
     pub(super) fn in_order(&self, function: FunctionId, orders: &[u32], arguments: &[Expr]) -> Option<Node> {
-        let primitive = self.primitives.kernels.get(&function)?;
+        let primitive = self.primitives.integrands.get(&function)?;
         let (mut orders, mut arguments) = (orders.to_vec(), arguments.to_vec());
         let (mut first, mut changed) = (primitive.integrated, false);
         for alike in primitive.factors.chunk_by(|a, b| a == b) {
@@ -166,9 +166,14 @@ impl Pool {
         self.primitives.inner[number]
     }
 
-    /// Returns the kernel at these arguments, differentiated with respect to its parameters by the
+    /// Returns the integrand at these arguments, differentiated with respect to its parameters by the
     /// orders that follow those of the upper limits.
-    pub(super) fn value_of_kernel(&mut self, primitive: &Primitive, orders: &[u32], places: &[Expr]) -> Expr {
+    pub(super) fn value_of_integrand(
+        &mut self,
+        primitive: &Primitive,
+        orders: &[u32],
+        places: &[Expr],
+    ) -> Expr {
         let mut next = primitive.integrated;
         let mut product = self.integer(1);
         for factor in &primitive.factors {
@@ -208,7 +213,7 @@ impl Pool {
         let arguments: Vec<Symbol> = (0..count).map(|number| self.formal(&primitive, number)).collect();
         let function = self.declare_function("integral", arguments);
         self.primitives.functions.insert(primitive.clone(), function);
-        self.primitives.kernels.insert(function, primitive);
+        self.primitives.integrands.insert(function, primitive);
         function
     }
 }

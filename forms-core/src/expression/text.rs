@@ -181,7 +181,7 @@ impl Pool {
         is_full: &Cell<bool>,
     ) -> String {
         let mut pool = self.clone();
-        let Some((kernel, variables)) = pool.kernel_at(function, orders, arguments) else {
+        let Some((integrand, variables)) = pool.primitive_integrand_at(function, orders, arguments) else {
             return self.function(function).name.clone();
         };
         let ranges: Vec<String> = variables
@@ -189,7 +189,7 @@ impl Pool {
             .zip(written)
             .map(|(&variable, end)| format!("{} = 0..{end}", pool.symbol_name(variable)))
             .collect();
-        format!("integral({}, {})", pool.written(&[kernel], is_full)[0], ranges.join(", "))
+        format!("integral({}, {})", pool.written(&[integrand], is_full)[0], ranges.join(", "))
     }
 }
 

@@ -229,7 +229,7 @@ impl Writer<'_> {
         arguments: &[Expr],
     ) -> Option<(String, Binding)> {
         let mut pool = self.pool.clone();
-        let (kernel, variables) = pool.kernel_at(function, orders, arguments)?;
+        let (integrand, variables) = pool.primitive_integrand_at(function, orders, arguments)?;
         let ends = variables.iter().zip(arguments);
         let signs: String =
             ends.map(|(_, &end)| format!("\\int_0^{{{}}}", self.of(end, Binding::Sum))).collect();
@@ -237,7 +237,7 @@ impl Writer<'_> {
             .iter()
             .map(|&variable| format!("\\,\\mathrm{{d}}{}", latex_name(pool.symbol_name(variable))))
             .collect();
-        Some((format!("{signs} {}{}", latex_of_expression(&pool, kernel), steps.concat()), Binding::Sum))
+        Some((format!("{signs} {}{}", latex_of_expression(&pool, integrand), steps.concat()), Binding::Sum))
     }
 }
 

@@ -1,5 +1,5 @@
-//! Kernels of primitives: splits a product into jets and a remaining factor, and puts its variables
-//! and jets into a canonical order.
+//! Integrands of primitives: splits a product into jets and a remaining factor, and puts its
+//! variables and jets into a canonical order.
 //!
 //! ```text
 //! product ─ gather ─▶ jets at variables and parameters · remaining factor ─ least order of the variables ─▶ primitive
@@ -23,14 +23,14 @@ const MOST_REORDERED: usize = 4;
 /// integrated as it is.
 const MOST_SUMMANDS: usize = 64;
 
-/// Jet of a kernel under construction: its arguments, each with its order of differentiation.
+/// Jet of an integrand under construction: its arguments, each with its order of differentiation.
 struct Jet {
     function: FunctionId,
     arguments: Vec<(Expr, u32)>,
 }
 
-/// Kernel under construction, with its integration variables and their upper limits.
-struct Kernel {
+/// Integrand under construction, with its integration variables and their upper limits.
+struct Integrand {
     jets: Vec<Jet>,
     elementary: Expr,
     integrated: Vec<(Symbol, Expr)>,
@@ -40,7 +40,7 @@ struct Kernel {
 /// of differentiation.
 type Numbered = (Factor, Vec<(Expr, u32)>);
 
-/// Kernel with its integration variables numbered: jets, the remaining factor and its parameters,
+/// Integrand with its integration variables numbered: jets, the remaining factor and its parameters,
 /// the upper limits.
 type Candidate = (Vec<Numbered>, Expr, Vec<Symbol>, Vec<Expr>);
 
@@ -50,10 +50,11 @@ impl Pool {
     pub(super) fn primitive_over(&mut self, product: Expr, integrated: Vec<(Symbol, Expr)>) -> Expr {
         let (mut sum, one) = (self.integer(0), self.integer(1));
         for summand in self.distributed(product) {
-            let mut kernel = Kernel { jets: vec![], elementary: one, integrated: integrated.clone() };
-            self.gather(&mut kernel, summand);
-            let (number, elementary) = self.content(kernel.elementary);
-            let (number, value) = (self.number(number), self.completed(Kernel { elementary, ..kernel }));
+            let mut integrand = Integrand { jets: vec![], elementary: one, integrated: integrated.clone() };
+            self.gather(&mut integrand, summand);
+            let (number, elementary) = self.content(integrand.elementary);
+            let (number, value) =
+                (self.number(number), self.completed(Integrand { elementary, ..integrand }));
             let term = self.multiply(number, value);
             sum = self.add(sum, term);
         }
@@ -103,65 +104,65 @@ impl Pool {
 
     /// Splits a product into jets and a remaining factor. Each argument of these jets is a variable
     /// or contains none of the integration variables.
-    fn gather(&mut self, kernel: &mut Kernel, product: Expr) {
+    fn gather(&mut self, integrand: &mut Integrand, product: Expr) {
         match self.node(product).clone() {
             Node::Multiply(a, b) => {
-                self.gather(kernel, a);
-                self.gather(kernel, b);
+                self.gather(integrand, a);
+                self.gather(integrand, b);
             }
             Node::Negate(a) => {
-                kernel.elementary = self.negate(kernel.elementary);
-                self.gather(kernel, a);
+                integrand.elementary = self.negate(integrand.elementary);
+                self.gather(integrand, a);
             }
             Node::Divide(a, b) => {
-                self.gather(kernel, a);
-                kernel.elementary = self.divide(kernel.elementary, b);
+                self.gather(integrand, a);
+                integrand.elementary = self.divide(integrand.elementary, b);
             }
             Node::Power(base, exponent)
                 if exponent.is_integer()
                     && (1..=8).contains(exponent.numer())
                     && matches!(self.node(base), Node::Jet { .. } | Node::Multiply(..)) =>
             {
-                (0..*exponent.numer()).for_each(|_| self.gather(kernel, base));
+                (0..*exponent.numer()).for_each(|_| self.gather(integrand, base));
             }
             Node::Jet { function, orders, arguments } => {
-                self.gather_jet(kernel, product, (function, &orders, &arguments));
+                self.gather_jet(integrand, product, (function, &orders, &arguments));
             }
-            _ => kernel.elementary = self.multiply(kernel.elementary, product),
+            _ => integrand.elementary = self.multiply(integrand.elementary, product),
         }
     }
 
     fn gather_jet(
         &mut self,
-        kernel: &mut Kernel,
+        integrand: &mut Integrand,
         written: Expr,
         (function, orders, arguments): (FunctionId, &[u32], &[Expr]),
     ) {
         let moves = |pool: &Pool, argument: Expr| {
             let symbols = pool.symbols_in(&[argument]);
-            kernel.integrated.iter().any(|(symbol, _)| symbols.contains(symbol))
+            integrand.integrated.iter().any(|(symbol, _)| symbols.contains(symbol))
         };
         let is_variable = |pool: &Pool, argument: Expr| matches!(pool.node(argument), Node::Symbol(_));
         if arguments.iter().any(|&argument| moves(self, argument) && !is_variable(self, argument)) {
-            kernel.elementary = self.multiply(kernel.elementary, written);
+            integrand.elementary = self.multiply(integrand.elementary, written);
             return;
         }
-        let inner = self.primitives.kernels.get(&function).cloned();
+        let inner = self.primitives.integrands.get(&function).cloned();
         if let Some(inner) = inner
             && !arguments[..inner.integrated].iter().any(|&end| moves(self, end))
         {
-            self.gather_primitive(kernel, &inner, orders, arguments);
+            self.gather_primitive(integrand, &inner, orders, arguments);
             return;
         }
         let arguments = arguments.iter().copied().zip(orders.iter().copied()).collect();
-        kernel.jets.push(Jet { function, arguments });
+        integrand.jets.push(Jet { function, arguments });
     }
 
-    /// Merges a primitive into the kernel that it is a factor of, ∫ g Φ = ∫∫ g φ: its integration
-    /// variables join those of the kernel.
+    /// Merges a primitive into the integrand that it is a factor of, ∫ g Φ = ∫∫ g φ: its integration
+    /// variables join those of the integrand.
     fn gather_primitive(
         &mut self,
-        kernel: &mut Kernel,
+        integrand: &mut Integrand,
         inner: &Primitive,
         orders: &[u32],
         arguments: &[Expr],
@@ -170,28 +171,28 @@ impl Pool {
         let mut candidate = 0;
         for (number, &end) in arguments[..inner.integrated].iter().enumerate() {
             let mut variable = self.inner_variable(candidate);
-            while kernel.integrated.iter().any(|(taken, _)| *taken == variable) {
+            while integrand.integrated.iter().any(|(taken, _)| *taken == variable) {
                 candidate += 1;
                 variable = self.inner_variable(candidate);
             }
-            kernel.integrated.push((variable, end));
+            integrand.integrated.push((variable, end));
             places[number] = self.symbol(variable);
         }
-        let product = self.value_of_kernel(inner, orders, &places);
-        self.gather(kernel, product);
+        let product = self.value_of_integrand(inner, orders, &places);
+        self.gather(integrand, product);
     }
 
     /// Returns the primitive for the least order of variables and jets, at its arguments.
-    fn completed(&mut self, kernel: Kernel) -> Expr {
-        let count = kernel.integrated.len();
+    fn completed(&mut self, integrand: Integrand) -> Expr {
+        let count = integrand.integrated.len();
         let mut best: Option<Candidate> = None;
         for order in orders_of(count) {
-            let candidate = self.numbered(&kernel, &order);
+            let candidate = self.numbered(&integrand, &order);
             if best.as_ref().is_none_or(|best| precedes(&candidate, best)) {
                 best = Some(candidate);
             }
         }
-        let Some((jets, elementary, symbols, ends)) = best else { return kernel.elementary };
+        let Some((jets, elementary, symbols, ends)) = best else { return integrand.elementary };
         let (mut arguments, mut orders) = (ends, vec![0; count]);
         for (argument, order) in jets.iter().flat_map(|(_, parameters)| parameters) {
             arguments.push(*argument);
@@ -231,14 +232,14 @@ impl Pool {
         ordered
     }
 
-    /// Numbers the integration variables of a kernel in the given order and sorts its jets.
-    fn numbered(&mut self, kernel: &Kernel, order: &[usize]) -> Candidate {
+    /// Numbers the integration variables of an integrand in the given order and sorts its jets.
+    fn numbered(&mut self, integrand: &Integrand, order: &[usize]) -> Candidate {
         let number_of = |pool: &Pool, argument: Expr| match pool.node(argument) {
-            Node::Symbol(symbol) => order.iter().position(|&place| kernel.integrated[place].0 == *symbol),
+            Node::Symbol(symbol) => order.iter().position(|&place| integrand.integrated[place].0 == *symbol),
             _ => None,
         };
         let mut jets: Vec<Numbered> = Vec::new();
-        for jet in &kernel.jets {
+        for jet in &integrand.jets {
             let (mut places, mut parameters) = (Vec::new(), Vec::new());
             for &(argument, derivatives) in &jet.arguments {
                 match number_of(self, argument) {
@@ -255,8 +256,8 @@ impl Pool {
         let own = jets.iter().map(|(_, parameters)| parameters.len()).sum::<usize>();
         let mut values: Substitution = Substitution::default();
         let mut free = Vec::new();
-        for symbol in self.symbols_in(&[kernel.elementary]) {
-            let place = order.iter().position(|&place| kernel.integrated[place].0 == symbol);
+        for symbol in self.symbols_in(&[integrand.elementary]) {
+            let place = order.iter().position(|&place| integrand.integrated[place].0 == symbol);
             let formal = match place {
                 Some(number) => self.formal_variable(number),
                 None => {
@@ -266,14 +267,14 @@ impl Pool {
             };
             values.insert(symbol, self.symbol(formal));
         }
-        let elementary = self.substitute(kernel.elementary, &values);
+        let elementary = self.substitute(integrand.elementary, &values);
         let elementary = self.with_factors_in_order(elementary);
-        let ends = order.iter().map(|&place| kernel.integrated[place].1).collect();
+        let ends = order.iter().map(|&place| integrand.integrated[place].1).collect();
         (jets, elementary, free, ends)
     }
 }
 
-/// Whether a kernel precedes another: by its jets, then its remaining factor, then the arguments it
+/// Whether an integrand precedes another: by its jets, then its remaining factor, then the arguments it
 /// is evaluated at.
 fn precedes(a: &Candidate, b: &Candidate) -> bool {
     let shape = |candidate: &Candidate| -> Vec<Factor> {
