@@ -25,6 +25,7 @@ mod pieces;
 mod ratios;
 mod residue;
 mod seam;
+mod sign;
 mod special_points;
 mod translation;
 

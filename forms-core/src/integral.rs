@@ -32,6 +32,7 @@ mod signs;
 mod substitution;
 mod unknown;
 mod wave;
+mod zeros;
 
 pub(crate) use known_sign::Strictness;
 pub(crate) use moments::power_integral;

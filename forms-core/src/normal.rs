@@ -35,6 +35,7 @@ mod generators;
 mod ingredients;
 mod known_factors;
 mod nested;
+mod norm;
 mod normalise;
 mod obstacle;
 mod opaque;
