@@ -55,7 +55,7 @@ const WIDE_FILES: [(&str, &str); 8] = [
 const SURFACES: [(&str, usize); 1] = [("forms-core", 200)];
 
 /// Crates of the workspace that a crate may depend on. The program depends on all of them.
-const LAYERS: [(&str, &[&str]); 12] = [
+const LAYERS: [(&str, &[&str]); 13] = [
     ("forms-math", &[]),
     ("forms-core", &["forms-math"]),
     ("forms-check", &[]),
