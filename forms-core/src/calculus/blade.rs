@@ -4,7 +4,7 @@
 /// Largest number of coordinates that one file can declare.
 pub const MAXIMUM_COORDINATES: usize = 128;
 
-/// A coordinate by its number in the file, below [`MAXIMUM_COORDINATES`].
+/// A coordinate by its number in the file, below `MAXIMUM_COORDINATES`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Coordinate(pub u8);
 
