@@ -176,3 +176,36 @@ fn points_of(rows: &[Row], kind: &Kind, threads: usize, figure: fn(&Measured) ->
     let is_meant = |row: &&Row| row.kind.argument == kind.argument && row.threads == threads;
     rows.iter().filter(is_meant).map(|row| [row.found.count as f64, figure(&row.found)]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_two_lines_of_a_kind_have_one_colour_and_marks_of_their_own() {
+        let mut rows = Vec::new();
+        for kind in RECEIVERS.kinds {
+            for (threads, count) in [(1, 100), (1, 1000), (2, 100), (2, 1000)] {
+                let seconds = count as f64 * 1e-4 / threads as f64;
+                let found = Measured {
+                    count,
+                    reading: 1e-3,
+                    planning: seconds,
+                    answering: seconds,
+                    memory: 4096.0,
+                    error: 1e-9,
+                };
+                rows.push(Row { kind, threads, found });
+            }
+        }
+        let times = RECEIVERS.times(&rows);
+        let looks: Vec<_> = times.series.iter().map(|line| (line.colour, line.mark)).collect();
+        assert_eq!(looks.len(), 2 * RECEIVERS.kinds.len() + 1);
+        assert!(
+            looks[0].0 == looks[1].0 && looks[0].1 != looks[1].1 && looks[1].0 != looks[2].0,
+            "{looks:?}"
+        );
+        assert!(times.svg().contains(">closed cube, 2 threads</text>"));
+        assert!(RECEIVERS.memory(&rows).svg().contains(">10 MB</text>"));
+    }
+}
