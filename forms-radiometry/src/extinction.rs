@@ -1,7 +1,16 @@
 //! Extinction: transmittance e^(−σ d) of a homogeneous medium along a ray.
 
+use crate::scene::{Medium, Scene};
+
 // the kernel's rounding error is part of every reported error, so it needs no guard
 pub(crate) use crate::kernels::transmittance::unguarded as transmittance;
+
+/// Whether light from far away arrives in this band: an ambient medium that absorbs or scatters
+/// extinguishes it completely.
+pub(crate) fn is_lit_from_afar(scene: &Scene, band: usize) -> bool {
+    let is_clear = |medium: &Medium| medium.absorption[band] == 0.0 && medium.scattering[band] == 0.0;
+    scene.ambient.medium.is_none_or(|medium| is_clear(&scene.media[medium]))
+}
 
 /// Returns the transmittance over a distance, which can be infinite. It is 1 where the extinction
 /// is zero.

@@ -9,7 +9,7 @@ mod frame;
 mod sequence;
 mod sobol;
 
-pub(crate) use choice::chosen;
+pub(crate) use choice::{chosen, shares};
 pub(crate) use draws::{Draws, SHARED};
 pub(crate) use frame::Frame;
 pub(crate) use sequence::{Net, Random, Samples, key};

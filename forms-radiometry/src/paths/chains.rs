@@ -14,18 +14,18 @@
 
 use super::choice::Sought;
 use super::interface::Interface;
-use super::luminaires::extent;
 use crate::geometry::{Met, Plane, Vector, Wall};
-use crate::sampling::chosen;
+use crate::sampling::{chosen, shares};
 use crate::scene::{MaterialKind, Scene};
 
 /// Maximum number of chains with mirrors, and of planes.
 const MOST: usize = 64;
-/// Chains that leave less of the light than this fraction of the tolerance are not listed.
-const LISTED_FROM: f64 = 1e-3;
 /// Planes are merged if their normals differ by less than this, and their positions by less than
 /// this relative to the extent of the walls.
 const SAME: f64 = 1e-10;
+/// Images and chains of mirrors that leave less of their light than this fraction of the tolerance
+/// are omitted.
+pub(super) const LEAST_LISTED: f64 = 1e-3;
 
 /// The mirror chains of a world.
 pub(super) struct Chains {
@@ -75,7 +75,8 @@ pub(super) struct Chain {
 type Windows = Vec<(Vec<Vector>, Plane)>;
 
 impl Chains {
-    pub(super) fn of(scene: &Scene, walls: &[Wall], interfaces: &[Interface]) -> Self {
+    /// Returns the mirror chains of a scene, whose walls extend over this length.
+    pub(super) fn of(scene: &Scene, (walls, extent): (&[Wall], f64), interfaces: &[Interface]) -> Self {
         let emitting = |interface: &Interface| scene.surfaces[interface.surface].emits();
         let luminaires: Vec<Vec<Vector>> = walls
             .iter()
@@ -93,18 +94,14 @@ impl Chains {
         if luminaires.is_empty() {
             return chains;
         }
-        let extent = extent(walls);
         for (wall, (shape, interface)) in walls.iter().zip(interfaces).enumerate() {
             chains.of_walls[wall] = chains.plane(scene, shape, interface, extent);
         }
-        chains.list(&luminaires, LISTED_FROM * scene.solve.tolerance);
-        let whole: f64 = chains.all.iter().map(|chain| chain.chance).sum();
-        let mut sum = 0.0;
-        for chain in &mut chains.all {
-            chain.chance /= whole.max(f64::MIN_POSITIVE);
-            sum += chain.chance;
-            chains.chances.push(sum);
-        }
+        chains.list(&luminaires, LEAST_LISTED * scene.solve.tolerance);
+        let weights: Vec<f64> = chains.all.iter().map(|chain| chain.chance).collect();
+        let [chances, running] = shares(&weights);
+        chains.all.iter_mut().zip(chances).for_each(|(chain, chance)| chain.chance = chance);
+        chains.chances = running;
         chains
     }
 

@@ -37,8 +37,8 @@ use analytic::Computing;
 pub(crate) use checkpoint::OfPaths;
 use neighbours::spreads;
 use rayon::prelude::*;
-use request::{Asked, asked, divide_time};
 pub(crate) use request::{Division, all_estimands};
+use request::{Request, divide_time, requests};
 use scale::{Scales, known, settled};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -88,7 +88,7 @@ pub(crate) fn merge(
     let world = World::new(task.scene);
     let mut work = Work::new(&world, task.metres, (division, None), &Computing::nothing(), progress);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
-    if !work.asked.iter().all(Asked::is_answered) {
+    if !work.requests.iter().all(Request::is_answered) {
         return Err(Misfit);
     }
     work.is_done = true;
@@ -100,7 +100,7 @@ pub(crate) fn merge(
 pub(crate) struct Work<'w> {
     scene: &'w Scene,
     division: Division,
-    asked: Vec<Asked>,
+    requests: Vec<Request>,
     /// Scales of the cells, once the pilot has found them.
     scales: Option<Scales>,
     keeper: Option<&'w dyn Keeper>,
@@ -120,7 +120,7 @@ impl<'w> Work<'w> {
         Self {
             scene: world.scene,
             division,
-            asked: asked(world, metres, computing),
+            requests: requests(world, metres, computing),
             scales: None,
             keeper,
             progress,
@@ -153,19 +153,20 @@ impl<'w> Work<'w> {
     fn reach(&mut self, samplers: &[Box<dyn PathSampler + '_>]) -> bool {
         let (division, progress, keeper) = (self.division, self.progress, self.keeper);
         let samples = self.foreseen();
-        while self.asked.iter().any(|asked| !asked.is_there()) {
+        while self.requests.iter().any(|request| !request.is_there()) {
             // the first estimand runs in any case, so that the work advances under constant pauses
             let has_begun = AtomicBool::new(false);
             let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
             let begin = Instant::now();
-            let estimands = self.asked.par_iter_mut().enumerate().filter(|(_, asked)| !asked.is_there());
-            estimands.for_each(|(estimand, asked)| {
+            let estimands =
+                self.requests.par_iter_mut().enumerate().filter(|(_, request)| !request.is_there());
+            estimands.for_each(|(estimand, request)| {
                 if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
                     let is_meant = |replicate| division.has_replicate(estimand, replicate);
-                    asked.reach(samplers, is_meant, is_paused, |count| samples.add(count, progress));
+                    request.reach(samplers, is_meant, is_paused, |count| samples.add(count, progress));
                 }
             });
-            divide_time(&mut self.asked, begin);
+            divide_time(&mut self.requests, begin);
             if progress.is_stopped() {
                 return false;
             }
@@ -188,12 +189,12 @@ impl<'w> Work<'w> {
     fn begin(&mut self) -> bool {
         let division = self.division;
         let mut has_begun = false;
-        for (estimand, asked) in self.asked.iter_mut().enumerate() {
-            if asked.target == 0
-                && asked.computed.is_none()
-                && (asked.cell.is_some() || division.has(estimand))
+        for (estimand, request) in self.requests.iter_mut().enumerate() {
+            if request.target == 0
+                && request.computed.is_none()
+                && (request.cell.is_some() || division.has(estimand))
             {
-                asked.aim(MOST_SAMPLES);
+                request.aim(MOST_SAMPLES);
                 has_begun = true;
             }
         }
@@ -202,15 +203,18 @@ impl<'w> Work<'w> {
 
     /// Requests more samples where these determine the scales; otherwise stores the scales.
     fn pilot(&mut self) -> bool {
-        match settled(&self.asked, self.scene.receivers.len(), self.scene.band_count()) {
+        match settled(&self.requests, self.scene.receivers.len(), self.scene.band_count()) {
             Ok(scales) => {
-                let spreads = spreads(&self.asked, self.scene);
-                self.asked.iter_mut().zip(spreads).for_each(|(asked, spreads)| asked.spreads = spreads);
+                let spreads = spreads(&self.requests, self.scene);
+                self.requests
+                    .iter_mut()
+                    .zip(spreads)
+                    .for_each(|(request, spreads)| request.spreads = spreads);
                 self.scales = Some(scales);
                 false
             }
             Err(open) => {
-                open.into_iter().for_each(|estimand| self.asked[estimand].aim(MOST_SAMPLES));
+                open.into_iter().for_each(|estimand| self.requests[estimand].aim(MOST_SAMPLES));
                 true
             }
         }
@@ -219,28 +223,28 @@ impl<'w> Work<'w> {
     /// Requests twice as many samples where the budget is not spent or the error is too large.
     fn refine(&mut self) -> bool {
         let is_open = |&estimand: &usize| {
-            let asked = &self.asked[estimand];
+            let request = &self.requests[estimand];
             match self.division.budget {
-                _ if asked.computed.is_some() => false,
-                Some(budget) => asked.replicates.samples < budget.of_replicate(),
+                _ if request.computed.is_some() => false,
+                Some(budget) => request.replicates.samples < budget.of_replicate(),
                 None => {
-                    let error = asked.error(&self.scales_of(asked, self.scales.as_ref()));
-                    error > self.scene.solve.tolerance && asked.may_go_on()
+                    let error = request.error(&self.scales_of(request, self.scales.as_ref()));
+                    error > self.scene.solve.tolerance && request.may_go_on()
                 }
             }
         };
-        let own = (0..self.asked.len()).into_par_iter().filter(|&estimand| self.division.has(estimand));
+        let own = (0..self.requests.len()).into_par_iter().filter(|&estimand| self.division.has(estimand));
         let open: Vec<usize> = own.filter(is_open).collect();
         let most = self.division.budget.map_or(MOST_SAMPLES, |budget| budget.of_replicate());
-        open.iter().for_each(|&estimand| self.asked[estimand].aim(most));
+        open.iter().for_each(|&estimand| self.requests[estimand].aim(most));
         !open.is_empty()
     }
 
     /// Returns the scale of an estimand's tolerance in each band, given these scales of cells.
-    fn scales_of(&self, asked: &Asked, scales: Option<&Scales>) -> Vec<f64> {
-        match (scales, asked.cell) {
-            (Some(scales), Some(_)) => scales[asked.receiver].clone(),
-            _ => asked.largest(self.scene.band_count()),
+    fn scales_of(&self, request: &Request, scales: Option<&Scales>) -> Vec<f64> {
+        match (scales, request.cell) {
+            (Some(scales), Some(_)) => scales[request.receiver].clone(),
+            _ => request.largest(self.scene.band_count()),
         }
     }
 
@@ -253,14 +257,14 @@ impl<'w> Work<'w> {
     /// Records the present accuracy of the units of the shard.
     fn note(&mut self) {
         let Division { share, budget } = self.division;
-        let own = || self.asked.iter().enumerate().filter(|(estimand, _)| self.division.has(*estimand));
-        let answered: Vec<&Asked> =
-            own().map(|(_, asked)| asked).filter(|asked| asked.is_answered()).collect();
+        let own = || self.requests.iter().enumerate().filter(|(estimand, _)| self.division.has(*estimand));
+        let answered: Vec<&Request> =
+            own().map(|(_, request)| request).filter(|request| request.is_answered()).collect();
         let is_told = (budget.is_none() || share.is_whole()) && !answered.is_empty();
         let error = is_told.then(|| {
             let cells = self.scales_of_cells();
-            let scales = |asked: &Asked| self.scales_of(asked, Some(&cells));
-            answered.par_iter().map(|asked| asked.error(&scales(asked))).reduce(|| 0.0, f64::max)
+            let scales = |request: &Request| self.scales_of(request, Some(&cells));
+            answered.par_iter().map(|request| request.error(&scales(request))).reduce(|| 0.0, f64::max)
         });
         let seconds = self.progress.seconds();
         self.history.extend(error.map(|error| Moment { seconds, error }));
@@ -268,7 +272,7 @@ impl<'w> Work<'w> {
 
     /// Returns the scales of cells: those of the pilot, or an estimate from all samples so far.
     fn scales_of_cells(&self) -> Scales {
-        let all = || known(&self.asked, self.scene.receivers.len(), self.scene.band_count());
+        let all = || known(&self.requests, self.scene.receivers.len(), self.scene.band_count());
         self.scales.clone().unwrap_or_else(all)
     }
 

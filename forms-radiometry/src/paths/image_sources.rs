@@ -11,21 +11,19 @@
 //! continues to another one only where that wall lies in its beam.
 
 use super::boundary::Passage;
+use super::chains::LEAST_LISTED;
 use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::passages;
 use super::world::World;
 use crate::geometry::{Met, Plane, Start, Vector, Wall, split};
-use crate::sampling::chosen;
+use crate::sampling::{chosen, shares};
 use crate::scene::{Filling, LightKind, MaterialKind};
 
 /// Maximum number of images; a scene with more is rejected.
 const MOST: usize = 4096;
 /// Up to this number of images, all are evaluated; of more, one is selected.
 const FEW: usize = 16;
-/// Images that are weaker, relative to their light, than this fraction of the tolerance are
-/// omitted.
-const LISTED_FROM: f64 = 1e-3;
 /// Total light of the omitted images as a fraction of the tolerance: a few of them follow from each
 /// of the last listed images.
 pub(crate) const LEFT_OUT: f64 = 1e-2;
@@ -107,16 +105,13 @@ impl<const N: usize> Images<N> {
             };
             let sent =
                 Sent { place, light: optics.beams[index], filling, steps: Vec::new(), lit: Vec::new() };
-            let least = LISTED_FROM * world.scene.solve.tolerance * largest(&optics.beams[index]);
+            let least = LEAST_LISTED * world.scene.solve.tolerance * largest(&optics.beams[index]);
             images.add_images(world, optics, &smooth, sent, least);
         }
-        let whole: f64 = images.all.iter().map(|image| largest(&image.light)).sum();
-        let mut sum = 0.0;
-        for image in &mut images.all {
-            image.chance = largest(&image.light) / whole;
-            sum += image.chance;
-            images.chances.push(sum);
-        }
+        let weights: Vec<f64> = images.all.iter().map(|image| largest(&image.light)).collect();
+        let [chances, running] = shares(&weights);
+        images.all.iter_mut().zip(chances).for_each(|(image, chance)| image.chance = chance);
+        images.chances = running;
         images
     }
 

@@ -22,7 +22,7 @@ use super::warps::{
 };
 use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
 use crate::kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
-use crate::sampling::{Frame, Samples, chosen};
+use crate::sampling::{Frame, Samples, chosen, shares};
 use crate::scene::{LightKind, Scene};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -88,7 +88,8 @@ pub(super) struct LightSample {
 }
 
 impl Luminaires {
-    pub(super) fn of(scene: &Scene, shapes: &[Wall], interfaces: &[Interface]) -> Self {
+    /// Returns the light sources of a scene, whose walls extend over this length.
+    pub(super) fn of(scene: &Scene, (shapes, extent): (&[Wall], f64), interfaces: &[Interface]) -> Self {
         let (mut walls, mut weights, mut powers, mut of_walls) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         let mut near = Vec::with_capacity(shapes.len());
@@ -109,7 +110,6 @@ impl Luminaires {
             of_walls.push(first..walls.len());
             near.push((radiance > 0.0).then(|| Near::of(shape)));
         }
-        let extent = extent(shapes);
         let (mut beams, mut weights_of_beams) = (Vec::new(), Vec::new());
         for (index, light) in scene.lights.iter().enumerate() {
             let (form, value) = match &light.kind {
@@ -123,12 +123,7 @@ impl Luminaires {
             weights_of_beams.push(form.weight(value));
             beams.push(Luminaire { source: Source::Beam(index), form });
         }
-        let whole: f64 = powers.iter().sum();
-        let mut sum = 0.0;
-        for power in &mut powers {
-            sum += *power / whole;
-            *power = sum;
-        }
+        let [_, powers] = shares(&powers);
         let all = Weight::together(weights.iter().chain(&weights_of_beams));
         let [choice_of_walls, choice_of_beams] = [weights, weights_of_beams].map(Choice::among);
         Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, all }
@@ -396,11 +391,4 @@ fn outside(sphere: &Sphere, from: Vector) -> Option<(Vector, f64)> {
 /// Returns the density in a cone, which does not depend on the direction.
 fn cone_density(height: f64) -> f64 {
     uniform_cone_pdf(height, 0.0, 0.0, 1.0)
-}
-
-/// Returns a length over which the scene extends.
-pub(super) fn extent(walls: &[Wall]) -> f64 {
-    let corners: Vec<Vector> = walls.iter().flat_map(Wall::corners).collect();
-    let Some(&first) = corners.first() else { return 1.0 };
-    corners.iter().map(|&corner| (corner - first).length()).fold(0.0, f64::max)
 }

@@ -30,8 +30,9 @@ impl<'s> World<'s> {
             interfaces.extend(of_sheet.iter().map(|_| belongs));
             walls.extend(of_sheet);
         }
-        let luminaires = Luminaires::of(scene, &walls, &interfaces);
-        let chains = Chains::of(scene, &walls, &interfaces);
+        let extent = extent(&walls);
+        let luminaires = Luminaires::of(scene, (&walls, extent), &interfaces);
+        let chains = Chains::of(scene, (&walls, extent), &interfaces);
         let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
         for (wall, interface) in interfaces.iter().enumerate() {
             of_surfaces[interface.surface].push(wall);
@@ -92,4 +93,11 @@ fn walls_of(piece: Piece) -> Vec<Wall> {
         Piece::Sphere(sphere) => vec![Wall::Sphere(sphere)],
         Piece::Disk(disk) => vec![Wall::Disk(disk)],
     }
+}
+
+/// Returns a length over which the scene extends.
+fn extent(walls: &[Wall]) -> f64 {
+    let corners: Vec<Vector> = walls.iter().flat_map(Wall::corners).collect();
+    let Some(&first) = corners.first() else { return 1.0 };
+    corners.iter().map(|&corner| (corner - first).length()).fold(0.0, f64::max)
 }

@@ -34,7 +34,7 @@ pub(crate) struct Surroundings {
 type Hidden = (Between, Vec<u32>);
 
 /// The reflecting faces, some of which are evaluated.
-struct Asked<'s> {
+struct ReflectingFaces<'s> {
     scene: &'s Scene,
     transport: &'s Transport,
     reflecting: Vec<usize>,
@@ -53,22 +53,22 @@ impl Surroundings {
 
     /// Evaluates the surroundings of some faces at points near their corners and at their centres.
     pub(crate) fn of(scene: &Scene, transport: &Transport) -> Self {
-        let asked = Asked::of(scene, transport);
-        let places = || asked.places().collect::<Vec<_>>();
-        let parallelism = Parallelism::of(asked.operations());
-        let hidden = parallelism.map(places(), |_: &mut (), place| asked.hidden(place));
-        let of_place = |scratch: &mut Scratch, place| asked.at(place, &hidden, scratch);
+        let faces = ReflectingFaces::of(scene, transport);
+        let places = || faces.places().collect::<Vec<_>>();
+        let parallelism = Parallelism::of(faces.operations());
+        let hidden = parallelism.map(places(), |_: &mut (), place| faces.hidden(place));
+        let of_place = |scratch: &mut Scratch, place| faces.at(place, &hidden, scratch);
         let found = parallelism.map(places(), of_place).into_iter().fold(Self::NOTHING, Self::beside);
         // nothing is known of the faces that are not evaluated
-        Self { may_see: found.may_see || asked.step > 1, ..found }
+        Self { may_see: found.may_see || faces.step > 1, ..found }
     }
 
     /// Estimates the surroundings of some faces at their centres from the faces that rays meet,
     /// without direct light.
     pub(crate) fn by_rays(scene: &Scene, transport: &Transport) -> Self {
-        let asked = Asked::of(scene, transport);
+        let faces = ReflectingFaces::of(scene, transport);
         let of_face = |(number, place): (usize, usize)| {
-            let face = asked.face(place);
+            let face = faces.face(place);
             let mut row = vec![0.0; scene.band_count()];
             let mut closure = 0.0;
             let met = transport
@@ -81,7 +81,7 @@ impl Surroundings {
             }
             Self { contraction: row.into_iter().fold(0.0, f64::max), closure, may_see: true }
         };
-        asked.places().enumerate().map(of_face).fold(Self::NOTHING, Self::beside)
+        faces.places().enumerate().map(of_face).fold(Self::NOTHING, Self::beside)
     }
 
     /// Combines the surroundings at these points with those at others.
@@ -94,7 +94,7 @@ impl Surroundings {
     }
 }
 
-impl<'s> Asked<'s> {
+impl<'s> ReflectingFaces<'s> {
     fn of(scene: &'s Scene, transport: &'s Transport) -> Self {
         let is_reflecting = |&index: &usize| is_reflecting(scene, &transport.faces[index]);
         let reflecting: Vec<usize> = (0..transport.faces.len()).filter(is_reflecting).collect();
@@ -220,14 +220,14 @@ mod tests {
             let faces = faces(&scene, 0);
             let screens = Screens::of(&faces);
             let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
-            let asked = Asked::of(&scene, &transport);
-            assert_eq!((asked.reflecting.len(), asked.step), (6 * count, step));
-            let hidden: Vec<_> = asked.places().map(|place| asked.hidden(place)).collect();
+            let faces = ReflectingFaces::of(&scene, &transport);
+            assert_eq!((faces.reflecting.len(), faces.step), (6 * count, step));
+            let hidden: Vec<_> = faces.places().map(|place| faces.hidden(place)).collect();
             let mut scratch = Scratch::default();
             let mut seen = 0;
-            for place in asked.places() {
-                let found = asked.at(place, &hidden, &mut scratch).contraction;
-                let expected = alone(&asked, place, &mut scratch);
+            for place in faces.places() {
+                let found = faces.at(place, &hidden, &mut scratch).contraction;
+                let expected = alone(&faces, place, &mut scratch);
                 assert!(
                     (found - expected).abs() < 1e-12,
                     "{count} cubes, face {place}: {found} and {expected}"
@@ -239,18 +239,18 @@ mod tests {
     }
 
     /// Returns the largest Σ ρ F of a face that searches for all occluders itself.
-    fn alone(asked: &Asked, place: usize, scratch: &mut Scratch) -> f64 {
-        let face = asked.face(place);
+    fn alone(faces: &ReflectingFaces, place: usize, scratch: &mut Scratch) -> f64 {
+        let face = faces.face(place);
         let mut largest: f64 = 0.0;
         for point in points(face) {
             let points = [point];
             let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
             let factor = |other: usize| {
-                let seen = asked.face(other);
-                let factors = asked.transport.measured(group, (&seen.vertices, seen.normal), scratch);
+                let seen = faces.face(other);
+                let factors = faces.transport.measured(group, (&seen.vertices, seen.normal), scratch);
                 factors.map_or(0.0, |factors| factors[0])
             };
-            largest = largest.max(0.5 * (0..asked.reflecting.len()).map(factor).sum::<f64>());
+            largest = largest.max(0.5 * (0..faces.reflecting.len()).map(factor).sum::<f64>());
         }
         largest
     }

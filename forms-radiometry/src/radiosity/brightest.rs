@@ -11,8 +11,9 @@
 //! factor are at most 1.
 
 use super::point_lights::spectrum;
-use super::system::{is_reflecting, reflectance};
+use super::reflectance::{is_reflecting, reflectance};
 use super::transport::Transport;
+use crate::extinction::is_lit_from_afar;
 use crate::faces::emits;
 use crate::geometry::{Face, distance_of_boxes};
 use crate::scene::{Light, LightKind, Scene};
@@ -58,7 +59,7 @@ pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -
         let factor = most_of_light(face, light, scene, transport);
         let is_far = matches!(light.kind, LightKind::Distant { .. });
         for (band, (most, of_band)) in most.iter_mut().zip(spectrum(light)).enumerate() {
-            if !is_far || scene.is_lit_from_afar(band) {
+            if !is_far || is_lit_from_afar(scene, band) {
                 *most += factor * of_band;
             }
         }

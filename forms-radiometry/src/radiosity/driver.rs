@@ -21,7 +21,7 @@ pub(crate) mod scales;
 mod tessellation;
 
 use super::question::asks_for_rays;
-use super::{Gathering, Lights, Paths, Question, Radiosity, Scratch, Transport};
+use super::{FinalGathering, Gathering, Lights, Question, Radiosity, Scratch, Transport};
 use crate::answer::{Answer, ErrorParts, Moment, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
@@ -107,7 +107,7 @@ pub(crate) struct Work<'s> {
 /// Solution that readings and maps are evaluated from.
 enum Solution<'t> {
     Elements(Box<Radiosity<'t>>),
-    Paths(Box<Paths<'t>>),
+    FinalGathering(Box<FinalGathering<'t>>),
 }
 
 impl<'s> Work<'s> {
@@ -187,7 +187,7 @@ impl<'s> Work<'s> {
                         let images = self.images(radiosity, sight, &found);
                         Pictures { maps, images, is_sampled: false }
                     }
-                    Solution::Paths(paths) => {
+                    Solution::FinalGathering(paths) => {
                         self.progress.begin(Outlook::Stages(grids.len()));
                         Pictures::sampled(self.sampled_maps(paths, &grids, &found))
                     }
@@ -276,10 +276,10 @@ impl<'s> Work<'s> {
         's: 't,
     {
         if let Gathering::Rays { most } = gathering {
-            let paths = Paths::new(self.scene, transport, lights, self.question(), self.watch);
+            let paths = FinalGathering::new(self.scene, transport, lights, self.question(), self.watch);
             let found = self.sampled(&paths, is_round(self.scene), most, history);
             if most.is_infinite() || self.watch.is_stopped() || self.is_enough(&found) {
-                return (Solution::Paths(Box::new(paths)), found);
+                return (Solution::FinalGathering(Box::new(paths)), found);
             }
         }
         let (radiosity, found) = self.refined(transport, lights, history);

@@ -1,6 +1,6 @@
-//! Paths: traces light backwards along rays, if there are too many surfaces for the exact pieces of
-//! all of them. This module computes the rough solution; [`walk`](super::walk) continues paths from
-//! a point.
+//! Final gathering: traces light backwards along rays, if there are too many surfaces for the exact
+//! pieces of all of them. This module computes the rough solution; [`walk`](super::walk) continues
+//! paths from a point.
 //!
 //! ```text
 //! faces ─▶ elements ─ rays from each ─▶ rows ─▶ rough Ẽ ─┬─ gathered ──────────────┬─▶ readings
@@ -23,9 +23,9 @@ use super::measure::Measure;
 use super::method::worthwhile_nodes;
 use super::operator::{Operator, Row};
 use super::question::Question;
+use super::reflectance::{is_reflecting, reflectance};
 use super::solution::of_bands;
 use super::subdivision::Subdivision;
-use super::system::{is_reflecting, reflectance};
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::emitted;
 use crate::geometry::Vector;
@@ -37,15 +37,15 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Number of nodes where the emitting part of the hemisphere is sampled.
-const ASKED: usize = 512;
+const SAMPLED_NODES: usize = 512;
 /// Number of emitters for which occluders are counted at such a node.
-const LIGHTS_ASKED: usize = 4;
+const SAMPLED_LIGHTS: usize = 4;
 /// Relative standard deviation below which rays that hit the emitters count as equivalent to their
 /// exact sum.
 const DEVIATION: f64 = 0.25;
 
 /// A scene with a rough solution, in which paths are traced.
-pub(crate) struct Paths<'t> {
+pub(crate) struct FinalGathering<'t> {
     pub(crate) scene: &'t Scene,
     pub(crate) transport: &'t Transport,
     lights: &'t Lights<'t>,
@@ -70,7 +70,7 @@ pub(crate) struct Paths<'t> {
 #[derive(Clone, Copy)]
 pub(crate) enum Numbers {
     /// Points where the emitting part of the hemisphere is sampled.
-    Asked,
+    Hemispheres,
     /// Rows of the rough solution.
     Rows,
     /// Probes.
@@ -90,7 +90,7 @@ pub(crate) struct End {
     pub(crate) place: Option<Place>,
 }
 
-impl<'t> Paths<'t> {
+impl<'t> FinalGathering<'t> {
     /// Computes the rough solution.
     pub(crate) fn new(
         scene: &'t Scene,
@@ -127,10 +127,10 @@ impl<'t> Paths<'t> {
     /// √((1 − f)/(f M)); an exact view takes longer the more occluders are clipped from it.
     fn lights_are_met(&self) -> bool {
         let elements = &self.subdivision.elements;
-        let asked = elements.iter().step_by((elements.len() / ASKED).max(1));
+        let sampled = elements.iter().step_by((elements.len() / SAMPLED_NODES).max(1));
         let (mut met, mut screens, mut all) = (0.0, 0.0, 0.0_f64);
-        for (index, element) in asked.enumerate() {
-            let key = self.key(Numbers::Asked, index as u64);
+        for (index, element) in sampled.enumerate() {
+            let key = self.key(Numbers::Hemispheres, index as u64);
             let ends = self.transport.faces_above(element.centre(), element.normal, RAYS, key);
             let lit = ends.filter(|&face| self.emitted(face).iter().any(|&radiance| radiance > 0.0));
             met += lit.count() as f64 / f64::from(RAYS);
@@ -150,7 +150,7 @@ impl<'t> Paths<'t> {
         }
         let faces = self.lights.faces();
         let (mut found, mut sum, mut all) = (Vec::new(), 0.0, 0.0_f64);
-        for &face in faces.iter().step_by((faces.len() / LIGHTS_ASKED).max(1)) {
+        for &face in faces.iter().step_by((faces.len() / SAMPLED_LIGHTS).max(1)) {
             let light = &self.transport.faces[face];
             let (points, normal) = ([element.centre()], Some(element.normal));
             self.transport.screens.between(&points, normal, &light.vertices, light.normal, &mut found);

@@ -74,8 +74,8 @@ impl Radiosity<'_> {
         for part in parts {
             straight.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
         }
-        let asked = self.question.orders.map_or(MOST_REFLECTIONS, |orders| orders as usize);
-        let reflections = asked.min(MOST_REFLECTIONS);
+        let orders = self.question.orders.map_or(MOST_REFLECTIONS, |orders| orders as usize);
+        let reflections = orders.min(MOST_REFLECTIONS);
         let (mut sum, mut last) = (straight.clone(), straight);
         if let Some(operator) = &self.operator {
             for _ in 0..reflections {

@@ -12,7 +12,7 @@ use super::direct::kinds;
 use super::element::Element;
 use super::method::Gathering;
 use super::question::Question;
-use super::system::is_reflecting;
+use super::reflectance::is_reflecting;
 use crate::geometry::Face;
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::kernels::{

@@ -20,10 +20,11 @@
 //! to be simulated. They are not used either if there is neither occlusion nor reflection and all
 //! light has closed forms, or if there are images.
 
+use super::coarsest_elements::{MOST_NODES, first_order};
 use super::costs::{FEWEST_PATHS, PATH, RAYS, STUDENT, VIEW};
 use super::question::Question;
 use super::reference::{Shape, reference};
-use super::system::{MOST_NODES, first_order, is_reflecting};
+use super::reflectance::is_reflecting;
 use crate::effects::Hiding;
 use crate::faces::faces;
 use crate::geometry::Face;
@@ -74,7 +75,7 @@ impl Gathering {
         let [first_error, power] = if is_hidden { HIDDEN } else { FREE };
         let sources = sources(scene, faces);
         let nodes = coarsest_nodes(sources) as f64;
-        let (readings, cells) = asked(scene);
+        let (readings, cells) = requested_values(scene);
         let paths = paths(scene, readings + cells);
         let finer =
             (first_error / scene.solve.tolerance).powf(1.0 / power).min(MOST_NODES as f64 / nodes).max(1.0);
@@ -107,7 +108,7 @@ fn coarsest_nodes(elements: usize) -> usize {
 }
 
 /// Returns the number of readings that a scene asks for, and the number of cells of maps.
-fn asked(scene: &Scene) -> (usize, usize) {
+fn requested_values(scene: &Scene) -> (usize, usize) {
     let (mut readings, mut cells) = (0, 0);
     for receiver in &scene.receivers {
         match receiver.kind {
@@ -130,7 +131,7 @@ fn paths(scene: &Scene, numbers: usize) -> f64 {
 
 /// Returns the number of nodes of a rough solution that take as long as the paths of all readings.
 pub(crate) fn worthwhile_nodes(scene: &Scene) -> usize {
-    let (readings, cells) = asked(scene);
+    let (readings, cells) = requested_values(scene);
     let nodes = PATH * paths(scene, readings + cells) / (f64::from(RAYS) + PATH);
     (nodes as usize).clamp(FEWEST_NODES, MOST_ROUGH_NODES)
 }

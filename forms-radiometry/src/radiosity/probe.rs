@@ -15,7 +15,7 @@
 
 use super::costs::{BATCHES, FIRST, PATH, STUDENT};
 use super::directions::towards;
-use super::final_gathering::{Numbers, Paths, Place, larger};
+use super::final_gathering::{FinalGathering, Numbers, Place, larger};
 use super::importance::GoalKind;
 use super::measure::Measure;
 use super::transport::Scratch;
@@ -101,7 +101,7 @@ impl Mean {
     }
 }
 
-impl Paths<'_> {
+impl FinalGathering<'_> {
     /// Creates an estimand with its first rays and paths, if the work is not stopped before.
     /// Different keys are independent.
     pub(crate) fn probe(&self, what: GoalKind, number: u64) -> Probe {
@@ -274,7 +274,12 @@ enum Begins {
 
 impl Begins {
     /// Returns the start of a path for a point of the square, and its weight.
-    fn at(&self, paths: &Paths, [u, v]: [f64; 2], unused: &mut [f64]) -> Option<(Place, Begin, f64)> {
+    fn at(
+        &self,
+        paths: &FinalGathering,
+        [u, v]: [f64; 2],
+        unused: &mut [f64],
+    ) -> Option<(Place, Begin, f64)> {
         match self {
             Self::Seen(GoalKind::At { position, measure }) => {
                 let (direction, weight) = towards(*measure, [u, v]);

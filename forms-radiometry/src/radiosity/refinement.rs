@@ -9,11 +9,12 @@
 //! to them, by a uniform irradiance of the element, over all reflections. The mean of a change
 //! counts, and its size with a smaller weight, so that changes which cancel now are not forgotten.
 
+use super::coarsest_elements::MOST_NODES;
 use super::convergence::{Change, decay};
 use super::element::Element;
 use super::importance::Goal;
 use super::reference::MOST_NODES as MOST_NODES_OF_ELEMENT;
-use super::system::{MOST_NODES, Radiosity};
+use super::system::Radiosity;
 use crate::geometry::Vector;
 use std::ops::Range;
 

@@ -5,7 +5,7 @@
 use super::clusters::clusters;
 use super::contact::ConvexPiece;
 use super::element::Element;
-use super::system::reflects;
+use super::reflectance::reflects;
 use crate::faces::is_bright;
 use crate::geometry::{Face, Vector};
 use crate::scene::Scene;

@@ -1,59 +1,30 @@
 //! System of equations of a scene: elements give rows of weights and direct light at their nodes,
 //! these give the irradiance of the nodes, and from it any receiver gathers its light.
 
-use super::contact;
+use super::coarsest_elements::coarsest;
 use super::convergence::Change;
 use super::direct::{Integral, Lights};
-use super::element::{Element, HIGHEST_ORDER};
+use super::element::Element;
 use super::gathered_light::Kinds;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::partial::OnElement;
 use super::question::Question;
+use super::received::{OfNodes, Received};
+use super::reflectance::{is_reflecting, reflectance, reflects};
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
 use super::transport::{Group, Scratch, Transport};
-use crate::faces::is_bright;
 use crate::geometry::double_double::{Rounded, area};
-use crate::geometry::{Face, Vector, closeness};
+use crate::geometry::{Face, Vector};
 use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::parallelism::Parallelism;
-use crate::scene::{MaterialKind, Scene};
+use crate::scene::Scene;
 use crate::watch::Watch;
 use forms::math::{DoubleDouble, Real};
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// Maximum number of nodes: the matrix of more does not fit into the memory of a small machine.
-pub(super) const MOST_NODES: usize = 12_000;
-
-/// Reduced orders of elements, each for more than this number of nodes before any is split: linear
-/// polynomials as soon as each element could not be split once, constants only where there is
-/// hardly room for anything else, because they converge slowly.
-const MOST_OF_ORDERS: [(usize, usize); 2] = [(2, MOST_NODES / 8), (1, MOST_NODES / 2)];
-
-/// Polynomials on the faces of disks and spheres have degrees below this.
-const ORDER_ON_ROUND: usize = 2;
-
-/// Returns the order of the elements before any is split, by the number of nodes that they have
-/// with each order.
-pub(super) fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
-    let lower = |order, (lower, most)| if nodes(order) > most { lower } else { order };
-    MOST_OF_ORDERS.into_iter().fold(HIGHEST_ORDER, lower)
-}
-
-/// Rows and direct light of the nodes of an element.
-#[derive(Default)]
-struct Received {
-    rows: Vec<Row>,
-    /// For each node, in each band, the direct light, and the direct light of point and distant
-    /// lights alone.
-    direct: Vec<Vec<f64>>,
-    beams: Vec<Vec<f64>>,
-    /// For each band the mean deviation of the irradiance from this light.
-    jump: Vec<f64>,
-}
 
 /// A solution on elements.
 pub(crate) struct Radiosity<'t> {
@@ -172,17 +143,7 @@ impl<'t> Radiosity<'t> {
         if self.watch.is_stopped() {
             return false;
         }
-        let mut rows = Vec::new();
-        let [mut direct, mut beams, mut jumps] = [(); 3].map(|()| vec![Vec::new(); self.scene.band_count()]);
-        for Received { rows: of_element, direct: light, beams: of_beams, jump } in of_elements {
-            rows.extend(of_element);
-            jumps.iter_mut().zip(jump).for_each(|(band, jump)| band.push(jump));
-            for (all, points) in [(&mut direct, light), (&mut beams, of_beams)] {
-                for of_point in points {
-                    all.iter_mut().zip(of_point).for_each(|(band, value)| band.push(value));
-                }
-            }
-        }
+        let OfNodes { rows, direct, beams, jumps } = OfNodes::of(of_elements, self.scene.band_count());
         (self.beams, self.jumps) = (beams, jumps);
         if self.question.orders == Some(0) {
             self.tail = vec![0.0; direct.len()];
@@ -428,60 +389,5 @@ impl<'t> Radiosity<'t> {
             Rounded { value, error: 0.0 }.nearest()
         };
         Some(flux.iter().map(nearest).collect())
-    }
-}
-
-/// Returns the elements before any is split: of all faces that reflect light, or whose mean is
-/// requested and is not an integral alone.
-fn coarsest(
-    scene: &Scene,
-    transport: &Transport,
-    question: &Question,
-    is_integral: &[bool],
-    shadows: &Shadows,
-) -> Vec<Element> {
-    let reflected = question.orders != Some(0);
-    let is_summed = |surface: usize| question.receives[surface] && (reflected || !is_integral[surface]);
-    let has_elements = |face: &Face| {
-        let is_source = reflected && reflects(scene, face.surface);
-        is_bright(scene, face) && (is_source || is_summed(face.surface))
-    };
-    let mut elements = Vec::new();
-    let corners = transport.faces.iter().flat_map(|face| &face.vertices).copied();
-    let closeness = closeness(corners);
-    let borders = |index: usize, face: &Face| {
-        let is_cut = reflected && !scene.surfaces[face.surface].shape.is_round();
-        if is_cut { shadows.borders(index, face, closeness) } else { Vec::new() }
-    };
-    let pieces = contact::pieces(&transport.faces, closeness, has_elements, borders);
-    for (index, (face, pieces)) in transport.faces.iter().zip(pieces).enumerate() {
-        elements.extend(pieces.iter().flat_map(|piece| Element::of(index, face, piece)));
-    }
-    // the faces of a polyhedron are as small as its shape requires: linear polynomials on them are
-    // as accurate as the shape
-    let is_round_face =
-        |element: &&mut Element| scene.surfaces[transport.faces[element.face].surface].shape.is_round();
-    elements.iter_mut().filter(is_round_face).for_each(|element| element.order = ORDER_ON_ROUND);
-    let nodes = |order| elements.iter().map(|element| element.count_with(order)).sum();
-    let order = first_order(nodes);
-    elements.iter_mut().for_each(|element| element.order = element.order.min(order));
-    elements
-}
-
-/// Whether a surface reflects light in any band.
-pub(super) fn reflects(scene: &Scene, surface: usize) -> bool {
-    reflectance(scene, surface).iter().any(|&rho| rho > 0.0)
-}
-
-/// Whether a face reflects the light that it receives.
-pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
-    is_bright(scene, face) && reflects(scene, face.surface)
-}
-
-/// Returns the diffuse reflectance of a surface, for each band.
-pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
-    match &scene.materials[scene.surfaces[surface].material].kind {
-        MaterialKind::Diffuse { reflectance } => reflectance,
-        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
     }
 }

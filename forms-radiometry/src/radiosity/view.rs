@@ -11,8 +11,9 @@
 use super::contact::{self, ConvexPiece};
 use super::element::Element;
 use super::measure::Measure;
+use super::reflectance::{is_reflecting, reflectance, reflects};
 use super::shadows::Shadows;
-use super::system::{Radiosity, is_reflecting, reflectance, reflects};
+use super::system::Radiosity;
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emitted, is_bright};
 use crate::geometry::{Face, Vector, closeness};

@@ -12,7 +12,7 @@
 //! transport and image synthesis (1990), for how paths end.
 
 use super::directions::above;
-use super::final_gathering::{Paths, Place};
+use super::final_gathering::{FinalGathering, Place};
 use super::transport::Scratch;
 use crate::kernels::irradiance;
 use crate::sampling::Random;
@@ -41,7 +41,7 @@ struct Step {
     left: Option<u32>,
 }
 
-impl Paths<'_> {
+impl FinalGathering<'_> {
     /// Adds the contribution of one path to E − Ẽ at a point to the sums, times a weight for each
     /// band. Returns an upper bound on the contribution that the end of the path truncated, for the
     /// band where it is largest.

@@ -38,13 +38,6 @@ impl Scene {
     pub fn band_count(&self) -> usize {
         self.bands.len().max(1)
     }
-
-    /// Whether light from far away arrives in this band: an ambient medium that absorbs or scatters
-    /// extinguishes it completely.
-    pub(crate) fn is_lit_from_afar(&self, band: usize) -> bool {
-        let is_clear = |medium: &Medium| medium.absorption[band] == 0.0 && medium.scattering[band] == 0.0;
-        self.ambient.medium.is_none_or(|medium| is_clear(&self.media[medium]))
-    }
 }
 
 /// The unit of lengths.

@@ -4,7 +4,7 @@
 use super::Work;
 use super::analytic::Computed;
 use super::neighbours::Spread;
-use super::request::{Asked, Division};
+use super::request::{Division, Request};
 use super::scale::Scales;
 use crate::answer::Moment;
 use crate::checkpoint::{Content, Kind, Misfit};
@@ -20,11 +20,11 @@ pub(crate) struct OfPaths {
     scales: Option<Scales>,
     history: Vec<[f64; 2]>,
     seconds: f64,
-    asked: Vec<KeptAsked>,
+    requests: Vec<KeptRequest>,
 }
 
 #[derive(Clone, Debug, Deserialize)]
-struct KeptAsked {
+struct KeptRequest {
     target: u32,
     samples: u32,
     spreads: Vec<Spread>,
@@ -40,11 +40,11 @@ struct WrittenOfPaths<'w> {
     scales: &'w Option<Scales>,
     history: Vec<[f64; 2]>,
     seconds: f64,
-    asked: Vec<WrittenAsked<'w>>,
+    requests: Vec<WrittenRequest<'w>>,
 }
 
 #[derive(Serialize)]
-struct WrittenAsked<'w> {
+struct WrittenRequest<'w> {
     target: u32,
     samples: u32,
     spreads: &'w [Spread],
@@ -59,7 +59,7 @@ impl Content for Work<'_> {
     }
 
     fn units(&self) -> [usize; 2] {
-        self.division.units(self.asked.len())
+        self.division.units(self.requests.len())
     }
 
     fn write(&self, output: &mut dyn Write) -> io::Result<()> {
@@ -71,17 +71,17 @@ impl Work<'_> {
     /// Returns the state, to be written.
     fn written<'s>(&'s self) -> WrittenOfPaths<'s> {
         let division = self.division;
-        let asked = |(estimand, asked): (usize, &'s Asked)| {
+        let request = |(estimand, request): (usize, &'s Request)| {
             // once the work is done, nobody needs the pilot's results for other shards
             let is_kept = !self.is_done || division.has(estimand);
             let is_meant = |replicate| division.has_replicate(estimand, replicate);
-            WrittenAsked {
-                target: if is_kept { asked.target } else { 0 },
-                samples: if is_kept { asked.replicates.samples } else { 0 },
-                spreads: if is_kept { &asked.spreads } else { &[] },
-                seconds: asked.seconds,
-                computed: asked.computed.as_deref().filter(|_| is_kept),
-                sums: if is_kept { asked.replicates.kept(is_meant) } else { Vec::new() },
+            WrittenRequest {
+                target: if is_kept { request.target } else { 0 },
+                samples: if is_kept { request.replicates.samples } else { 0 },
+                spreads: if is_kept { &request.spreads } else { &[] },
+                seconds: request.seconds,
+                computed: request.computed.as_deref().filter(|_| is_kept),
+                sums: if is_kept { request.replicates.kept(is_meant) } else { Vec::new() },
             }
         };
         let history = self.history.iter().map(|moment| [moment.seconds, moment.error]);
@@ -90,7 +90,7 @@ impl Work<'_> {
             scales: &self.scales,
             history: history.collect(),
             seconds: self.progress.seconds(),
-            asked: self.asked.iter().enumerate().map(asked).collect(),
+            requests: self.requests.iter().enumerate().map(request).collect(),
         }
     }
 }
@@ -103,28 +103,28 @@ impl OfPaths {
 
     /// Whether two states are equal, except for times.
     pub(crate) fn is_same_as(&self, other: &Self) -> bool {
-        let is_same = |(a, b): (&KeptAsked, &KeptAsked)| {
+        let is_same = |(a, b): (&KeptRequest, &KeptRequest)| {
             (a.target, a.samples) == (b.target, b.samples) && a.computed == b.computed && a.sums == b.sums
         };
         (self.is_done, &self.scales) == (other.is_done, &other.scales)
-            && self.asked.len() == other.asked.len()
-            && self.asked.iter().zip(&other.asked).all(is_same)
+            && self.requests.len() == other.requests.len()
+            && self.requests.iter().zip(&other.requests).all(is_same)
     }
 }
 
 impl Work<'_> {
     /// Continues from a state.
     pub(crate) fn restore(&mut self, state: OfPaths) -> Result<(), Misfit> {
-        if state.asked.len() != self.asked.len() {
+        if state.requests.len() != self.requests.len() {
             return Err(Misfit);
         }
-        for (estimand, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
-            (asked.target, asked.spreads, asked.seconds) = (kept.target, kept.spreads, kept.seconds);
+        for (estimand, (request, kept)) in self.requests.iter_mut().zip(state.requests).enumerate() {
+            (request.target, request.spreads, request.seconds) = (kept.target, kept.spreads, kept.seconds);
             if kept.computed.is_some() {
-                asked.computed = kept.computed;
+                request.computed = kept.computed;
             }
             let is_meant = |replicate| self.division.has_replicate(estimand, replicate);
-            if !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
+            if !request.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
             }
         }
@@ -137,17 +137,17 @@ impl Work<'_> {
 
     /// Takes the part that belongs to a shard from its final state.
     pub(crate) fn take(&mut self, share: Share, state: OfPaths) -> Result<(), Misfit> {
-        if state.asked.len() != self.asked.len() || !state.is_done {
+        if state.requests.len() != self.requests.len() || !state.is_done {
             return Err(Misfit);
         }
         let division = Division { share, ..self.division };
-        for (estimand, (asked, kept)) in self.asked.iter_mut().zip(state.asked).enumerate() {
-            asked.seconds += kept.seconds;
+        for (estimand, (request, kept)) in self.requests.iter_mut().zip(state.requests).enumerate() {
+            request.seconds += kept.seconds;
             if division.has(estimand) {
-                (asked.computed, asked.spreads) = (kept.computed, kept.spreads);
+                (request.computed, request.spreads) = (kept.computed, kept.spreads);
             }
             let is_meant = |replicate| division.has_replicate(estimand, replicate);
-            if division.has(estimand) && !asked.replicates.restore(kept.samples, kept.sums, is_meant) {
+            if division.has(estimand) && !request.replicates.restore(kept.samples, kept.sums, is_meant) {
                 return Err(Misfit);
             }
         }

@@ -10,7 +10,7 @@
 //! be reported.
 
 use super::Work;
-use super::request::Asked;
+use super::request::Request;
 use crate::progress::{Outlook, Progress};
 use crate::watch::Watch;
 use rayon::prelude::*;
@@ -42,21 +42,21 @@ impl Work<'_> {
     pub(super) fn foreseen(&self) -> Samples {
         let is_pilot = self.division.budget.is_none() && self.scales.is_none();
         let tolerance = self.scene.solve.tolerance;
-        let foreseen = |(estimand, asked): (usize, &Asked)| match self.division.budget {
-            _ if asked.computed.is_some() => [0.0; 2],
+        let foreseen = |(estimand, request): (usize, &Request)| match self.division.budget {
+            _ if request.computed.is_some() => [0.0; 2],
             Some(budget) if self.division.has(estimand) => [f64::from(budget.of_replicate()), 0.0],
-            _ if is_pilot || asked.is_there() || !asked.is_answered() => {
-                [f64::from(asked.target.max(asked.replicates.samples)), 0.0]
+            _ if is_pilot || request.is_there() || !request.is_answered() => {
+                [f64::from(request.target.max(request.replicates.samples)), 0.0]
             }
             _ => {
-                let samples = asked.foreseen(&self.scales_of(asked, self.scales.as_ref()), tolerance);
+                let samples = request.foreseen(&self.scales_of(request, self.scales.as_ref()), tolerance);
                 [samples, (DOUBT * samples).powi(2)]
             }
         };
         let sum = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a + c, b + d];
-        let all = self.asked.par_iter().enumerate().map(foreseen);
+        let all = self.requests.par_iter().enumerate().map(foreseen);
         let [foreseen, square] = all.reduce(|| [0.0; 2], sum);
-        let spent: u64 = self.asked.iter().map(|asked| u64::from(asked.replicates.samples)).sum();
+        let spent: u64 = self.requests.iter().map(|request| u64::from(request.replicates.samples)).sum();
         let (before, doubt) = (spent as f64, square.sqrt());
         let samples = Samples { spent: AtomicU64::new(spent), before, foreseen, doubt, is_pilot };
         self.progress.begin(samples.outlook(before));

@@ -11,7 +11,7 @@
 //! The cells around it that see the same surface have met the event. Where the samples of a cell
 //! agree better than theirs, its error is larger by that ratio, but no larger than theirs.
 
-use super::request::{Asked, size};
+use super::request::{Request, size};
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -30,7 +30,7 @@ pub(super) struct Spread {
 
 /// Result of the first samples of a cell.
 struct First<'a> {
-    asked: &'a Asked,
+    request: &'a Request,
     /// Variance of each value with one sample of each replicate.
     variances: Vec<f64>,
 }
@@ -43,22 +43,22 @@ struct Cells<'a> {
 
 /// Returns the spreads of the cells of all receivers, question by question and value by value;
 /// empty where no samples are needed.
-pub(super) fn spreads(asked: &[Asked], scene: &Scene) -> Vec<Vec<Spread>> {
-    let mut all = Vec::with_capacity(asked.len());
-    for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
+pub(super) fn spreads(requests: &[Request], scene: &Scene) -> Vec<Vec<Spread>> {
+    let mut all = Vec::with_capacity(requests.len());
+    for of_receiver in requests.chunk_by(|a, b| a.receiver == b.receiver) {
         let cells = Cells::of(of_receiver, size(&scene.receivers[of_receiver[0].receiver]));
-        let told = |asked: &Asked| asked.cell.map_or(Vec::new(), |cell| cells.tell(cell));
+        let told = |request: &Request| request.cell.map_or(Vec::new(), |cell| cells.tell(cell));
         all.par_extend(of_receiver.par_iter().map(told));
     }
     all
 }
 
 impl<'a> Cells<'a> {
-    fn of(asked: &'a [Asked], size: [usize; 2]) -> Self {
+    fn of(requests: &'a [Request], size: [usize; 2]) -> Self {
         let mut at: Vec<Option<First>> = (0..size[0] * size[1]).map(|_| None).collect();
-        for asked in asked.iter().filter(|asked| asked.computed.is_none()) {
-            if let Some(cell) = asked.cell {
-                at[cell] = Some(First::of(asked));
+        for request in requests.iter().filter(|request| request.computed.is_none()) {
+            if let Some(cell) = request.cell {
+                at[cell] = Some(First::of(request));
             }
         }
         Self { size, at }
@@ -80,8 +80,8 @@ impl<'a> Cells<'a> {
     fn around(&self, own: &'a First<'a>, cell: usize) -> Vec<&First<'a>> {
         let [columns, rows] = self.size;
         let near = |place: usize, count: usize| place.saturating_sub(REACH)..(place + REACH + 1).min(count);
-        let seen = own.asked.seen;
-        let is_like = |other: &&First| seen.surface.is_ok() && other.asked.seen == seen;
+        let seen = own.request.seen;
+        let is_like = |other: &&First| seen.surface.is_ok() && other.request.seen == seen;
         let all = near(cell / columns, rows)
             .flat_map(|row| near(cell % columns, columns).map(move |column| row * columns + column));
         let others = all.filter(|&other| other != cell).filter_map(|other| self.at[other].as_ref());
@@ -90,13 +90,13 @@ impl<'a> Cells<'a> {
 }
 
 impl<'a> First<'a> {
-    fn of(asked: &'a Asked) -> Self {
-        let samples = f64::from(asked.replicates.samples);
+    fn of(request: &'a Request) -> Self {
+        let samples = f64::from(request.replicates.samples);
         let variance = |place| {
-            let [_, error] = asked.replicates.found(place);
+            let [_, error] = request.replicates.found(place);
             samples * error * error
         };
-        Self { asked, variances: (0..asked.replicates.len()).map(variance).collect() }
+        Self { request, variances: (0..request.replicates.len()).map(variance).collect() }
     }
 }
 

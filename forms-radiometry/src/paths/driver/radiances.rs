@@ -1,6 +1,7 @@
 //! Radiances: upper bounds on the light of a scene that samples may have missed, band by band.
 
 use crate::effects::EffectSet;
+use crate::extinction::is_lit_from_afar;
 use crate::paths::World;
 use crate::radiosity::reflectance;
 use crate::scene::{Effect, Scene};
@@ -9,7 +10,7 @@ use crate::scene::{Effect, Scene};
 pub(super) fn outside(scene: &Scene) -> Vec<f64> {
     let radiance = |band: usize| scene.ambient.radiance.get(band).copied().unwrap_or(0.0);
     (0..scene.band_count())
-        .map(|band| if scene.is_lit_from_afar(band) { radiance(band) } else { 0.0 })
+        .map(|band| if is_lit_from_afar(scene, band) { radiance(band) } else { 0.0 })
         .collect()
 }
 

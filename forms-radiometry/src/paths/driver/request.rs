@@ -38,7 +38,7 @@ const UNMET: f64 = 3.0;
 const LIGHT: f64 = 299_792_458.0;
 
 /// Estimand of a receiver.
-pub(crate) struct Asked {
+pub(crate) struct Request {
     pub(crate) receiver: usize,
     /// The cell of a map or the pixel of an image, if it is one.
     pub(crate) cell: Option<usize>,
@@ -101,13 +101,13 @@ impl Division {
 
 /// Returns all questions of a scene. `metres` is the working unit of length; `computing` answers
 /// the questions that need no samples.
-pub(crate) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Asked> {
+pub(crate) fn requests(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Request> {
     let scene = world.scene;
     let effects = EffectSet::of_scene(scene);
     let has_images =
         !scene.lights.is_empty() && (effects.has(Effect::Mirror) || effects.has(Effect::Refraction));
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
-    let mut all: Vec<Asked> = Vec::new();
+    let mut all: Vec<Request> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
     let of_beams = most_reflected_of_beams(scene, &unhidden);
@@ -128,7 +128,7 @@ pub(crate) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
             let is_looked_for = !matches!(estimand, Estimand::Sight { .. } | Estimand::Pixel { .. });
             let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
                 .map(|radiances| radiances.iter().map(|&radiance| estimand.largest(radiance)).collect());
-            all.push(Asked {
+            all.push(Request {
                 receiver: index,
                 cell,
                 seen: FirstHit::NOTHING,
@@ -148,20 +148,20 @@ pub(crate) fn asked(world: &World<'_>, metres: f64, computing: &Computing<'_>) -
         }
     }
     let begin = Instant::now();
-    all.par_iter_mut().for_each(|asked| asked.seen = asked.estimand.seen(world));
+    all.par_iter_mut().for_each(|request| request.seen = request.estimand.seen(world));
     // light in time bins is sampled
-    let instant = all.par_iter_mut().filter(|asked| scene.receivers[asked.receiver].time.is_none());
-    instant.for_each(|asked| asked.compute(computing));
+    let instant = all.par_iter_mut().filter(|request| scene.receivers[request.receiver].time.is_none());
+    instant.for_each(|request| request.compute(computing));
     divide_time(&mut all, begin);
     all
 }
 
 /// Divides the time of a loop over questions, which began at this time and has just ended, among
 /// them.
-pub(crate) fn divide_time(all: &mut [Asked], begin: Instant) {
-    let scale = scale(begin, all.iter().map(|asked| asked.elapsed).sum());
-    for asked in all {
-        asked.seconds += scale * std::mem::take(&mut asked.elapsed);
+pub(crate) fn divide_time(all: &mut [Request], begin: Instant) {
+    let scale = scale(begin, all.iter().map(|request| request.elapsed).sum());
+    for request in all {
+        request.seconds += scale * std::mem::take(&mut request.elapsed);
     }
 }
 
@@ -205,7 +205,7 @@ fn estimands(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(O
     }
 }
 
-impl Asked {
+impl Request {
     /// Computes the answer, if it needs no samples.
     fn compute(&mut self, computing: &Computing<'_>) {
         let begin = Instant::now();

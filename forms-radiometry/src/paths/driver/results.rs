@@ -1,7 +1,7 @@
 //! Results: replicates become the answers of receivers, maps and images.
 
 use super::Work;
-use super::request::Asked;
+use super::request::Request;
 use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
 use crate::faces::faces;
 use crate::scene::{Receiver, ReceiverKind, Scene};
@@ -18,11 +18,11 @@ impl Work<'_> {
             match &receiver.kind {
                 ReceiverKind::Camera(_) => answers.extend(self.mean_of_pixels(index)),
                 _ => {
-                    let is_number = |asked: &&Asked| {
-                        asked.receiver == index && asked.cell.is_none() && asked.is_answered()
+                    let is_number = |request: &&Request| {
+                        request.receiver == index && request.cell.is_none() && request.is_answered()
                     };
-                    if let Some(asked) = self.asked.iter().find(is_number) {
-                        answers.extend(self.numbers(asked));
+                    if let Some(request) = self.requests.iter().find(is_number) {
+                        answers.extend(self.numbers(request));
                     }
                 }
             }
@@ -31,8 +31,8 @@ impl Work<'_> {
     }
 
     /// Returns the answers of a question that is not a cell.
-    fn numbers(&self, asked: &Asked) -> Vec<Answer> {
-        let receiver = &self.scene.receivers[asked.receiver];
+    fn numbers(&self, request: &Request) -> Vec<Answer> {
+        let receiver = &self.scene.receivers[request.receiver];
         let bands = self.scene.band_count();
         let quantities: Vec<(Quantity, usize, f64)> = match receiver.kind {
             ReceiverKind::Point { .. } => vec![(Quantity::Irradiance, 0, 1.0)],
@@ -45,13 +45,13 @@ impl Work<'_> {
                 .collect(),
         };
         let bins = receiver.time.as_ref().map_or(1, |time| time.bins);
-        let seconds = self.seconds_of(asked.receiver);
+        let seconds = self.seconds_of(request.receiver);
         let mut answers = Vec::with_capacity(quantities.len() * bands * bins);
         for (quantity, number, factor) in quantities {
             for band in 0..bands {
                 for bin in 0..bins {
-                    let (value, parts) = asked.found_in_parts((number * bands + band) * bins + bin);
-                    let (parts, kind) = (parts.scaled(factor), asked.kind());
+                    let (value, parts) = request.found_in_parts((number * bands + band) * bins + bin);
+                    let (parts, kind) = (parts.scaled(factor), request.kind());
                     answers.push(Answer {
                         receiver: receiver.name.clone(),
                         quantity,
@@ -71,14 +71,15 @@ impl Work<'_> {
 
     /// Returns the seconds of a receiver, including those of the cells of its map.
     fn seconds_of(&self, receiver: usize) -> f64 {
-        let own = self.asked.iter().filter(|asked| asked.receiver == receiver);
-        own.map(|asked| asked.seconds).sum()
+        let own = self.requests.iter().filter(|request| request.receiver == receiver);
+        own.map(|request| request.seconds).sum()
     }
 
     /// Returns the mean radiance of an image, for each band.
     fn mean_of_pixels(&self, receiver: usize) -> Vec<Answer> {
         let bands = self.scene.band_count();
-        let pixels: Vec<&Asked> = self.asked.iter().filter(|asked| asked.receiver == receiver).collect();
+        let pixels: Vec<&Request> =
+            self.requests.iter().filter(|request| request.receiver == receiver).collect();
         if !pixels.iter().all(|pixel| pixel.is_answered()) {
             return Vec::new();
         }
@@ -115,11 +116,11 @@ impl Work<'_> {
             let nothing = vec![vec![f64::NAN; size[0] * size[1]]; bands];
             let (mut values, mut errors) = (nothing.clone(), nothing);
             let mut kind = ErrorKind::Bound;
-            for asked in self.asked.iter().filter(|asked| asked.receiver == index) {
-                kind = kind.max(asked.kind());
-                let Some(cell) = asked.cell.filter(|_| asked.is_answered()) else { continue };
+            for request in self.requests.iter().filter(|request| request.receiver == index) {
+                kind = kind.max(request.kind());
+                let Some(cell) = request.cell.filter(|_| request.is_answered()) else { continue };
                 for band in 0..bands {
-                    [values[band][cell], errors[band][cell]] = asked.found(band);
+                    [values[band][cell], errors[band][cell]] = request.found(band);
                 }
             }
             // where no cell was reached there are no scales

@@ -9,7 +9,7 @@
 //! are above the average. The scale is a lower estimate. Errors within the tolerance of the scale
 //! are therefore within the tolerance of the mean.
 
-use super::request::Asked;
+use super::request::Request;
 use crate::radiosity::driver::scales::Mean;
 use rayon::prelude::*;
 
@@ -33,8 +33,8 @@ struct Told {
 }
 
 /// Returns the scales, or the questions that need more samples to settle them.
-pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result<Scales, Vec<usize>> {
-    let told = told(asked, receivers, bands);
+pub(super) fn settled(requests: &[Request], receivers: usize, bands: usize) -> Result<Scales, Vec<usize>> {
+    let told = told(requests, receivers, bands);
     let mut open: Vec<usize> = told.iter().flatten().flat_map(|told| told.open.iter().copied()).collect();
     open.sort_unstable();
     open.dedup();
@@ -42,8 +42,8 @@ pub(super) fn settled(asked: &[Asked], receivers: usize, bands: usize) -> Result
 }
 
 /// Returns the scales from the present samples of all cells.
-pub(super) fn known(asked: &[Asked], receivers: usize, bands: usize) -> Scales {
-    scales(told(asked, receivers, bands))
+pub(super) fn known(requests: &[Request], receivers: usize, bands: usize) -> Scales {
+    scales(told(requests, receivers, bands))
 }
 
 fn scales(told: Vec<Vec<Told>>) -> Scales {
@@ -51,15 +51,15 @@ fn scales(told: Vec<Vec<Told>>) -> Scales {
 }
 
 /// Returns the scales of the cells of each receiver, band by band.
-fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
+fn told(requests: &[Request], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
     let mut told: Vec<Vec<Told>> = (0..receivers).map(|_| Vec::new()).collect();
     let mut first = 0;
-    for of_receiver in asked.chunk_by(|a, b| a.receiver == b.receiver) {
-        let is_cell = |place: &usize| asked[*place].cell.is_some() && asked[*place].is_answered();
+    for of_receiver in requests.chunk_by(|a, b| a.receiver == b.receiver) {
+        let is_cell = |place: &usize| requests[*place].cell.is_some() && requests[*place].is_answered();
         let cells: Vec<usize> = (first..first + of_receiver.len()).filter(is_cell).collect();
         first += of_receiver.len();
         if !cells.is_empty() {
-            told[of_receiver[0].receiver] = (0..bands).map(|band| of_band(asked, &cells, band)).collect();
+            told[of_receiver[0].receiver] = (0..bands).map(|band| of_band(requests, &cells, band)).collect();
         }
     }
     told
@@ -67,14 +67,15 @@ fn told(asked: &[Asked], receivers: usize, bands: usize) -> Vec<Vec<Told>> {
 
 /// Returns the scale of cells in a band, and the cells that may change it. Where no cell found any
 /// light, the scale is the brightest light.
-fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
-    let found: Vec<[f64; 2]> = cells.par_iter().map(|&cell| asked[cell].found(band)).collect();
-    let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, asked[cell].seen.is_emitter));
+fn of_band(requests: &[Request], cells: &[usize], band: usize) -> Told {
+    let found: Vec<[f64; 2]> = cells.par_iter().map(|&cell| requests[cell].found(band)).collect();
+    let values = cells.iter().zip(&found).map(|(&cell, &[value, _])| (value, requests[cell].seen.is_emitter));
     let Mean { value: mean, is_of_all } = Mean::of(values);
     if mean == 0.0 {
-        return Told { scale: asked[cells[0]].brightest(), open: Vec::new() };
+        return Told { scale: requests[cells[0]].brightest(), open: Vec::new() };
     }
-    let counted = || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !asked[**cell].seen.is_emitter);
+    let counted =
+        || cells.iter().zip(&found).filter(|(cell, _)| is_of_all || !requests[**cell].seen.is_emitter);
     // for a cell without any light found, the amount that was missed is unknown
     let lit = counted().filter(|(_, [value, _])| *value != 0.0);
     let squares: Vec<(usize, f64)> = lit.map(|(&cell, [_, error])| (cell, error * error)).collect();
@@ -82,7 +83,7 @@ fn of_band(asked: &[Asked], cells: &[usize], band: usize) -> Told {
     let scale = mean - BELOW * sum.sqrt() / counted().count() as f64;
     let average = sum / squares.len() as f64;
     let may_change = |&(cell, square): &(usize, f64)| {
-        let cell = &asked[cell];
+        let cell = &requests[cell];
         square >= average && cell.computed.is_none() && cell.replicates.samples < MOST
     };
     let open = squares.into_iter().filter(|_| scale < SETTLED * mean).filter(may_change);

@@ -7,7 +7,7 @@ use super::readings::Reading;
 use super::{ROUNDING, Work};
 use crate::answer::{DARK, ErrorKind, ErrorParts, Map, Moment};
 use crate::progress::Outlook;
-use crate::radiosity::{GoalKind, Measure, Paths, Probe};
+use crate::radiosity::{FinalGathering, GoalKind, Measure, Probe};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
@@ -39,7 +39,7 @@ impl Work<'_> {
     /// take more than `most` rays.
     pub(crate) fn sampled(
         &self,
-        paths: &Paths,
+        paths: &FinalGathering,
         is_round: bool,
         most: f64,
         history: &mut Vec<Moment>,
@@ -111,7 +111,13 @@ impl Work<'_> {
 
     /// Adds rays to the readings that are not accurate enough. Returns whether any is
     /// allowed more.
-    fn improve(&self, paths: &Paths, sampled: &mut [Sampled], found: &[Found], tolerance: f64) -> bool {
+    fn improve(
+        &self,
+        paths: &FinalGathering,
+        sampled: &mut [Sampled],
+        found: &[Found],
+        tolerance: f64,
+    ) -> bool {
         let scales = self.targets(found);
         let one = |((sampled, found), scales): ((&mut Sampled, &Found), Vec<f64>)| {
             let is_enough = found.bands.iter().zip(&scales).all(|(e, scale)| e.error() <= tolerance * scale);
@@ -154,7 +160,7 @@ impl Work<'_> {
     /// the watched cells, or relative to the mean of all cells where that is less.
     pub(crate) fn sampled_maps(
         &self,
-        paths: &Paths,
+        paths: &FinalGathering,
         grids: &[(usize, Grid)],
         found: &[Found],
     ) -> Vec<(usize, Map)> {
@@ -169,7 +175,13 @@ impl Work<'_> {
     }
 
     /// Returns the map of a receiver. Scales below `dark` are raised to it.
-    fn scaled_map(&self, paths: &Paths, (receiver, grid): (usize, &Grid), found: &[Found], dark: f64) -> Map {
+    fn scaled_map(
+        &self,
+        paths: &FinalGathering,
+        (receiver, grid): (usize, &Grid),
+        found: &[Found],
+        dark: f64,
+    ) -> Map {
         let told = self.watched(receiver, found).into_iter().flatten().map(|watched| watched.scale);
         let mut scales: Vec<f64> = told.collect();
         scales.resize(self.scene.band_count(), 0.0);
@@ -188,7 +200,7 @@ impl Work<'_> {
     }
 
     /// Returns the probes of all cells of a map.
-    fn sampled_cells(&self, paths: &Paths, receiver: usize, grid: &Grid) -> Vec<Option<Probe>> {
+    fn sampled_cells(&self, paths: &FinalGathering, receiver: usize, grid: &Grid) -> Vec<Option<Probe>> {
         let cell = |(index, position): (usize, &Option<crate::geometry::Vector>)| {
             let position = position.filter(|_| !self.watch.is_stopped())?;
             let what = GoalKind::At { position, measure: Measure::Plane(grid.normal()) };
@@ -199,7 +211,7 @@ impl Work<'_> {
 
     /// Adds rays to the cells that are not accurate enough relative to the scales of their map.
     /// Cells that are still not accurate enough when the work is stopped become unknown.
-    fn improve_cells(&self, paths: &Paths, cells: &mut [Option<Probe>], of_map: &[f64]) {
+    fn improve_cells(&self, paths: &FinalGathering, cells: &mut [Option<Probe>], of_map: &[f64]) {
         let tolerance = self.scene.solve.tolerance;
         let (count, done) = (cells.len(), AtomicUsize::new(0));
         let improve = |cell: &mut Option<Probe>| {

@@ -1,0 +1,23 @@
+//! Diffuse reflectance of surfaces and faces.
+
+use crate::faces::is_bright;
+use crate::geometry::Face;
+use crate::scene::{MaterialKind, Scene};
+
+/// Whether a surface reflects light in any band.
+pub(super) fn reflects(scene: &Scene, surface: usize) -> bool {
+    reflectance(scene, surface).iter().any(|&rho| rho > 0.0)
+}
+
+/// Whether a face reflects the light that it receives.
+pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
+    is_bright(scene, face) && reflects(scene, face.surface)
+}
+
+/// Returns the diffuse reflectance of a surface, for each band.
+pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
+    match &scene.materials[scene.surfaces[surface].material].kind {
+        MaterialKind::Diffuse { reflectance } => reflectance,
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
+    }
+}
