@@ -4,11 +4,8 @@
 //! The rows are computed as by a user, with `forms eval - KERNEL`, and compared as exact rationals.
 //! `own.json` is written by `tests/reference/make_rows.py`, from definitions.
 
-#[path = "../../tests/reference/exact.rs"]
-mod exact;
-
-use exact::exact;
 use forms::core::check::read_theory;
+use forms_testing::exact;
 use num_traits::Signed;
 use serde_json::Value;
 use std::collections::BTreeMap;

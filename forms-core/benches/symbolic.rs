@@ -2,11 +2,9 @@
 //! powers of a 2-form, one large product. Each time covers the named work only. Workloads called
 //! "built" use forms built beforehand; all others except powers, products and d² start from text.
 
-#[allow(dead_code, reason = "this bench writes no page")]
-mod page;
-mod workload;
-
 use criterion::{Criterion, criterion_group, criterion_main};
+use forms_core_testing::workload;
+use forms_testing::page;
 
 fn workloads(criterion: &mut Criterion) {
     for mut work in workload::all() {

@@ -69,8 +69,7 @@ pub use raise::Raised;
 pub(crate) use raise::Raised;
 
 #[cfg(test)]
-#[allow(dead_code, reason = "shared with the integration tests, which use the rest")]
-#[path = "../tests/kernel/formula.rs"]
+#[allow(dead_code, reason = "integration tests use the rest")]
 pub(crate) mod formula;
 #[cfg(test)]
 mod laws;

@@ -9,17 +9,11 @@
 //! page is rewritten. Effects that the file of a scene forces stay as they are: without them the
 //! scene would be a different problem.
 
-#[path = "gallery/mod.rs"]
-mod gallery;
-#[path = "../../forms-core/benches/page/mod.rs"]
-mod page;
-#[path = "gallery/run.rs"]
-mod run;
-
 use forms_radiometry::scene::{Effect, Force, Scene};
 use forms_radiometry::simulation::{Answer, Rated};
-use gallery::{Problem, scene};
-use run::{Run, forced};
+use forms_radiometry_testing::gallery::{self, Problem, scene};
+use forms_radiometry_testing::timed_run::{Run, forced};
+use forms_testing::page;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -50,10 +50,6 @@ mod progress;
 mod radiosity;
 mod sampling;
 pub mod scene;
-#[cfg(test)]
-#[path = "../tests/scene_text/mod.rs"]
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
 pub mod simulation;
 mod spectrum;
 mod tone;

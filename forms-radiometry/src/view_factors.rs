@@ -153,7 +153,7 @@ mod tests {
     use super::*;
     use crate::kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use crate::scene::read;
-    use crate::scene_text::{CUBE, material, polygon, surface};
+    use forms_testing::scene_text::{CUBE, material, polygon, surface};
 
     fn scene(more: &str) -> Scene {
         let faces = CUBE.map(|(name, corners)| surface(name, "grey", &polygon(&corners)));

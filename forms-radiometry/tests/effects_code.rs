@@ -1,14 +1,10 @@
 //! Effects that are off are not in the code: checked for members of a kernel by their operations,
 //! and for scenes by the instructions that they execute.
 
-#[path = "../examples/effects_code/callgrind.rs"]
-mod callgrind;
-#[path = "../examples/effects_code/parts.rs"]
-mod parts;
-
 use forms_kernels::gathered_light::{self, Effects};
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene, read};
 use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, UsedKernel, plan, simulate};
+use forms_radiometry_testing::effects_code::{callgrind, parts};
 use std::collections::BTreeSet;
 
 /// Environment variable that names the scene which this program simulates under callgrind.

@@ -1,12 +1,10 @@
 //! The gallery: every scene in the folder `scenes` is simulated. Its known answers lie within the
 //! reported errors, and these within the requested tolerance.
 
-mod known;
-
 use forms_radiometry::scene::{Effect, Force, ForcedEffect, Scene, open};
 use forms_radiometry::simulation::Quantity::{self, FluenceRate, Irradiance, Radiance, VectorIrradiance};
 use forms_radiometry::simulation::{Answer, Simulation, Unwatched, plan, simulate};
-use known::{Exhibit, GALLERY, Known, known};
+use forms_radiometry_testing::known_answers::{Exhibit, GALLERY, Known, known};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
@@ -27,57 +25,53 @@ struct Simulated {
     dropped: f64,
 }
 
-impl Exhibit {
-    fn simulated(&self) -> Simulated {
-        let mut scene = scene(self.file);
-        scene.solve.tolerance = self.tolerance.unwrap_or(scene.solve.tolerance);
-        if self.straight {
-            let place = scene.surfaces[0].place.clone();
-            let (effect, force) = (Effect::Interreflection, Force::Off);
-            scene.solve.forced.push(ForcedEffect { effect, force, place });
-        }
-        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        let found = simulate(&plan, &Unwatched);
-        Simulated { found, tolerance: scene.solve.tolerance, dropped: plan.dropped() }
+fn simulated(exhibit: &Exhibit) -> Simulated {
+    let mut scene = scene(exhibit.file);
+    scene.solve.tolerance = exhibit.tolerance.unwrap_or(scene.solve.tolerance);
+    if exhibit.straight {
+        let place = scene.surfaces[0].place.clone();
+        let (effect, force) = (Effect::Interreflection, Force::Off);
+        scene.solve.forced.push(ForcedEffect { effect, force, place });
     }
+    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+    let found = simulate(&plan, &Unwatched);
+    Simulated { found, tolerance: scene.solve.tolerance, dropped: plan.dropped() }
+}
 
-    /// Asserts that known answers lie within the reported errors, and these within the requested
-    /// tolerance.
-    fn assert_true(&self) {
-        let Simulated { found, tolerance, dropped } = self.simulated();
-        for known in self.known {
-            known.assert_within(self.file, &found.answers);
-        }
-        for answer in &found.answers {
-            let parts = answer.parts;
-            assert_eq!(parts.error(answer.kind), answer.error, "{}: {answer:?}", self.file);
-            assert!(parts.all().iter().all(|&part| part >= 0.0), "{}: {answer:?}", self.file);
-            // the plan reports the error budget of omitted effects
-            assert_eq!(parts.effects > 0.0, dropped > 0.0, "{}: {answer:?}", self.file);
-            let scale = scale(answer, &found.answers);
-            let (name, error) = (&answer.receiver, answer.error);
-            assert!(error <= tolerance * scale, "{}: {name}: {error:e} is not what was asked for", self.file);
-        }
-        for map in &found.maps {
-            let scale = map.scales[0];
-            let is_enough = |(value, error): (&f64, &f64)| {
-                error.is_nan() || *error <= tolerance * (1.0 + 4.0 * f64::EPSILON) * scale.max(*value)
-            };
-            let are_enough = map.values[0].iter().zip(&map.errors[0]).all(is_enough);
-            assert!(scale > 0.0 && are_enough, "{}: the map is not what was asked for", self.file);
-        }
+/// Asserts that known answers lie within the reported errors, and these within the requested
+/// tolerance.
+fn assert_true(exhibit: &Exhibit) {
+    let Simulated { found, tolerance, dropped } = simulated(exhibit);
+    for known in exhibit.known {
+        assert_within(known, exhibit.file, &found.answers);
+    }
+    for answer in &found.answers {
+        let parts = answer.parts;
+        assert_eq!(parts.error(answer.kind), answer.error, "{}: {answer:?}", exhibit.file);
+        assert!(parts.all().iter().all(|&part| part >= 0.0), "{}: {answer:?}", exhibit.file);
+        // the plan reports the error budget of omitted effects
+        assert_eq!(parts.effects > 0.0, dropped > 0.0, "{}: {answer:?}", exhibit.file);
+        let scale = scale(answer, &found.answers);
+        let (name, error) = (&answer.receiver, answer.error);
+        assert!(error <= tolerance * scale, "{}: {name}: {error:e} is not what was asked for", exhibit.file);
+    }
+    for map in &found.maps {
+        let scale = map.scales[0];
+        let is_enough = |(value, error): (&f64, &f64)| {
+            error.is_nan() || *error <= tolerance * (1.0 + 4.0 * f64::EPSILON) * scale.max(*value)
+        };
+        let are_enough = map.values[0].iter().zip(&map.errors[0]).all(is_enough);
+        assert!(scale > 0.0 && are_enough, "{}: the map is not what was asked for", exhibit.file);
     }
 }
 
-impl Known {
-    fn assert_within(&self, file: &str, answers: &[Answer]) {
-        let [value, error] = self.found(answers);
-        let off = (value - self.value).abs();
-        // the known value is rounded too
-        let rounding = 4.0 * f64::EPSILON * self.value.abs();
-        let name = self.sum[0].1;
-        assert!(off <= error + rounding, "{file}: {name}: {value} is off by {off:e}, said {error:e}");
-    }
+fn assert_within(known: &Known, file: &str, answers: &[Answer]) {
+    let [value, error] = known.found(answers);
+    let off = (value - known.value).abs();
+    // the known value is rounded too
+    let rounding = 4.0 * f64::EPSILON * known.value.abs();
+    let name = known.sum[0].1;
+    assert!(off <= error + rounding, "{file}: {name}: {value} is off by {off:e}, said {error:e}");
 }
 
 /// Returns the scale of an answer's tolerance: for a component of a flow, the fluence rate; for a
@@ -124,7 +118,7 @@ fn every_scene_of_the_folder_is_tested_and_has_a_picture_on_the_page() {
 #[test]
 fn what_is_known_lies_within_the_errors_that_are_said() {
     let is_meant = |exhibit: &&Exhibit| !(exhibit.long && cfg!(debug_assertions));
-    GALLERY.iter().filter(is_meant).for_each(Exhibit::assert_true);
+    GALLERY.iter().filter(is_meant).for_each(assert_true);
 }
 
 /// Returns the known answers of the scenes of the book, in the order of their names.
@@ -145,7 +139,7 @@ fn scenes_of_the_book_have_the_answers_that_it_derives() {
     for (file, known) in scenes_of_the_book() {
         let scene = open(&folder.join(file)).unwrap_or_else(|errors| panic!("{}", errors[0]));
         let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-        known.assert_within(file, &simulate(&plan, &Unwatched).answers);
+        assert_within(&known, file, &simulate(&plan, &Unwatched).answers);
     }
 }
 
@@ -154,6 +148,6 @@ fn squares_near_each_other_have_the_mean_irradiance_of_their_view_factor() {
     let scene = scene("near_squares.toml");
     let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
     let found = simulate(&plan, &Unwatched);
-    known(&[(1.0, "receiver", Irradiance)], 0.999_998_000_010_029_5)
-        .assert_within("near_squares.toml", &found.answers);
+    let known = known(&[(1.0, "receiver", Irradiance)], 0.999_998_000_010_029_5);
+    assert_within(&known, "near_squares.toml", &found.answers);
 }

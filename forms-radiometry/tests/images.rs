@@ -5,9 +5,7 @@ use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, plan, simulate};
 use std::f64::consts::PI;
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{CUBE, Point, material, polygon, surface, tolerance};
+use forms_testing::scene_text::{CUBE, Point, material, polygon, surface, tolerance};
 
 /// Returns a camera at the origin that looks along z, with a film of 2 by 2 at the distance 1.
 fn camera(resolution: [usize; 2]) -> String {

@@ -9,9 +9,7 @@ use forms_radiometry::simulation::{
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{material, point_receiver, polygon, surface, tolerance};
+use forms_testing::scene_text::{material, point_receiver, polygon, surface, tolerance};
 
 const TOLERANCE: f64 = 0.1;
 

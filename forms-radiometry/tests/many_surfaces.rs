@@ -7,10 +7,8 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{
-    CUBE, Point, material, point_receiver, polygon, surface_receiver as receiver, tolerance as asked,
+use forms_testing::scene_text::{
+    self, CUBE, Point, material, point_receiver, polygon, surface_receiver as receiver, tolerance as asked,
 };
 
 /// Whether numeric code is optimised; otherwise hundreds of surfaces have to suffice.

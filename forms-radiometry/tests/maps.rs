@@ -3,9 +3,7 @@
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{cube, point_receiver, surface_of_its_own as surface, surface_receiver};
+use forms_testing::scene_text::{cube, point_receiver, surface_of_its_own as surface, surface_receiver};
 
 /// Whether numeric code is optimised; otherwise fewer cases are run.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);

@@ -6,14 +6,11 @@
 //! are opposed squares. If a lamp closes the upper end and the floor reflects, the room gets the
 //! light that the floor reflects. `FORMS_OPENINGS` is the number of rooms.
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-
 use forms_kernels::view_factor_parallel_rectangles;
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
-use scene_text::{Point, material, polygon, surface, surface_receiver, tolerance};
+use forms_testing::scene_text::{Point, material, polygon, surface, surface_receiver, tolerance};
 use std::f64::consts::PI;
 use std::ops::Range;
 

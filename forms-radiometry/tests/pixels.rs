@@ -7,9 +7,7 @@ use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{CUBE, Point, material, polygon, surface, tolerance};
+use forms_testing::scene_text::{CUBE, Point, material, polygon, surface, tolerance};
 
 /// Whether numeric code is optimised; otherwise tolerances are looser.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);

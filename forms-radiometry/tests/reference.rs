@@ -1,8 +1,6 @@
 //! Rows of the reference that describe a scene: each answer is within its reported error.
 
-mod rows;
-
-use rows::{Compared, Row};
+use forms_radiometry_testing::reference_rows::{self as rows, Compared, Row};
 
 /// Whether numeric code is optimised; otherwise rows without spheres have to suffice.
 const IS_OPTIMISED: bool = !cfg!(debug_assertions);

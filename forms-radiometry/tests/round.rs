@@ -5,14 +5,10 @@ use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 use std::f64::consts::PI;
 
-#[path = "paths/claims/elements.rs"]
-#[expect(dead_code, reason = "claims about paths need the rest")]
-mod elements;
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-
-use elements::{disk, probe, shining, sphere, square, two_sided};
-use scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver, tolerance};
+use forms_testing::scene_text::elements::{disk, probe, shining, sphere, square, two_sided};
+use forms_testing::scene_text::{
+    Point, material, point_receiver, polygon, surface, surface_receiver, tolerance,
+};
 
 const UP: Point = [0.0, 0.0, 1.0];
 const DOWN: Point = [0.0, 0.0, -1.0];

@@ -5,8 +5,6 @@
 //! that of the lit part of the ground, a closed form. `FORMS_SHADOWS` is the number of scenes of
 //! each kind.
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
 mod slabs;
 
 use forms_kernels::solid_angle_triangle;
@@ -14,7 +12,7 @@ use forms_radiometry::geometry::{Polygon, Vector, form_factor};
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
-use scene_text::{material, point_receiver, polygon, surface, surface_receiver, tolerance};
+use forms_testing::scene_text::{material, point_receiver, polygon, surface, surface_receiver, tolerance};
 use slabs::{Trapezoid, area, uncovered};
 use std::f64::consts::PI;
 

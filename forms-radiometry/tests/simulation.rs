@@ -5,8 +5,9 @@ use forms_radiometry::simulation::{Answer, Quantity, Unwatched, Watch, plan, sim
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-mod scene_text;
-use scene_text::{cube, point_receiver, surface_of_its_own as surface, surface_receiver};
+use forms_testing::scene_text::{
+    self, cube, point_receiver, surface_of_its_own as surface, surface_receiver,
+};
 
 fn receivers(surfaces: &[&str]) -> String {
     surfaces.iter().map(|name| surface_receiver(name)).collect()

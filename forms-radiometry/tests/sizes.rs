@@ -10,9 +10,7 @@ use forms_radiometry::view_factors;
 use std::path::Path;
 use std::sync::Arc;
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{material, point_receiver, polygon, surface, surface_receiver};
+use forms_testing::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
 
 /// Sizes from one end of the range to the other.
 const SIZES: [f64; 4] = [1e-150, 1e-70, 1e70, 1e150];

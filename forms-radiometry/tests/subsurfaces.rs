@@ -7,9 +7,7 @@ use forms_radiometry::{ViewFactors, view_factors};
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-use scene_text::{
+use forms_testing::scene_text::{
     CUBE, Point, material, point_receiver, polygon, surface, surface_of_its_own, surface_receiver, tolerance,
 };
 

@@ -5,13 +5,10 @@
 //! rates: the elements that are split for one reveal little about another. `FORMS_TOLERANCES` is
 //! the number of scenes.
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
-use scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
+use forms_testing::scene_text::{Point, material, point_receiver, polygon, surface, surface_receiver};
 
 /// First scene. In scene 487 the first change is small by chance, and a corner converges more
 /// slowly than everything else.

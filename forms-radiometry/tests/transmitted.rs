@@ -1,14 +1,11 @@
 //! Light through a medium that only absorbs: its amount at points is computed, and no reported
 //! error is less than the true one.
 
-#[expect(dead_code, reason = "other tests need the rest")]
-mod scene_text;
-
 use forms_kernels::slab_transmittance;
 use forms_radiometry::geometry::Vector;
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, ErrorKind, Simulation, Unwatched, plan, simulate};
-use scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
+use forms_testing::scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 use std::f64::consts::PI;
 
 /// Rounding error of the second method, relative to the fluence rate.

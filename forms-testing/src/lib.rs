@@ -1,5 +1,6 @@
-//! Shared test utilities: random numbers, detection of optional tools, and reports of checks that
-//! are skipped because a tool is missing.
+//! Shared utilities of tests, benches and examples: random numbers, clocks, texts of scenes, pages
+//! of measurements, detection of optional tools, and reports of checks that are skipped because a
+//! tool is missing.
 //!
 //! ```text
 //! test ─ is_installed(tool) ─┬─ yes ─▶ the check
@@ -8,8 +9,15 @@
 //! A test that skips a check passes, and the test runner prints nothing about a test that passes.
 //! Therefore the line is written directly to standard error, which the runner does not capture.
 
+mod exact;
+pub mod formula;
+pub mod page;
+pub mod processor_clock;
 mod random;
+pub mod scene_text;
+pub mod wall_clock;
 
+pub use exact::exact;
 pub use random::SplitMix;
 
 use std::io::Write;

@@ -7,20 +7,14 @@
 //! `cargo run --release -p forms-core --example scaling [FILE]` writes them. FILE is the output of
 //! `benches/compare/product_by_flint.py`; without it the figures have no line for FLINT.
 
-#[path = "../../benches/page/mod.rs"]
-mod page;
-#[path = "../../benches/workload/mod.rs"]
-mod workload;
-
-mod clock;
 mod table;
 
-use clock::seconds;
+use forms_core_testing::workload::{self, Work, built, text};
 use forms_figures::{Axis, Mark, Numbers, Plot, Series};
-use page::processor;
+use forms_testing::page::{self, processor};
+use forms_testing::processor_clock::seconds;
 use std::io;
 use std::path::PathBuf;
-use workload::{Work, built, text};
 
 /// Exponents of the products, as in the script for FLINT.
 const EXPONENTS: [u32; 10] = [1, 2, 3, 4, 6, 8, 10, 12, 15, 18];

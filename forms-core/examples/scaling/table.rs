@@ -1,8 +1,8 @@
 //! Table of a page, with a row for each workload.
 
-use super::clock::seconds;
-use super::page::processor;
-use super::workload::Work;
+use forms_core_testing::workload::Work;
+use forms_testing::page::processor;
+use forms_testing::processor_clock::seconds;
 use std::fmt::Write;
 
 /// Measures every workload and returns the rows.

@@ -2,8 +2,8 @@
 //! generators.
 //!
 //! ```text
-//! inputs ─▶ columns ──┐
-//! expert, elsewhere ─ catalogue ─ measure ─▶ ns per value ─┬─ table ─▶ stdout, docs/benchmarks.md
+//! inputs ─▶ columns ─────────────┐
+//! forms-competitors ─ catalogue ─ measure ─▶ ns per value ─┬─ table ─▶ stdout, docs/benchmarks.md
 //!                                                          └─ figure ─▶ docs/figures/kernels.svg
 //! ```
 //! `cargo bench --bench kernels -- [--write] [NAME…]` measures the kernels whose names contain one
@@ -11,19 +11,14 @@
 //! With `--instructions`, instructions are counted instead and compared with the record; `--write`
 //! writes the record.
 
-mod catalogue;
-mod elsewhere;
-mod expert;
 mod figure;
-mod generated;
-mod inputs;
 mod instructions;
 mod measure;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
 mod table;
 
-use expert::batch::InstructionSet;
+use forms_competitors::expert::batch::InstructionSet;
+use forms_competitors::{catalogue, inputs};
+use forms_testing::page;
 use std::path::Path;
 use std::process::ExitCode;
 use table::Row;
@@ -46,7 +41,16 @@ fn main() -> std::io::Result<ExitCode> {
         measured.map(|entry| Row { name: entry.name, seconds: measure::seconds_per_value(entry) }).collect();
     let table = table::markdown(&rows, set.name());
     print!("{table}");
+    let missing = forms_competitors::missing();
+    for (tool, why) in &missing {
+        forms_testing::skipped("kernels", tool, why);
+    }
     if words.is_empty() && has("--write") {
+        if !missing.is_empty() {
+            return Err(std::io::Error::other(
+                "the page has a column for each generator: none may be skipped",
+            ));
+        }
         write(&rows, &table)?;
     }
     Ok(ExitCode::SUCCESS)

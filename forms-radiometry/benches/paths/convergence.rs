@@ -1,11 +1,11 @@
 //! The error over seeds against the number of samples: it falls with each doubling, up to the
 //! largest number that is run.
 
-use crate::run::{open, values};
 use crate::work::{REFLECTED_BY_1, REFLECTED_BY_10, asked_for, only, slab, white};
 use forms_radiometry::geometry::Vector;
 use forms_radiometry::scene::{Effect, Force, ForcedEffect, LightKind, ReceiverKind, Scene};
 use forms_radiometry::simulation::{Budget, Job, Unwatched, plan, simulate_job};
+use forms_radiometry_testing::benches::simulated::{open, values};
 use std::f64::consts::PI;
 
 /// Number of samples of the first row, as a power of two.

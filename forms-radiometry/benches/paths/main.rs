@@ -13,30 +13,19 @@
 //! is run as well (by `python3`) and the tables are printed; `--write` writes them into the page
 //! too. `--table WORD…` restricts both to the works whose titles contain one of the words.
 
-#[path = "../scenes/cells.rs"]
-mod cells;
-#[path = "../scenes/clock.rs"]
-mod clock;
 mod convergence;
-#[path = "../scenes/elsewhere.rs"]
-mod elsewhere;
 mod measure;
-#[path = "../scenes/options.rs"]
-mod options;
 mod outliers;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
-#[path = "../scenes/run.rs"]
-mod run;
 mod table;
 mod told;
 mod work;
 
 use convergence::Series;
 use criterion::Criterion;
-use elsewhere::Script;
+use forms_radiometry_testing::benches::options::Options;
+use forms_radiometry_testing::benches::scripts::{self, Script};
+use forms_radiometry_testing::benches::simulated;
 use measure::Measured;
-use options::Options;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -58,7 +47,7 @@ fn main() -> io::Result<()> {
         told::write(work, &reference, &folder)?;
         measured.push(Measured::of(work, &reference));
     }
-    let others = elsewhere::run_all("paths", &SCRIPTS, &folder)?;
+    let others = scripts::run_all("paths", &SCRIPTS, &folder)?;
     let series = convergence::all().into_iter().filter(|series| options.is_wanted(series.title));
     let series: Vec<_> = series.map(Series::measured).collect();
     options.put("paths", &table::markdown(&measured, &others, &series))
@@ -82,7 +71,7 @@ fn by_criterion() {
         .configure_from_args();
     for work in work::all() {
         let scene = work.first();
-        criterion.bench_function(work.title, |bencher| bencher.iter(|| run::simulated(&scene)));
+        criterion.bench_function(work.title, |bencher| bencher.iter(|| simulated::simulated(&scene)));
     }
     criterion.final_summary();
 }

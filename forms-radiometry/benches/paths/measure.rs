@@ -8,11 +8,11 @@
 //!    └────────── half the tolerance ───────┘
 //! ```
 
-use crate::clock;
 use crate::outliers;
-use crate::run::{relative_error, simulated, values};
 use crate::work::Work;
 use forms_radiometry::simulation::Simulation;
+use forms_radiometry_testing::benches::simulated::{relative_error, simulated, values};
+use forms_testing::wall_clock;
 use std::time::Instant;
 
 /// Runs shorter than this, in seconds, are timed as an average over many runs.
@@ -54,7 +54,7 @@ impl Runs {
         let mut seconds = times[times.len() / 2];
         if seconds < SHORT {
             let scene = work.with(1, tolerance);
-            seconds = clock::seconds(|| simulated(&scene));
+            seconds = wall_clock::seconds(|| simulated(&scene));
         }
         let found: Vec<Vec<f64>> = simulations.iter().map(values).collect();
         let squares: f64 = found.iter().map(|found| relative_error(found, reference).powi(2)).sum();

@@ -1,11 +1,11 @@
 //! The tables: works by rows and programs by columns, the settings with which each program reached
 //! its error, and errors against numbers of samples.
 
-use crate::cells::{heads, ratio, row, shown, time};
 use crate::convergence;
-use crate::elsewhere::Line;
 use crate::measure::Measured;
-use crate::page::processor;
+use forms_radiometry_testing::benches::cells::{heads, ratio, row, shown, time};
+use forms_radiometry_testing::benches::scripts::Line;
+use forms_testing::page::processor;
 
 /// Returns all tables in Markdown, after the name of the processor.
 pub(crate) fn markdown(

@@ -1,10 +1,10 @@
 //! The works: each is a scene with one receiver, the target error, and the reference for its
 //! answer.
 
-use crate::run::{cornell_box, open, simulated, values};
 use forms_radiometry::camera::Camera;
 use forms_radiometry::geometry::Vector;
 use forms_radiometry::scene::{Material, MaterialKind, Receiver, ReceiverKind, Scene};
+use forms_radiometry_testing::benches::simulated::{cornell_box, open, simulated, values};
 use std::f64::consts::PI;
 
 /// Reflectance of the furnace.

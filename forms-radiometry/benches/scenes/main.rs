@@ -12,22 +12,13 @@
 //! writes them into the page too. `--table WORD…` measures only view factors and the works whose
 //! titles contain one of the words, and no other program.
 
-mod cells;
-mod clock;
-mod elsewhere;
-mod options;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
-#[path = "../../../forms-core/examples/scaling/clock.rs"]
-mod processor_clock;
-mod run;
 mod squares;
 mod table;
 mod work;
 
 use criterion::Criterion;
-use elsewhere::Script;
-use options::Options;
+use forms_radiometry_testing::benches::options::Options;
+use forms_radiometry_testing::benches::scripts::{self, Script};
 use std::path::Path;
 use std::time::Duration;
 
@@ -52,8 +43,7 @@ fn main() -> std::io::Result<()> {
         work::all().into_iter().filter(|work| options.is_wanted(work.title)).collect();
     let maps: Vec<work::Measured> =
         works.iter().map(|work| work.measured(&folder)).collect::<Result<_, _>>()?;
-    let others =
-        if options.are_all() { elsewhere::run_all("scenes", &SCRIPTS, &folder)? } else { Vec::new() };
+    let others = if options.are_all() { scripts::run_all("scenes", &SCRIPTS, &folder)? } else { Vec::new() };
     options.put("scenes", &table::markdown(&maps, &factors, &others))
 }
 

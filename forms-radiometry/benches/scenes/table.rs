@@ -1,9 +1,9 @@
 //! The tables: works by rows and programs by columns, and the ratios for which goals are set.
 
-use crate::cells::{heads, ratio, row, shown, time};
-use crate::elsewhere::Line;
-use crate::page::processor;
 use crate::{squares, work};
+use forms_radiometry_testing::benches::cells::{heads, ratio, row, shown, time};
+use forms_radiometry_testing::benches::scripts::Line;
+use forms_testing::page::processor;
 
 /// Returns both tables in Markdown, after the name of the processor.
 pub(crate) fn markdown(maps: &[work::Measured], factors: &squares::Measured, others: &[Line]) -> String {

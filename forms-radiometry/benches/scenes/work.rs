@@ -1,10 +1,10 @@
 //! The works: each is a scene file, the estimand, and the definition of its error.
 
-use crate::clock::seconds;
-use crate::run::{cornell_box, open, relative_error, simulated, values};
 use forms_radiometry::output::csv;
 use forms_radiometry::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
 use forms_radiometry::simulation::Simulation;
+use forms_radiometry_testing::benches::simulated::{cornell_box, open, relative_error, simulated, values};
+use forms_testing::wall_clock::seconds;
 use std::fs::File;
 use std::io;
 use std::path::Path;

@@ -10,21 +10,11 @@
 //! `--write` the page is rewritten. Standard errors are not bounds, so sampled answers are
 //! excluded. The program fails if a true error exceeds its bound.
 
-#[path = "../gallery/mod.rs"]
-mod gallery;
-#[path = "../../tests/known/mod.rs"]
-#[expect(dead_code, reason = "how tests run the scenes is there too")]
-mod known;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-#[expect(dead_code, reason = "tables of times name the processor")]
-mod page;
-#[path = "../../tests/rows/mod.rs"]
-#[expect(dead_code, reason = "rows of definitions are for tests")]
-mod rows;
-
 use forms_radiometry::simulation::{Answer, ErrorKind, Unwatched, plan, simulate};
-use gallery::{Problem, files, name, said, scene};
-use known::{GALLERY, Known};
+use forms_radiometry_testing::gallery::{self, Problem, files, name, said, scene};
+use forms_radiometry_testing::known_answers::{GALLERY, Known};
+use forms_radiometry_testing::reference_rows as rows;
+use forms_testing::page;
 use std::process::ExitCode;
 
 /// Tolerance that the reference allows a solver.

@@ -12,19 +12,11 @@
 //! (`docs/figures/scenes/*.svg`) are rewritten, and with all scenes also the page.
 
 mod figure;
-#[path = "../gallery/mod.rs"]
-mod gallery;
-#[path = "../../tests/known/mod.rs"]
-#[expect(dead_code, reason = "how tests run the scenes is there too")]
-mod known;
 mod measured;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
-#[path = "../gallery/run.rs"]
-mod run;
 mod table;
 
-use gallery::Problem;
+use forms_radiometry_testing::gallery::{self, Problem};
+use forms_testing::page;
 use measured::Measured;
 
 const WRITE: &str = "--write";

@@ -1,11 +1,11 @@
 //! Measurements of a scene: runs with decreasing tolerances, one run with half the error, and one
 //! run without each effect.
 
-use super::gallery::{self, Problem, said, scene};
-use super::known::{GALLERY, Known};
-use super::run::{Run, forced};
 use forms_radiometry::scene::{Effect, Force, Scene};
 use forms_radiometry::simulation::{Answer, ErrorParts, plan};
+use forms_radiometry_testing::gallery::{self, Problem, said, scene};
+use forms_radiometry_testing::known_answers::{GALLERY, Known};
+use forms_radiometry_testing::timed_run::{Run, forced};
 use std::path::Path;
 
 /// Ratio of each tolerance to the one before.

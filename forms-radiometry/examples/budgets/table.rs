@@ -1,8 +1,8 @@
 //! The table of error budgets: a row for each scene.
 
-use super::gallery::Problem;
 use super::measured::Measured;
 use forms_radiometry::simulation::{ErrorKind, ErrorParts};
+use forms_radiometry_testing::gallery::Problem;
 
 pub(crate) const HEAD: &str = "| scene | worst answer | value | error | rounding | quadrature | \
                                truncated orders | omitted effects | sampling | \

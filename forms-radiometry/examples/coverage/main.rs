@@ -8,11 +8,7 @@
 //! a row for each scene. It fails unless, over all scenes together, 63 to 73 % are within one and
 //! 93 to 98 % within two standard errors; a normal distribution has 68.3 and 95.4 %.
 
-#[path = "../../tests/paths/claims/mod.rs"]
-#[expect(dead_code, reason = "tests need the rest")]
-mod claims;
-
-use claims::coverage::Coverage;
+use forms_radiometry_testing::claims::{self, coverage::Coverage};
 use std::process::ExitCode;
 use std::time::Instant;
 

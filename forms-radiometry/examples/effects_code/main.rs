@@ -10,17 +10,12 @@
 //! `--write` the page is rewritten. It is an error if a disabled effect executes instructions, and
 //! if a kernel runs that is not in the plan's list.
 
-mod callgrind;
-#[path = "../gallery/mod.rs"]
-mod gallery;
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
-mod parts;
-
-use callgrind::Counts;
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene};
 use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, plan, simulate};
-use gallery::{Problem, said, scene};
+use forms_radiometry_testing::effects_code::callgrind::{self, Counts};
+use forms_radiometry_testing::effects_code::parts;
+use forms_radiometry_testing::gallery::{self, Problem, said, scene};
+use forms_testing::page;
 use std::fmt::Write;
 use std::path::Path;
 

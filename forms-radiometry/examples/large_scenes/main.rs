@@ -10,12 +10,6 @@
 //! [NUMBER…]` measures scenes of 10 to 100 000 surfaces and of 100 to 1 000 000 receivers, or the
 //! given ones; with `--write` the page and the figures are rewritten.
 
-#[path = "../../../forms-core/benches/page/mod.rs"]
-mod page;
-#[path = "../../tests/scene_text/mod.rs"]
-#[expect(dead_code, reason = "what tests need is there too")]
-mod scene_text;
-
 mod measured;
 mod points;
 mod room;

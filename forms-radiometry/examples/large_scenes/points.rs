@@ -1,8 +1,8 @@
 //! Scenes with many point receivers: under a lamp, under a lamp that a plate partly occludes, and
 //! in a closed room.
 
-use crate::scene_text::{CUBE, Point, material, point_receiver, polygon, surface, tolerance};
 use crate::uniform::Uniform;
+use forms_testing::scene_text::{CUBE, Point, material, point_receiver, polygon, surface, tolerance};
 use std::f64::consts::TAU;
 
 /// Returns points on a floor of 4 m × 4 m under a lamp of 2 m × 2 m, 2 m above its centre.

@@ -1,8 +1,8 @@
 //! A room of 10 m by 10 m by 4 m with a lamp under its ceiling, whose floor is full of boxes of
 //! different heights and random orientations.
 
-use crate::scene_text::{Point, material, polygon, surface};
 use crate::uniform::Uniform;
+use forms_testing::scene_text::{Point, material, polygon, surface};
 use std::f64::consts::TAU;
 
 /// The sides of the room.

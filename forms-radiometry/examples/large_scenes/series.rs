@@ -2,9 +2,9 @@
 //! their tables and figures.
 
 use super::measured::{self, Measured};
-use super::page::{self, processor};
 use super::{points, room};
 use forms_figures::{Axis, Colour, Mark, Numbers, Plot, Series as Line};
+use forms_testing::page::{self, processor};
 use std::fmt::Write;
 use std::io;
 use std::path::PathBuf;

@@ -202,8 +202,10 @@ pub(super) fn distinct(receivers: &[ReceiverMethod], is_by_paths: bool) -> Vec<M
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver, tolerance};
     use crate::simulation::plan;
+    use forms_testing::scene_text::{
+        material, point_receiver, polygon, surface, surface_receiver, tolerance,
+    };
 
     fn of(rest: &str) -> Vec<Method> {
         let square = |z: f64| polygon(&[[0.0, 0.0, z], [1.0, 0.0, z], [1.0, 1.0, z], [0.0, 1.0, z]]);

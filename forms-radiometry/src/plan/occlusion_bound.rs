@@ -163,8 +163,8 @@ mod tests {
     use crate::answer::Answer;
     use crate::plan::Plan;
     use crate::scene::{Effect, read};
-    use crate::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
     use crate::simulation::{Unwatched, plan, simulate};
+    use forms_testing::scene_text::{material, point_receiver, polygon, surface, surface_receiver};
 
     /// Returns a floor, a lamp above it, and between them a plate of this size at this position.
     fn lamp_and_plate(reflectance: f64, size: f64, [x, y, z]: [f64; 3]) -> String {

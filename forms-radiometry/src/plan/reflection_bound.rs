@@ -198,7 +198,7 @@ mod tests {
     use crate::faces::faces;
     use crate::geometry::Screens;
     use crate::scene::read;
-    use crate::scene_text::{CUBE, material, polygon, surface};
+    use forms_testing::scene_text::{CUBE, material, polygon, surface};
 
     /// Returns a row of this many cubes, seen from outside.
     fn cubes(count: usize) -> Scene {

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use crate::radiosity::driver::solved;
 use crate::radiosity::{Gathering, Question};
 use crate::scene::read;
-use crate::scene_text::{
+use forms_testing::scene_text::{
     CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
 };
 

@@ -10,9 +10,6 @@
 
 mod judge;
 mod pieces;
-#[expect(dead_code, reason = "other tests need the rest")]
-#[path = "../scene_text/mod.rs"]
-mod scene_text;
 mod scenes;
 mod sequence;
 mod tracer;

@@ -1,7 +1,7 @@
 //! A scene in two forms: as a world for path tracing, and as the text of a scene file.
 
-use crate::scene_text;
 use forms_radiometry::geometry::Vector;
+use forms_testing::scene_text;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::fmt::Write;

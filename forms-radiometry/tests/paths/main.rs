@@ -1,7 +1,6 @@
 //! Scenes that are path traced: known answers, refused light traps, the same scene at any size and
 //! place and in any unit, images, and how often the truth lies within the reported standard errors.
 
-mod claims;
 mod images;
 mod lengths;
 mod many_lights;
@@ -10,8 +9,8 @@ mod statistics;
 mod traps;
 mod unfolded;
 
-use claims::{Claim, Compared};
 use forms_radiometry::simulation::{ErrorKind, Quantity};
+use forms_radiometry_testing::claims::{self, Claim, Compared};
 
 /// Seed of all known answers.
 const SEED: u64 = 1;

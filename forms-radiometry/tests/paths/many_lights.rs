@@ -2,11 +2,11 @@
 //! form.
 
 use crate::claims::answers;
-use crate::claims::elements::{distant_light, mirror_aside, point_light, shining, sphere};
-use crate::claims::scene_text::{Point, material, point_receiver, surface, tolerance};
 use forms_kernels::form_factor_point_sphere;
 use forms_radiometry::scene::read;
 use forms_testing::SplitMix;
+use forms_testing::scene_text::elements::{distant_light, mirror_aside, point_light, shining, sphere};
+use forms_testing::scene_text::{Point, material, point_receiver, surface, tolerance};
 use std::f64::consts::PI;
 
 /// Number of standard errors that an answer may be off.

@@ -5,13 +5,15 @@
 //! light. A fixed number of samples keeps their mean unbiased, whatever they find. `FORMS_RARE` is
 //! the number of scenes.
 
-use crate::claims::elements::{camera, distant_light, gas, point_light, sky, sphere, square, two_sided};
-use crate::claims::scene_text::{material, polygon, surface};
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{
     Budget, ErrorKind, Job, Map, Simulation, Unwatched, plan, simulate, simulate_job,
 };
 use forms_testing::SplitMix;
+use forms_testing::scene_text::elements::{
+    camera, distant_light, gas, point_light, sky, sphere, square, two_sided,
+};
+use forms_testing::scene_text::{material, polygon, surface};
 
 /// Number of samples of each pixel and cell that is enough to meet rare light.
 const MANY: u64 = 1 << 13;

@@ -1,12 +1,12 @@
 //! Light traps: a scene whose light can never leave and is never absorbed is refused, with the
 //! surface and its place. A scene that only looks like one is not.
 
-use crate::claims::elements::{
-    basin, cuboid, filled_with, gas, glass, medium, mirror, point_light, probe, shining, sky, sphere, square,
-};
-use crate::claims::scene_text::{material, polygon, surface};
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::plan;
+use forms_testing::scene_text::elements::{
+    basin, cuboid, filled_with, gas, glass, medium, mirror, point_light, probe, shining, sky, sphere, square,
+};
+use forms_testing::scene_text::{material, polygon, surface};
 
 fn lamp() -> String {
     material("black", 0) + &surface("lamp", "black", &shining(&sphere([0.5; 3], 0.1, false), 1))
@@ -122,7 +122,7 @@ fn what_lets_light_out_is_not_refused() {
         ("a basin of water with black walls", vec![glass("water", 1.33), basin("water", UNIT, 0.0), sky(1)]),
         (
             "an open white box with a mirror aside, below a lamp",
-            vec![without_lid(), far_lamp(), crate::claims::elements::mirror_aside()],
+            vec![without_lid(), far_lamp(), forms_testing::scene_text::elements::mirror_aside()],
         ),
         (
             "a mirror beside a lamp",

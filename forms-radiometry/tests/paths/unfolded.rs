@@ -5,11 +5,11 @@
 //! In fog both scenes are path traced, with next-event estimation at each scattering along a path.
 
 use crate::claims::answers;
-use crate::claims::elements::{filled_with, medium, mirror, probe, shining, two_sided};
-use crate::claims::scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 use forms_radiometry::scene::read;
 use forms_radiometry::simulation::{Answer, ErrorKind};
 use forms_testing::SplitMix;
+use forms_testing::scene_text::elements::{filled_with, medium, mirror, probe, shining, two_sided};
+use forms_testing::scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 
 const FAR: f64 = 1e4;
 /// Number of standard errors by which two numbers may differ.

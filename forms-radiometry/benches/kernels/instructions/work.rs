@@ -3,8 +3,8 @@
 
 use super::callgrind;
 use crate::catalogue::{self, Author};
-use crate::expert::batch::InstructionSet;
 use crate::inputs;
+use forms_competitors::expert::batch::InstructionSet;
 use forms_kernels as kernels;
 
 /// Number of values of a call: some blocks of a batch.

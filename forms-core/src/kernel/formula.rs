@@ -1,0 +1,3 @@
+//! Formulas of unit tests.
+
+forms_testing::formulas!();
