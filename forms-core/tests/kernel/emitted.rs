@@ -1,12 +1,9 @@
-//! Emitted Rust, compiled unchanged and compared with the interpreter.
+//! Kernels of every kind of instruction, which all back ends compute, and the text of emitted Rust.
 
 use crate::formula::Formulas;
-use forms_core::emission::{KernelDocs, emit_formula, emit_rust};
+use forms_core::emission::{KernelDocs, emit_rust};
 use forms_core::expression::{Expr, Relation};
 use forms_core::kernel::Program;
-use std::fmt::Write;
-use std::path::PathBuf;
-use std::process::Command;
 
 /// Kernels of every kind of instruction: name, arguments, outputs.
 const KERNELS: &[(&str, &str, &[&str])] = &[
@@ -66,6 +63,11 @@ pub(crate) fn kernels() -> Vec<Program> {
     programs
 }
 
+/// Returns the kernels with conditionals.
+pub(crate) fn choices() -> Vec<Program> {
+    written_and_optimised(CHOICES)
+}
+
 fn written_and_optimised(kernels: &[(&str, &str, &[&str])]) -> Vec<Program> {
     let mut programs = Vec::new();
     for (name, variables, outputs) in kernels {
@@ -86,85 +88,6 @@ fn with_domains() -> Vec<Program> {
     let one = formulas.named("inside").program_where(&[root], &domain).optimise();
     let two = formulas.named("both_inside").program_where(&[root, sum], &domain).optimise();
     vec![one, two]
-}
-
-/// Emits each kernel as a function of `f64`s and as the type `K_NAME` of a formula, together with
-/// the arithmetic.
-fn emitted(programs: &[Program]) -> String {
-    let docs = KernelDocs { formula: "f".into(), ..KernelDocs::default() };
-    let mut source =
-        "#![deny(warnings)]\n#![allow(non_camel_case_types)]\n".to_string() + &forms_math::source();
-    for program in programs {
-        source += &emit_rust(program, &docs, "forms_math");
-        let name = format!("K_{}", program.name());
-        let _ = write!(source, "enum {name} {{}}\n{}", emit_formula(program, &name, "forms_math"));
-    }
-    source
-}
-
-/// Returns a program that prints the bits of every kernel at each row: of the function, of the
-/// formula in `f64` and in `f32`.
-fn harness(programs: &[Program], rows: &[Vec<f64>]) -> String {
-    let mut source = emitted(programs) + "fn main() {\n";
-    for (program, row) in programs.iter().flat_map(|program| rows.iter().map(move |row| (program, row))) {
-        let bits: Vec<String> = row[..program.arguments().len()]
-            .iter()
-            .map(|value| format!("f64::from_bits({})", value.to_bits()))
-            .collect();
-        let (name, outputs, row) = (program.name(), program.outputs().len(), bits.join(", "));
-        let call = if outputs == 1 { format!("[{name}({row})]") } else { format!("{name}({row})") };
-        let formula = format!("<K_{name} as forms_math::Formula<{}, {outputs}>>::value", bits.len());
-        let single = bits.iter().map(|value| format!("{value} as f32")).collect::<Vec<_>>().join(", ");
-        for values in [call, format!("{formula}([{row}])"), format!("{formula}([{single}]).map(f64::from)")] {
-            let _ =
-                writeln!(source, "{values}.iter().for_each(|value| println!(\"{{}}\", value.to_bits()));");
-        }
-    }
-    source + "}\n"
-}
-
-fn compiled_and_run(source: &str) -> Vec<f64> {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
-    let (file, program) = (folder.join("emitted.rs"), folder.join("emitted"));
-    std::fs::write(&file, source).expect("a file in the build's folder");
-    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
-    let compiler = Command::new(rustc)
-        .args(["--edition", "2024", "-o"])
-        .arg(&program)
-        .arg(&file)
-        .output()
-        .expect("a compiler");
-    assert!(compiler.status.success(), "{}\n{source}", String::from_utf8_lossy(&compiler.stderr));
-    let output = Command::new(program).output().expect("the compiled program");
-    let text = String::from_utf8(output.stdout).expect("numbers");
-    text.lines().map(|line| f64::from_bits(line.parse().expect("bits"))).collect()
-}
-
-#[test]
-fn emitted_rust_computes_what_the_interpreter_computes() {
-    let programs = [kernels(), written_and_optimised(CHOICES)].concat();
-    let mut inputs = Inputs(1);
-    let rows: Vec<Vec<f64>> = (0..24).map(|_| (0..8).map(|_| inputs.next()).collect()).collect();
-    let computed = compiled_and_run(&harness(&programs, &rows));
-    let mut computed = computed.into_iter();
-    for program in &programs {
-        for row in &rows {
-            let row = &row[..program.arguments().len()];
-            let single: Vec<f32> = row.iter().map(|&value| value as f32).collect();
-            let single = program.interpret_as(&single).into_iter().map(f64::from).collect();
-            for (tier, values) in
-                [("f64", program.interpret(row)), ("formula", program.interpret(row)), ("f32", single)]
-            {
-                for expected in values {
-                    let value = computed.next().expect("a value for every output");
-                    let same = value == expected || (value.is_nan() && expected.is_nan());
-                    let name = program.name();
-                    assert!(same, "{name} in {tier} at {row:?}: emitted {value}, interpreted {expected}");
-                }
-            }
-        }
-    }
-    assert_eq!(computed.next(), None);
 }
 
 #[test]

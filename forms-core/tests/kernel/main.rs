@@ -1,5 +1,6 @@
 //! Kernels: their costs, and the agreement of all ways of computing them.
 
+mod conformance;
 mod counts;
 mod device;
 mod emitted;

@@ -117,8 +117,8 @@ fn every_name_compiles_in_c() {
     for precision in [Precision::F64, Precision::F32] {
         let file = folder().join(format!("names_{}.c", precision.name()));
         std::fs::write(&file, source(&programs, Target::C, precision)).expect("a file in the build's folder");
-        accepted("gcc", &["-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
-        accepted("gcc", &["-std=gnu17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
+        accepted("gcc", &["-std=c11", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file, &[]);
+        accepted("gcc", &["-std=gnu17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file, &[]);
     }
 }
 
@@ -134,7 +134,7 @@ fn every_name_compiles_in_cuda_as_cpp() {
                   struct float4 { float x, y, z, w; };\nstruct half { unsigned short bits; };\n";
     let text = format!("#include <cstdio>\n#define __host__\n#define __device__\n{device}{text}");
     std::fs::write(&file, text).expect("a file in the build's folder");
-    accepted("g++", &["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file);
+    accepted("g++", &["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file, &[]);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn every_name_compiles_in_rust() {
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_string());
     let metadata = folder().join("names.rmeta").to_string_lossy().into_owned();
     let strict = ["--edition", "2024", "--crate-type", "lib", "-D", "warnings", "--emit", "metadata", "-o"];
-    accepted(&rustc, &[&strict[..], &[&metadata]].concat(), &file);
+    accepted(&rustc, &[&strict[..], &[&metadata]].concat(), &file, &[]);
 }
 
 #[test]
