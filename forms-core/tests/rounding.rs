@@ -135,3 +135,12 @@ fn a_value_that_crosses_zero_has_an_absolute_bound_only() {
     let bound = kernel("kernel k(x) = x**3 - x where -2 <= x <= 2;").bounds().expect("bounded")[0];
     assert!(bound.relative.is_none() && bound.absolute < 2.5e-15, "{bound:?}");
 }
+
+/// At 1.2094912707964283e23, next to an odd multiple of π/2, glibc 2.36 is wrong by 16,655 ulps.
+#[test]
+fn the_cosine_of_large_angles_has_an_absolute_bound_only() {
+    let units = |text: &str| kernel(text).bounds().expect("a bound")[0].units();
+    assert!(units("kernel small(x) = 2 + cos(x) where 1 <= x <= 2;").is_some());
+    assert!(units("kernel large(x) = 2 + cos(x) where 1e23 <= x <= 2e23;").is_some());
+    assert_eq!(units("kernel near(x) = cos(x) where 1e23 <= x <= 2e23;"), None);
+}

@@ -7,6 +7,7 @@ use crate::composed::{Widen, special_functions};
 use crate::error_free;
 use crate::quadrature::{Kind, double_exponential};
 use crate::scalar::{Scalar, choices};
+use crate::wide::quadrant_of_words;
 use crate::{DoubleDouble, Real};
 
 /// Functions that a hardware type takes unchanged from the standard library.
@@ -131,6 +132,10 @@ impl Scalar for f64 {
         const QUARTER_TURN: [f64; 3] =
             [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
         let quotient = (self / std::f64::consts::FRAC_PI_2).round();
+        if quotient.abs() >= 1_048_576.0 {
+            let (quadrant, rest) = quadrant_of_words(self, 0.0);
+            return (quadrant, rest.to_f64());
+        }
         let rest =
             ((self - quotient * QUARTER_TURN[0]) - quotient * QUARTER_TURN[1]) - quotient * QUARTER_TURN[2];
         (quotient.rem_euclid(4.0) as u8, rest)

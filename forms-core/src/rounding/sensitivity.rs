@@ -4,6 +4,7 @@ use super::arithmetic::Arithmetic;
 use super::interval::Interval;
 use crate::expression::{Operation, Pool, SymbolKind};
 use crate::kernel::{Instruction, KernelSource, Program, Value, lower};
+use forms_math::Guardable;
 use rustc_hash::FxHashMap;
 
 /// Program with the partial derivatives of the functions it calls.
@@ -87,13 +88,25 @@ impl<'a> Analysis<'a> {
                 rounded = sum_upward(rounded, product_upward(sensitivity, change));
                 relative = sum_upward(relative, product_upward(condition, rounding));
             }
-            underflown = sum_upward(underflown, product_upward(sensitivity, underflow));
+            let absolute = sum_upward(underflow, self.reduction(place, ranges));
+            underflown = sum_upward(underflown, product_upward(sensitivity, absolute));
         }
         let absolute = sum_upward(rounded, underflown);
         let absolute = if range.is_finite() { absolute } else { f64::INFINITY };
         let by_condition = sum_upward(relative, quotient_upward(underflown, range.least_magnitude()));
         let by_size = quotient_upward(absolute, range.least_magnitude());
         OutputError { absolute, relative: by_condition.min(by_size) }
+    }
+
+    /// Returns the absolute error of a sine or cosine from the reduction of a large angle. The range
+    /// of a tangent is unbounded there.
+    fn reduction(&self, place: usize, ranges: &[Interval]) -> f64 {
+        match &self.program.instructions()[place] {
+            Instruction::Call(Operation::Sin | Operation::Cos, operands) => {
+                ranges[operands[0].place()].magnitude().min(f64::MAX).reduction()
+            }
+            _ => 0.0,
+        }
     }
 
     /// Returns the condition numbers κᵢ = (vᵢ/output) ∂output/∂vᵢ, the amplification of a relative

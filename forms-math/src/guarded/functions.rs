@@ -111,12 +111,18 @@ impl<T: Guardable> Guarded<T> {
         self.function(value, T::UNITS.elementary, || self.error.over(shifted.least_size()))
     }
 
+    /// Returns the angle with the error of its reduction.
+    fn reduced(self) -> Self {
+        Self { error: self.error.plus(self.value.reduction()), ..self }
+    }
+
     /// |sin(x + δ) − sin x| ≤ ε
     pub(super) fn sine(self) -> Self {
         if let Some(beyond) = self.is_beyond() {
             return beyond.oscillation();
         }
-        self.function(self.value.sin(), T::UNITS.elementary, || self.error)
+        let angle = self.reduced();
+        angle.function(self.value.sin(), T::UNITS.elementary, || angle.error)
     }
 
     /// |cos(x + δ) − cos x| ≤ ε
@@ -124,7 +130,8 @@ impl<T: Guardable> Guarded<T> {
         if let Some(beyond) = self.is_beyond() {
             return beyond.oscillation();
         }
-        self.function(self.value.cos(), T::UNITS.elementary, || self.error)
+        let angle = self.reduced();
+        angle.function(self.value.cos(), T::UNITS.elementary, || angle.error)
     }
 
     /// tan(x + δ) − tan x = (1 + t²) tan δ/(1 − t tan δ), t = tan x, tan ε ≤ ε (1 + ε²) for ε < 1
@@ -132,14 +139,14 @@ impl<T: Guardable> Guarded<T> {
         if self.is_beyond().is_some() {
             return Self::undecided(T::nan());
         }
-        let value = self.value.tan();
-        self.function(value, T::UNITS.elementary, || {
+        let (value, angle) = (self.value.tan(), self.reduced());
+        angle.function(value, T::UNITS.elementary, || {
             let one = T::Bound::of(1.0);
-            if self.error >= one {
+            if angle.error >= one {
                 return T::Bound::INFINITE;
             }
             let size = value.size().plus(value.rounding(T::UNITS.elementary));
-            let step = self.error.times(one.plus(self.error.times(self.error)));
+            let step = angle.error.times(one.plus(angle.error.times(angle.error)));
             one.plus(size.times(size)).times(step).over(one.minus_down(size.times(step)))
         })
     }

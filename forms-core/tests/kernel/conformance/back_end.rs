@@ -43,10 +43,6 @@ impl BackEnd {
         match (self, function) {
             // the GNU library loses bits at the angle nearest to a multiple of π/2
             (_, Function::Operation(Operation::Cos | Operation::Tan)) if size > 1e200 => 15.0,
-            // the angle of a circle is subtracted with the digits of f32 alone
-            (_, Function::Operation(Operation::Clausen)) if size > 1e12 && self.format() == Format::F32 => {
-                f64::INFINITY
-            }
             (_, Function::DifferenceOfProducts | Function::SumOfProducts) => 2.0,
             (_, Function::MultiplyAdd) => 1.5,
             (_, Function::Operation(Operation::Abs)) => 0.0,
