@@ -95,7 +95,8 @@ impl Program {
     /// Bounds the rounding error of each output over the whole domain, with at most `boxes`
     /// subdivisions.
     ///
-    /// Functions of the op table are assumed accurate to 2 ulp. More boxes make the bound sharper.
+    /// Functions of the op table are assumed accurate to 2 ulp, sine and cosine of large angles to an
+    /// absolute error. More boxes make the bound sharper.
     ///
     /// ```
     /// use forms_core::compile::{Options, compile};

@@ -8,8 +8,10 @@
 //! source text of these files, and [`theory()`] that of the identities of radiometry.
 //!
 //! ```
-//! // the solid angle of an octant of the sphere of directions
-//! let octant = forms_kernels::solid_angle_triangle(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
+//! // one octant of the sphere of directions, seen from the origin
+//! let octant = forms_kernels::solid_angle_triangle(
+//!     0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0,
+//! );
 //! assert!((octant - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
 //! ```
 

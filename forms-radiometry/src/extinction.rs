@@ -3,7 +3,7 @@
 use crate::scene::{Medium, Scene};
 
 // the kernel's rounding error is part of every reported error, so it needs no guard
-pub(crate) use crate::kernels::transmittance::unguarded as transmittance;
+pub(crate) use forms_kernels::transmittance::unguarded as transmittance;
 
 /// Whether light from far away arrives in this band: an ambient medium that absorbs or scatters
 /// extinguishes it completely.

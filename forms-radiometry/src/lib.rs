@@ -57,8 +57,6 @@ mod used_kernel;
 mod view_factors;
 mod watch;
 
-use forms_kernels as kernels;
-
 pub use view_factors::{ViewFactor, ViewFactors, view_factors};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer

@@ -1,6 +1,6 @@
 //! Sampling: hash keys become points of the unit square, and these become directions about an axis.
 //!
-//! The warps themselves are kernels ([`kernels`](crate::kernels)); this module provides their
+//! The warps themselves are kernels of [`forms_kernels`]; this module provides their
 //! inputs, and the frames that rotate their axis to the required direction.
 
 mod choice;

@@ -151,8 +151,8 @@ impl ViewFactors {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use crate::scene::read;
+    use forms_kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};
     use forms_testing::scene_text::{CUBE, material, polygon, surface};
 
     fn scene(more: &str) -> Scene {

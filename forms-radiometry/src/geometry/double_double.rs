@@ -14,8 +14,8 @@ mod round;
 pub(crate) use round::SeenWhole;
 
 use super::Vector;
-use crate::kernels::{edge_form_factor, solid_angle_triangle};
 use forms::math::{DoubleDouble, Real};
+use forms_kernels::{edge_form_factor, solid_angle_triangle};
 use std::f64::consts::PI;
 use std::ops::Add;
 

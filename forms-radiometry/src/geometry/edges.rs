@@ -8,7 +8,7 @@
 //! point in front of a luminaire sees it: clockwise.
 
 use super::Vector;
-use crate::kernels::edge_form_factor;
+use forms_kernels::edge_form_factor;
 
 /// Fewer rows than this are computed one at a time: the smallest batch takes as long as 12 single
 /// rows (0.5 µs).

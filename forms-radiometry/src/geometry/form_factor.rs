@@ -3,7 +3,7 @@
 
 use super::clip::split;
 use super::{Polygon, Vector, scale};
-use crate::kernels::edge_form_factor;
+use forms_kernels::edge_form_factor;
 
 /// Returns the unoccluded form factor from a receiver to the front of a polygon; E = π F L for a
 /// polygon that emits the uniform radiance L.

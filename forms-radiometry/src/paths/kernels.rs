@@ -2,15 +2,15 @@
 //! run.
 
 use crate::effects::EffectSet;
-use crate::kernels::{
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use crate::used_kernel::UsedKernel;
+use forms_kernels::{
     basic_radiance, cosine_hemisphere_pdf, cosine_hemisphere_sample, equiangular_pdf, equiangular_sample,
     free_flight_pdf, free_flight_sample, fresnel_conductor, fresnel_dielectric, henyey_greenstein,
     henyey_greenstein_direction_sample, measure_area_to_solid_angle, measure_solid_angle_to_area,
     spherical_triangle_pdf, spherical_triangle_sample, transmittance, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_pdf, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
-use crate::used_kernel::UsedKernel;
 
 /// Whether a material reflects diffusely.
 fn reflects(kind: &MaterialKind) -> bool {

@@ -21,9 +21,9 @@ use super::warps::{
     uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
 };
 use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
-use crate::kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
 use crate::sampling::{Frame, Samples, chosen, shares};
 use crate::scene::{LightKind, Scene};
+use forms_kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
 use std::f64::consts::PI;
 use std::ops::Range;
 

@@ -10,7 +10,7 @@ use super::boundary::{Passage, mirrored};
 use super::optics::MediumOptics;
 use super::warps::fresnel_dielectric;
 use crate::geometry::Vector;
-use crate::kernels::basic_radiance;
+use forms_kernels::basic_radiance;
 
 /// Returns the possible outcomes at the boundary from one medium to another, each with its fraction
 /// of the light: reflection, and refraction if there is any; `normal` points to the side of the

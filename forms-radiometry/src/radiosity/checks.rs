@@ -18,8 +18,8 @@ use super::residual::{Check, Residual};
 use super::system::Radiosity;
 use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
-use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::sampling::{Net, key};
+use forms_kernels::gathered_light::Effects as LightKinds;
 use rayon::prelude::*;
 
 /// Number of points on all elements together if faces are few, and maximum number of operations for

@@ -19,9 +19,9 @@ use super::transport::{Group, Scratch, Transport};
 use crate::faces::emits;
 use crate::geometry::double_double::Rounded;
 use crate::geometry::{Exchange, Face, Vector, exchange_of, exchange_precisely, exchange_with};
-use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{LightKind, ReceiverKind, Scene};
 use crate::watch::Watch;
+use forms_kernels::gathered_light::Effects as LightKinds;
 use std::f64::consts::PI;
 
 /// Maximum numbers of edge pairs, each with the relative error to which unoccluded faces exchange

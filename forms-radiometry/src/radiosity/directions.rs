@@ -4,8 +4,8 @@
 use super::measure::Measure;
 use super::transport::Transport;
 use crate::geometry::Vector;
-use crate::kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
 use crate::sampling::{Frame, Net};
+use forms_kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
 
 /// Returns a direction for a point of the square, and the weight of the light from there. The mean
 /// of radiosity times this weight over uniform points is the measure of all arriving light, over π.

@@ -5,7 +5,7 @@ use super::contact::ConvexPiece;
 use super::reference::{MOST_NODES, Reference, Shape, reference};
 use crate::geometry::Face;
 use crate::geometry::Vector;
-use crate::kernels::uniform_triangle_sample;
+use forms_kernels::uniform_triangle_sample;
 
 /// Polynomials on elements have degrees below this, where memory allows.
 pub(super) const HIGHEST_ORDER: usize = 3;

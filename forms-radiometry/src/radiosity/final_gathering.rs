@@ -29,10 +29,10 @@ use super::subdivision::Subdivision;
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::emitted;
 use crate::geometry::Vector;
-use crate::kernels::irradiance;
 use crate::sampling::{Net, key};
 use crate::scene::Scene;
 use crate::watch::Watch;
+use forms_kernels::irradiance;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -9,8 +9,8 @@
 //! specialisation of the kernel without the other kinds is then taken from its table. Nothing is
 //! computed for the columns of absent kinds, which that specialisation does not read.
 
-use crate::kernels::gathered_light::{Effects as LightKinds, With};
 use forms::math::Formula;
+use forms_kernels::gathered_light::{Effects as LightKinds, With};
 
 /// Specialisation of the kernel, applied to all rows.
 type Member = fn(&Arriving, &mut [f64]);

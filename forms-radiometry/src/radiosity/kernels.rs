@@ -14,14 +14,14 @@ use super::method::Gathering;
 use super::question::Question;
 use super::reflectance::is_reflecting;
 use crate::geometry::Face;
-use crate::kernels::gathered_light::Effects as LightKinds;
-use crate::kernels::{
+use crate::scene::{ReceiverKind, Scene, Shape, Surface};
+use crate::used_kernel::UsedKernel;
+use forms_kernels::gathered_light::Effects as LightKinds;
+use forms_kernels::{
     cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk,
     form_factor_point_disk, form_factor_point_sphere, irradiance, solid_angle_disk, solid_angle_sphere,
     solid_angle_triangle, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::scene::{ReceiverKind, Scene, Shape, Surface};
-use crate::used_kernel::UsedKernel;
 
 /// Computations that a scene requires.
 struct Computed {

@@ -1,8 +1,8 @@
 //! Requirements for a solution: what the receivers of a scene need.
 
 use crate::effects::SimulatedEffects;
-use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene};
+use forms_kernels::gathered_light::Effects as LightKinds;
 
 /// Requirements for the solution.
 #[derive(Clone, Debug)]

@@ -18,11 +18,11 @@ use super::solution::of_bands;
 use super::transport::{Group, Scratch, Transport};
 use crate::geometry::double_double::{Rounded, area};
 use crate::geometry::{Face, Vector};
-use crate::kernels::gathered_light::Effects as LightKinds;
 use crate::parallelism::Parallelism;
 use crate::scene::Scene;
 use crate::watch::Watch;
 use forms::math::{DoubleDouble, Real};
+use forms_kernels::gathered_light::Effects as LightKinds;
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

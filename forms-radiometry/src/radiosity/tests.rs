@@ -9,8 +9,8 @@ use super::solution::{all_orders, neumann, orders};
 use super::weights;
 use super::whole_elements::Whole;
 use crate::geometry::{Face, Vector};
-use crate::kernels::irradiance_linear_luminaire;
 use crate::watch::Unwatched;
+use forms_kernels::irradiance_linear_luminaire;
 
 /// Returns the face of a triangle above the origin that faces down.
 fn triangle([a, b, c]: [Vector; 3]) -> Face {

@@ -6,7 +6,7 @@ use super::gathered_light::Arriving;
 use super::measure::Measure;
 use super::whole_elements::Whole;
 use crate::geometry::{Between, Borders, Edges, Face, Looking, Screens, Vector, Workspace};
-use crate::kernels::edge_form_factor;
+use forms_kernels::edge_form_factor;
 
 /// Number of values in a vector of the widest kind.
 const LANES: usize = 8;

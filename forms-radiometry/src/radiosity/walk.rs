@@ -14,8 +14,8 @@
 use super::directions::above;
 use super::final_gathering::{FinalGathering, Place};
 use super::transport::Scratch;
-use crate::kernels::irradiance;
 use crate::sampling::Random;
+use forms_kernels::irradiance;
 
 /// Maximum number of reflections of a path; the remaining light is part of the error.
 const MOST_REFLECTIONS: u32 = 512;

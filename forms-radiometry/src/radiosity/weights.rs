@@ -21,7 +21,7 @@ use super::system::Radiosity;
 use super::transport::{Group, Scratch, Seen, Transport};
 use super::whole_elements::FEWEST;
 use crate::geometry::{Face, Patch, Vector, patches};
-use crate::kernels::exchange_density;
+use forms_kernels::exchange_density;
 
 /// Visibility of a face from a group, where it determines the visibility of the elements of the
 /// face.

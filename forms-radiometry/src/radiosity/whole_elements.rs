@@ -13,7 +13,7 @@ use super::element::Element;
 use super::patch_rule::{SMALL, rule};
 use super::reference::MOST_NODES;
 use crate::geometry::{Edges, Vector, fill, patches};
-use crate::kernels::exchange_density;
+use forms_kernels::exchange_density;
 
 /// Minimum number of points for a batch. Fewer points evaluate an element one by one: with the
 /// usual rules, of 4 to 16 points, they have fewer rows than it takes for a batch to be faster.

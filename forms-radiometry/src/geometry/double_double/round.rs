@@ -13,11 +13,11 @@
 use super::{Precise, Rounded, TERM, cross, dot, length, unit, way};
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Sphere, Vector};
-use crate::kernels::{
+use forms::math::{DoubleDouble, Real};
+use forms_kernels::{
     form_factor_beside_disk, form_factor_point_disk, form_factor_point_sphere, solid_angle_disk,
     solid_angle_sphere,
 };
-use forms::math::{DoubleDouble, Real};
 
 /// Rounding error of a kernel in this module, in units of the error of a term.
 const OF_KERNEL: f64 = 2.0;

@@ -18,7 +18,7 @@ use super::areas::{MOST_POINTS, gauss, roughly};
 use super::contour::{Edge, ROUNDINGS, dot, subtracted};
 use super::{Exchange, Outline};
 use crate::geometry::Vector;
-use crate::kernels::edge_potential;
+use forms_kernels::edge_potential;
 use std::f64::consts::PI;
 
 /// Factor of ρ⁻²ⁿ/n: larger than π, to cover rules with few points.

@@ -10,7 +10,7 @@
 
 use super::{Exchange, Outline};
 use crate::geometry::Vector;
-use crate::kernels::exchange_density;
+use forms_kernels::exchange_density;
 use std::sync::OnceLock;
 
 /// The Gauss rules in the order in which they are tried, by their points along each side. The

@@ -12,8 +12,8 @@
 
 use super::kronrod::{self, Integral, POINTS};
 use super::{Exchange, Outline};
-use crate::kernels::edge_potential;
 use forms::math::{DoubleDouble, Real};
+use forms_kernels::edge_potential;
 use std::f64::consts::PI;
 
 /// Rounding error of a sum of terms, in units of their magnitudes times the precision of the number

@@ -1,7 +1,7 @@
 //! Known view factors, laws, and comparisons between the methods.
 
 use super::*;
-use crate::kernels::{view_factor_parallel_rectangles, view_factor_perpendicular_rectangles};
+use forms_kernels::{view_factor_parallel_rectangles, view_factor_perpendicular_rectangles};
 use std::f64::consts::PI;
 
 fn polygon(points: &[[f64; 3]]) -> Polygon {

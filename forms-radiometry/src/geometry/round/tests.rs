@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::geometry::{Polygon, form_factor};
-use crate::kernels::{form_factor_point_disk, form_factor_point_sphere};
+use forms_kernels::{form_factor_point_disk, form_factor_point_sphere};
 
 const CENTER: Vector = Vector::new(0.3, -0.2, 0.7);
 

@@ -356,7 +356,7 @@ mod tests {
             start = walls.start_on(&met, met.is_front);
             let inside = if (center - met.position).dot(met.normal) > 0.0 { met.normal } else { -met.normal };
             let frame = crate::sampling::Frame::about(inside);
-            direction = frame.place(crate::kernels::cosine_hemisphere_sample(samples.next(), samples.next()));
+            direction = frame.place(forms_kernels::cosine_hemisphere_sample(samples.next(), samples.next()));
         }
     }
 }

@@ -6,7 +6,7 @@ mod searches;
 
 use super::*;
 use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
-use crate::kernels::solid_angle_triangle;
+use forms_kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 
 /// Generator of pseudo-random numbers in [0, 1).

@@ -17,9 +17,9 @@
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
 use crate::geometry::{Vector, gauss};
-use crate::kernels::henyey_greenstein::unguarded as henyey_greenstein;
-use crate::kernels::measure_area_to_solid_angle;
 use crate::scene::Medium;
+use forms_kernels::henyey_greenstein::unguarded as henyey_greenstein;
+use forms_kernels::measure_area_to_solid_angle;
 use std::f64::consts::PI;
 
 /// Number of points of the rule.

@@ -19,9 +19,9 @@
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
 use crate::geometry::{Face, Vector, gauss};
-use crate::kernels::measure_area_to_solid_angle;
 use crate::radiosity::measure::Measure;
 use crate::scene::Scene;
+use forms_kernels::measure_area_to_solid_angle;
 use std::f64::consts::PI;
 
 /// Number of points of the rule along each side of the square.
