@@ -6,8 +6,9 @@
 //! ```
 //! The regular polygon and the polyhedron have the areas of the disk and of the sphere.
 
-use crate::geometry::{Face, Round};
+use crate::geometry::Round;
 use crate::scene::{Scene, Shape};
+use crate::visibility::Face;
 
 /// Returns the faces of all surfaces, each front followed by its back. A one-sided surface has a
 /// back too: it is black, and blocks light. Each step of `fineness` doubles the number of edges

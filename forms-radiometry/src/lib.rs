@@ -40,6 +40,7 @@ mod checkpoint;
 mod effects;
 mod extinction;
 mod faces;
+pub mod form_factor;
 pub mod geometry;
 mod job;
 pub mod output;
@@ -55,6 +56,7 @@ mod spectrum;
 mod tone;
 mod used_kernel;
 mod view_factors;
+mod visibility;
 mod watch;
 
 pub use view_factors::{ViewFactor, ViewFactors, view_factors};

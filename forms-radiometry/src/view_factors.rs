@@ -10,8 +10,9 @@
 //! an error of the scene ([`ViewFactors::contradictions`]).
 
 use crate::faces::{faces, is_bright, is_round};
-use crate::geometry::{Exchange, Face, Screens, exchange_with};
+use crate::form_factor::{Exchange, exchange_with};
 use crate::scene::{Scene, SceneError};
+use crate::visibility::{Face, Screens};
 use rayon::prelude::*;
 
 /// View factors below this value are computed to the absolute error of a view factor of this value.

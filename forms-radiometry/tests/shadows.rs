@@ -8,7 +8,8 @@
 mod slabs;
 
 use forms_kernels::solid_angle_triangle;
-use forms_radiometry::geometry::{Polygon, Vector, form_factor};
+use forms_radiometry::form_factor::form_factor;
+use forms_radiometry::geometry::{Polygon, Vector};
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;

@@ -1,6 +1,7 @@
 //! View factors of the reference, and their reported errors.
 
-use forms_radiometry::geometry::{Polygon, Vector, view_factor, visible_exchange};
+use forms_radiometry::form_factor::{view_factor, visible_exchange};
+use forms_radiometry::geometry::{Polygon, Vector};
 use serde_json::Value;
 
 const ROWS: &str = include_str!("../../tests/reference/visible.json");

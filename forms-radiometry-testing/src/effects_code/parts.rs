@@ -18,16 +18,16 @@ const MODULES: [(Effect, &[&str]); 7] = [
     (
         Effect::Occlusion,
         &[
-            "geometry::cone",
-            "geometry::exchange::obstructed",
-            "geometry::visibility::arrangement",
-            "geometry::visibility::aspect",
-            "geometry::visibility::occluder_search",
-            "geometry::visibility::body",
-            "geometry::visibility::silhouette_columns",
-            "geometry::visibility::silhouette_crossing",
-            "geometry::visibility::shaft",
-            "geometry::visibility::visible",
+            "visibility::cone",
+            "form_factor::exchange::obstructed",
+            "visibility::arrangement",
+            "visibility::aspect",
+            "visibility::occluder_search",
+            "visibility::body",
+            "visibility::silhouette_columns",
+            "visibility::silhouette_crossing",
+            "visibility::shaft",
+            "visibility::visible",
         ],
     ),
     (Effect::Interreflection, &["radiosity::operator", "radiosity::solution", "radiosity::weights"]),
@@ -42,8 +42,8 @@ const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Inter
 /// Modules that trace light along rays, which occluders block and which continue at reflecting
 /// surfaces.
 const RAYS: [&str; 8] = [
-    "geometry::visibility::branches",
-    "geometry::visibility::ray",
+    "visibility::branches",
+    "visibility::ray",
     "radiosity::clusters",
     "radiosity::directions",
     "radiosity::final_gathering",

@@ -1,7 +1,8 @@
 //! View factors between unit squares: pairs in general position for the time, and hard cases with
 //! known values.
 
-use forms_radiometry::geometry::{Polygon, Vector, view_factor};
+use forms_radiometry::form_factor::view_factor;
+use forms_radiometry::geometry::{Polygon, Vector};
 use forms_testing::processor_clock::seconds;
 use std::fmt::Write;
 use std::io;

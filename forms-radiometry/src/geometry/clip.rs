@@ -21,7 +21,7 @@ pub(crate) fn split(
 }
 
 /// Splits a convex polygon like [`split`], but distances below `least` count as zero too.
-pub(super) fn split_beyond(
+pub(crate) fn split_beyond(
     polygon: &[Vector],
     side: impl Fn(Vector) -> f64,
     least: f64,
@@ -63,34 +63,34 @@ pub(super) fn split_beyond(
 
 /// A sequence of convex polygons, stored in one list of points.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Pieces {
+pub(crate) struct Pieces {
     points: Vec<Vector>,
     ends: Vec<usize>,
 }
 
 impl Pieces {
-    pub(super) fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.points.clear();
         self.ends.clear();
     }
 
-    pub(super) fn push(&mut self, polygon: &[Vector]) {
+    pub(crate) fn push(&mut self, polygon: &[Vector]) {
         self.points.extend_from_slice(polygon);
         self.ends.push(self.points.len());
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.ends.is_empty()
     }
 
     /// Returns the polygon that was pushed last; an empty slice if there is none.
-    pub(super) fn last(&self) -> &[Vector] {
+    pub(crate) fn last(&self) -> &[Vector] {
         let [.., end] = self.ends[..] else { return &[] };
         let start = if let [.., start, _] = self.ends[..] { start } else { 0 };
         &self.points[start..end]
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = &[Vector]> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &[Vector]> {
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
         starts.zip(&self.ends).map(|(start, &end)| &self.points[start..end])
     }

@@ -10,9 +10,9 @@
 
 mod circle;
 
+use super::plane::{closeness, flatness};
 use super::polygon::{PLANARITY, area, intersection};
 use super::scale::lengths;
-use super::visibility::{closeness, flatness};
 use super::{Disk, Polygon, Vector};
 
 /// A shape that lies in a plane.

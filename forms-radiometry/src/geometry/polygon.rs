@@ -14,7 +14,7 @@ use std::fmt;
 
 /// Largest accepted distance of a vertex from the polygon's plane, as a fraction of the polygon's
 /// extent.
-pub(super) const PLANARITY: f64 = 1e-6;
+pub(crate) const PLANARITY: f64 = 1e-6;
 
 /// A simple planar polygon, counter-clockwise seen from its front, minus the holes that were cut
 /// into it.

@@ -50,7 +50,7 @@ impl Disk {
     }
 
     /// Returns the disk with front and back swapped.
-    pub(super) fn reversed(self) -> Self {
+    pub(crate) fn reversed(self) -> Self {
         Self { normal: -self.normal, ..self }
     }
 
@@ -175,7 +175,7 @@ impl Round for Sphere {
 
 /// Returns unit vectors u and v that form a right-handed basis u, v, `normal` with this unit
 /// vector.
-pub(super) fn across(normal: Vector) -> [Vector; 2] {
+pub(crate) fn across(normal: Vector) -> [Vector; 2] {
     let Vector { x, y, z } = normal;
     let least = x.abs().min(y.abs()).min(z.abs());
     let axis = [x, y, z].map(|c| f64::from(u8::from(c.abs() == least)));

@@ -20,7 +20,7 @@ const NEAR: f64 = 1e30;
 const LARGEST_POWER: f64 = 1000.0;
 
 /// Returns the power of two nearest to a number above zero.
-pub(super) fn power_of_two(number: f64) -> f64 {
+pub(crate) fn power_of_two(number: f64) -> f64 {
     number.log2().round().exp2()
 }
 

@@ -4,7 +4,7 @@ use super::Vector;
 
 /// Returns the inward normals of the planes through the apex and each edge of a polygon whose
 /// vertices are relative to the apex.
-pub(super) fn sides(
+pub(crate) fn sides(
     polygon: impl DoubleEndedIterator<Item = Vector> + Clone,
     seen_from_front: bool,
 ) -> impl Iterator<Item = Vector> {

@@ -14,9 +14,11 @@
 
 use super::choice::Sought;
 use super::interface::Interface;
-use crate::geometry::{Met, Plane, Vector, Wall};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 use crate::sampling::{chosen, shares};
 use crate::scene::{MaterialKind, Scene};
+use crate::visibility::{Met, Wall};
 
 /// Maximum number of chains with mirrors, and of planes.
 const MOST: usize = 64;

@@ -14,7 +14,8 @@
 //! Source: A. Conty Estevez, C. Kulla, Importance sampling of many lights with adaptive tree
 //! splitting (2018), for weights of groups.
 
-use crate::geometry::{Plane, Vector};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 
 /// Up to this number of lights, each light is a group of its own.
 const FEW: usize = 64;

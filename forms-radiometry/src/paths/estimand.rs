@@ -3,8 +3,9 @@
 use super::first_hit::FirstHit;
 use super::world::World;
 use crate::camera::Camera;
-use crate::geometry::{Start, Vector};
+use crate::geometry::Vector;
 use crate::sampling::Samples;
+use crate::visibility::Start;
 use std::f64::consts::PI;
 
 /// Number of parts along each side of a pixel. Rays through their corners determine the visible

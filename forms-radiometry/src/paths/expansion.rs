@@ -17,8 +17,9 @@ use super::optics::{MediumOptics, largest, scaled, times};
 use super::refraction::passages;
 use super::specialisation::Specialisation;
 use super::tracer::Tracer;
-use crate::geometry::{Met, Start, Vector};
+use crate::geometry::Vector;
 use crate::scene::{Filling, MaterialKind};
+use crate::visibility::{Met, Start};
 
 /// Maximum number of rays; an expansion that needs more is abandoned.
 const MOST: usize = 1 << 14;

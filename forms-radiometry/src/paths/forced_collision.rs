@@ -10,9 +10,9 @@ use super::optics::{MediumOptics, largest, times};
 use super::scattering::Flight;
 use super::specialisation::Specialisation;
 use super::tracer::{Path, Tracer, is_below};
-use crate::geometry::Met;
 use crate::sampling::Samples;
 use crate::scene::MaterialKind;
+use crate::visibility::Met;
 
 impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Samples a free flight over the segment up to the next wall. If the path cannot continue from

@@ -16,9 +16,11 @@ use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::passages;
 use super::world::World;
-use crate::geometry::{Met, Plane, Start, Vector, Wall, split};
+use crate::geometry::Plane;
+use crate::geometry::{Vector, split};
 use crate::sampling::{chosen, shares};
 use crate::scene::{Filling, LightKind, MaterialKind};
+use crate::visibility::{Met, Start, Wall};
 
 /// Maximum number of images; a scene with more is rejected.
 const MOST: usize = 4096;

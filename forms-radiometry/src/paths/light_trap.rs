@@ -17,9 +17,10 @@ use super::refraction::refracted;
 use super::vertex::Law;
 use super::warps::free_flight_sample;
 use super::world::World;
-use crate::geometry::{Met, Start, Vector, Wall};
+use crate::geometry::Vector;
 use crate::sampling::{Samples, key};
 use crate::scene::{Filling, Light, LightKind, MaterialKind, SceneError};
+use crate::visibility::{Met, Start, Wall};
 use rayon::prelude::*;
 
 /// Number of rays from surfaces, least number of rays from each point light, and number of events for

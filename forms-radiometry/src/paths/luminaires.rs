@@ -20,9 +20,10 @@ use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
     uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
 };
-use crate::geometry::{Disk, Met, Sphere, Vector, Wall};
+use crate::geometry::{Disk, Sphere, Vector};
 use crate::sampling::{Frame, Samples, chosen, shares};
 use crate::scene::{LightKind, Scene};
+use crate::visibility::{Met, Wall};
 use forms_kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
 use std::f64::consts::PI;
 use std::ops::Range;

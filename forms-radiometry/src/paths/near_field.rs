@@ -11,7 +11,8 @@
 //! rule would do, as long as it always gives the same result for the same point, since the MIS
 //! weights depend on it.
 
-use crate::geometry::{Disk, Sphere, Vector, Wall};
+use crate::geometry::{Disk, Sphere, Vector};
+use crate::visibility::Wall;
 
 /// The points near a light source.
 pub(crate) enum Near {

@@ -17,9 +17,10 @@ use super::optics::{MediumOptics, mean, scaled, times};
 use super::specialisation::Specialisation;
 use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
-use crate::geometry::{Start, Vector};
+use crate::geometry::Vector;
 use crate::sampling::Draws;
 use crate::scene::MaterialKind;
+use crate::visibility::Start;
 
 /// A point light is reached if the ray hits nothing before this fraction of its distance.
 const REACHED: f64 = 1.0 - 1e-12;

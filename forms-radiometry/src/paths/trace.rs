@@ -8,8 +8,9 @@ use super::specialisation::Specialisation;
 use super::sums::Sums;
 use super::tracer::{Path, Tracer};
 use super::vertex::{Law, Vertex};
-use crate::geometry::{Start, Vector};
+use crate::geometry::Vector;
 use crate::sampling::Draws;
+use crate::visibility::Start;
 
 impl<L: Specialisation, const N: usize> PathSampler for Tracer<'_, L, N> {
     fn bands(&self) -> [usize; 2] {

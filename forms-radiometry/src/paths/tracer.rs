@@ -25,9 +25,10 @@ use super::time::longer;
 use super::vertex::{Law, Vertex};
 use super::world::World;
 use crate::effects::SimulatedEffects;
-use crate::geometry::{Met, Start, Vector};
+use crate::geometry::Vector;
 use crate::sampling::{Draws, Random, Samples};
 use crate::scene::{Effect, Filling, MaterialKind};
+use crate::visibility::{Met, Start};
 use std::marker::PhantomData;
 
 /// Russian roulette starts below this throughput. A smaller value makes paths longer, and reduces

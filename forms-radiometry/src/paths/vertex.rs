@@ -15,8 +15,9 @@ use super::warps::{
     cosine_hemisphere_pdf, cosine_hemisphere_sample, henyey_greenstein, henyey_greenstein_direction_sample,
     uniform_sphere_pdf, uniform_sphere_sample,
 };
-use crate::geometry::{Start, Vector};
+use crate::geometry::Vector;
 use crate::sampling::{Frame, Samples};
+use crate::visibility::Start;
 
 /// A point where light is scattered or received.
 #[derive(Clone, Copy, Debug)]

@@ -5,8 +5,9 @@ use super::chains::Chains;
 use super::first_hit::FirstHit;
 use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
-use crate::geometry::{Met, Start, Vector, Wall, Walls};
+use crate::geometry::Vector;
 use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, filled};
+use crate::visibility::{Met, Start, Wall, Walls};
 
 /// A scene prepared for path tracing.
 pub(crate) struct World<'s> {

@@ -10,10 +10,11 @@
 
 use crate::effects::{forced, reflects_nothing};
 use crate::faces::emits;
-use crate::geometry::{Face, Vector};
+use crate::geometry::Vector;
 use crate::radiosity::driver::readings::{Place, Reading};
 use crate::radiosity::{Transport, is_reflecting, reflectance};
 use crate::scene::{Effect, ReceiverKind, Scene};
+use crate::visibility::Face;
 use std::f64::consts::PI;
 
 /// Occluders between the faces of a scene.

@@ -7,10 +7,11 @@
 //! ```
 //! The possible occluders of two faces are the same for both.
 
-use crate::geometry::{Between, Face, Vector};
+use crate::geometry::Vector;
 use crate::parallelism::Parallelism;
 use crate::radiosity::{Group, Measure, Scratch, Transport, is_reflecting, reflectance};
 use crate::scene::Scene;
+use crate::visibility::{Between, Face};
 
 /// Largest number of faces whose surroundings are evaluated.
 const ASKED: usize = 64;
@@ -196,8 +197,8 @@ fn points(face: &Face) -> Vec<Vector> {
 mod tests {
     use super::*;
     use crate::faces::faces;
-    use crate::geometry::Screens;
     use crate::scene::read;
+    use crate::visibility::Screens;
     use forms_testing::scene_text::{CUBE, material, polygon, surface};
 
     /// Returns a row of this many cubes, seen from outside.

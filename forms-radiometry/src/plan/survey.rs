@@ -6,7 +6,7 @@ use super::reflection_bound::Surroundings;
 use crate::answer::Quantity;
 use crate::effects::{forced, reflects_nothing};
 use crate::faces::{emits, faces, round_surfaces};
-use crate::geometry::{Between, Face, Screens, Vector};
+use crate::geometry::Vector;
 use crate::parallelism::Parallelism;
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{
@@ -16,6 +16,7 @@ use crate::radiosity::{
 use crate::scene::{
     Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
 };
+use crate::visibility::{Between, Face, Screens};
 use crate::watch::Unwatched;
 use std::f64::consts::PI;
 

@@ -15,8 +15,8 @@ use super::reflectance::{is_reflecting, reflectance};
 use super::transport::Transport;
 use crate::extinction::is_lit_from_afar;
 use crate::faces::emits;
-use crate::geometry::{Face, distance_of_boxes};
 use crate::scene::{Light, LightKind, Scene};
+use crate::visibility::{Face, distance_of_boxes};
 use std::f64::consts::PI;
 
 /// Returns an upper bound on the direct irradiance on any face that reflects, in any band.

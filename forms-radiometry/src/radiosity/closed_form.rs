@@ -15,11 +15,12 @@ use super::measure::Measure;
 use super::round::{bulges, sees};
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emits_from, has_round_holes, is_round, round_surfaces};
-use crate::geometry::double_double::{
+use crate::form_factor::double_double::{
     Precise, Rounded, dot, form_factor, length, rounding, rounding_beyond, solid_angle, unit, way,
 };
-use crate::geometry::{Between, Face, Vector};
+use crate::geometry::Vector;
 use crate::scene::{Light, LightKind, Scene, Surface};
+use crate::visibility::{Between, Face};
 use forms::math::{DoubleDouble, Real};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;

@@ -8,8 +8,9 @@ use super::reflectance::reflects;
 use super::shadows::Shadows;
 use super::transport::Transport;
 use crate::faces::is_bright;
-use crate::geometry::{Face, closeness};
+use crate::geometry::closeness;
 use crate::scene::Scene;
+use crate::visibility::Face;
 
 /// Maximum number of nodes: the matrix of more does not fit into the memory of a small machine.
 pub(super) const MOST_NODES: usize = 12_000;

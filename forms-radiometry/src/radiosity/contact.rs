@@ -6,7 +6,8 @@
 //! halved first. A small contact on a large face is therefore surrounded by small pieces, and no
 //! long and narrow pieces run across the face.
 
-use crate::geometry::{Face, Vector, split};
+use crate::geometry::{Vector, split};
+use crate::visibility::Face;
 
 /// Above this number, faces are not compared with each other.
 const MANY: usize = 2_000;

@@ -88,8 +88,9 @@ pub(crate) fn decay(whole: &Element, part: &Element, highest: [[f64; 2]; 2]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Face, Vector};
+    use crate::geometry::Vector;
     use crate::radiosity::contact::ConvexPiece;
+    use crate::visibility::Face;
 
     fn unit_square() -> Element {
         let corner = |x, y| Vector::new(x, y, 0.0);

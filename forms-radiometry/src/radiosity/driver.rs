@@ -25,11 +25,11 @@ use super::{FinalGathering, Gathering, Lights, Question, Radiosity, Scratch, Tra
 use crate::answer::{Answer, ErrorParts, Moment, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
-use crate::geometry::{Face, Screens};
 use crate::parallelism::Parallelism;
 use crate::progress::times::{Times, timed};
 use crate::progress::{Outlook, Progress, foreseen};
 use crate::scene::{Effect, Scene};
+use crate::visibility::{Face, Screens};
 use crate::watch::Watch;
 use estimate::{Estimate, Found, pool};
 use goals::Earlier;

@@ -3,8 +3,8 @@
 
 use super::contact::ConvexPiece;
 use super::reference::{MOST_NODES, Reference, Shape, reference};
-use crate::geometry::Face;
 use crate::geometry::Vector;
+use crate::visibility::Face;
 use forms_kernels::uniform_triangle_sample;
 
 /// Polynomials on elements have degrees below this, where memory allows.

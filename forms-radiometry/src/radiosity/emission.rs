@@ -1,6 +1,6 @@
 //! Light emitted by surfaces.
 
-use crate::geometry::double_double::Rounded;
+use crate::form_factor::double_double::Rounded;
 use crate::scene::Surface;
 
 /// Returns the light of a surface with this visible measure in each band. The exitance has the

@@ -13,9 +13,9 @@ use super::element::Element;
 use super::method::Gathering;
 use super::question::Question;
 use super::reflectance::is_reflecting;
-use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene, Shape, Surface};
 use crate::used_kernel::UsedKernel;
+use crate::visibility::Face;
 use forms_kernels::gathered_light::Effects as LightKinds;
 use forms_kernels::{
     cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk,

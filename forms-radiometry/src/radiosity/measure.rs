@@ -7,7 +7,8 @@
 //! ```
 //! All measures are over π, so that a reflected radiance ρE/π and an exitance M/π enter alike.
 
-use crate::geometry::{Vector, edge_sum};
+use crate::form_factor::edge_sum;
+use crate::geometry::Vector;
 use forms_kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 

@@ -27,8 +27,8 @@ use super::reference::{Shape, reference};
 use super::reflectance::is_reflecting;
 use crate::effects::Hiding;
 use crate::faces::faces;
-use crate::geometry::Face;
 use crate::scene::{ReceiverKind, Scene};
+use crate::visibility::Face;
 
 /// Standard deviation of a path's value, relative to a reading: typical where a third of the light
 /// is reflected.

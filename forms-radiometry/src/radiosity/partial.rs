@@ -17,8 +17,9 @@ use super::measure::Measure;
 use super::point_lights::{hides, measure, reaching_factor, spectrum};
 use super::shadows::Shadows;
 use super::transport::Transport;
-use crate::geometry::{Lit, Vector, area, intersection};
+use crate::geometry::{Vector, area, intersection};
 use crate::scene::{Light, Scene};
+use crate::visibility::Lit;
 use forms::math::Real;
 
 /// Parts of an element below this are no more than rounding.

@@ -1,6 +1,7 @@
 //! Rules of integration on patches of elements, with more points near receivers.
 
-use crate::geometry::{Patch, Vector, gauss};
+use crate::form_factor::{Patch, gauss};
+use crate::geometry::Vector;
 
 /// Maximum number of points of a rule along one side; patches that would need more are cut.
 const MOST_POINTS: usize = 4;

@@ -2,8 +2,8 @@
 
 use super::measure::Measure;
 use super::transport::Transport;
+use crate::form_factor::double_double::{Rounded, area_across, solid_angle};
 use crate::geometry::Vector;
-use crate::geometry::double_double::{Rounded, area_across, solid_angle};
 use crate::scene::{Light, LightKind};
 
 /// Returns the factor of the intensity, or of the irradiance, of a light in its unoccluded light at

@@ -4,7 +4,7 @@
 //! The nodes are those of Gauss rules, so that the residual of collocation is orthogonal to
 //! polynomials: the light that an element sends out is more accurate than the polynomial on it.
 
-use crate::geometry::gauss;
+use crate::form_factor::gauss;
 use std::sync::OnceLock;
 
 /// Maximum number of nodes of an element.

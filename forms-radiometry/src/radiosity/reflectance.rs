@@ -1,8 +1,8 @@
 //! Diffuse reflectance of surfaces and faces.
 
 use crate::faces::is_bright;
-use crate::geometry::Face;
 use crate::scene::{MaterialKind, Scene};
+use crate::visibility::Face;
 
 /// Whether a surface reflects light in any band.
 pub(super) fn reflects(scene: &Scene, surface: usize) -> bool {

@@ -12,9 +12,10 @@ use super::measure::Measure;
 use super::point_lights::hides;
 use super::transport::{Scratch, Transport};
 use crate::faces::round_surfaces;
-use crate::geometry::double_double::{Rounded, SeenWhole};
-use crate::geometry::{Between, Face, Round, Vector, bulge};
+use crate::form_factor::double_double::{Rounded, SeenWhole};
+use crate::geometry::{Round, Vector, bulge};
 use crate::scene::{Light, LightKind, Scene, Shape};
+use crate::visibility::{Between, Face};
 use forms::math::Real;
 
 impl Measure {

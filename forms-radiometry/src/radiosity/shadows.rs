@@ -9,10 +9,11 @@
 use super::contact::Contact;
 use super::point_lights::{measure, spectrum};
 use super::transport::Transport;
-use crate::geometry::double_double::Rounded;
-use crate::geometry::{Beam, Face, Lit, Vector, edges};
+use crate::form_factor::double_double::Rounded;
+use crate::geometry::{Vector, edges};
 use crate::parallelism::Parallelism;
 use crate::scene::{Light, LightKind, Scene};
+use crate::visibility::{Beam, Face, Lit};
 use crate::watch::Watch;
 
 /// Maximum number of segments of a shadow border; a border with more does not cut the face.

@@ -7,8 +7,9 @@ use super::contact::ConvexPiece;
 use super::element::Element;
 use super::reflectance::reflects;
 use crate::faces::is_bright;
-use crate::geometry::{Face, Vector};
+use crate::geometry::Vector;
 use crate::scene::Scene;
+use crate::visibility::Face;
 
 /// Maximum area of an element as a fraction of the total area, so that large faces are not treated
 /// as uniform.

@@ -8,7 +8,8 @@ use super::reference::MOST_NODES;
 use super::solution::{all_orders, neumann, orders};
 use super::weights;
 use super::whole_elements::Whole;
-use crate::geometry::{Face, Vector};
+use crate::geometry::Vector;
+use crate::visibility::Face;
 use crate::watch::Unwatched;
 use forms_kernels::irradiance_linear_luminaire;
 

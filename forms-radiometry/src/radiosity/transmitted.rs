@@ -22,8 +22,9 @@ use super::measure::Measure;
 use super::transport::{Group, Scratch, Transport};
 use crate::extinction::{left, transmittance};
 use crate::faces::{emits, faces, is_round};
-use crate::geometry::{Screens, Vector};
+use crate::geometry::Vector;
 use crate::scene::{LightKind, Medium, Scene};
+use crate::visibility::Screens;
 use segments::{Lit, Segment, scattered};
 use triangles::{Integrand, Triangle, fan};
 

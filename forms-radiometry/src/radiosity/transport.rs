@@ -5,7 +5,8 @@
 use super::gathered_light::Arriving;
 use super::measure::Measure;
 use super::whole_elements::Whole;
-use crate::geometry::{Between, Borders, Edges, Face, Looking, Screens, Vector, Workspace};
+use crate::geometry::{Edges, Vector};
+use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
 use forms_kernels::edge_form_factor;
 
 /// Number of values in a vector of the widest kind.

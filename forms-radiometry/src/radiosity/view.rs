@@ -16,8 +16,9 @@ use super::shadows::Shadows;
 use super::system::Radiosity;
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emitted, is_bright};
-use crate::geometry::{Face, Vector, closeness};
+use crate::geometry::{Vector, closeness};
 use crate::parallelism::Parallelism;
+use crate::visibility::Face;
 use std::f64::consts::PI;
 
 /// A convex piece of a face that an eye sees.

@@ -20,7 +20,9 @@ use super::reference::MOST_NODES;
 use super::system::Radiosity;
 use super::transport::{Group, Scratch, Seen, Transport};
 use super::whole_elements::FEWEST;
-use crate::geometry::{Face, Patch, Vector, patches};
+use crate::form_factor::{Patch, patches};
+use crate::geometry::Vector;
+use crate::visibility::Face;
 use forms_kernels::exchange_density;
 
 /// Visibility of a face from a group, where it determines the visibility of the elements of the

@@ -12,7 +12,8 @@
 use super::element::Element;
 use super::patch_rule::{SMALL, rule};
 use super::reference::MOST_NODES;
-use crate::geometry::{Edges, Vector, fill, patches};
+use crate::form_factor::patches;
+use crate::geometry::{Edges, Vector, fill};
 use forms_kernels::exchange_density;
 
 /// Minimum number of points for a batch. Fewer points evaluate an element one by one: with the

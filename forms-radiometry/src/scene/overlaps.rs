@@ -16,7 +16,8 @@
 
 use super::error::Report;
 use super::model::{MaterialKind, Scene, Shape, Surface};
-use crate::geometry::{Boxes, Flat, Vector, closeness, overlap};
+use crate::geometry::{Flat, Vector, closeness, overlap};
+use crate::visibility::Boxes;
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashSet};
 use std::ops::ControlFlow;

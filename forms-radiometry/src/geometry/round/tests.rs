@@ -2,7 +2,8 @@
 //! with the stated order.
 
 use super::*;
-use crate::geometry::{Polygon, form_factor};
+use crate::form_factor::form_factor;
+use crate::geometry::Polygon;
 use forms_kernels::{form_factor_point_disk, form_factor_point_sphere};
 
 const CENTER: Vector = Vector::new(0.3, -0.2, 0.7);

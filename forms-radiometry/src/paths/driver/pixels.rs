@@ -9,10 +9,11 @@
 
 use crate::camera::Camera;
 use crate::faces::{is_bright, round_surfaces};
-use crate::geometry::{Face, Round, Vector};
+use crate::geometry::{Round, Vector};
 use crate::radiosity::driver::images::add_parts;
 use crate::radiosity::reflectance;
 use crate::scene::{MaterialKind, Medium, Scene};
+use crate::visibility::Face;
 
 /// Returns the part of each pixel, row by row, in which surfaces that send light may be visible;
 /// all of it where media may scatter light.

@@ -8,7 +8,6 @@ use super::radiances::{brightest, by_chance, outside, passed_on};
 use crate::answer::{ErrorKind, ErrorParts};
 use crate::effects::EffectSet;
 use crate::faces::faces;
-use crate::geometry::Screens;
 use crate::job::{Budget, MOST_SAMPLES, REPLICATES, Share};
 use crate::paths::{Bins, Estimand, FirstHit, LEFT_OUT, PathSampler, Replicates, World};
 use crate::progress::times::scale;
@@ -17,6 +16,7 @@ use crate::radiosity::driver::grid::Grid;
 use crate::radiosity::{Transport, most_reflected_of_beams};
 use crate::sampling::key;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
+use crate::visibility::Screens;
 use rayon::prelude::*;
 use std::time::Instant;
 

@@ -10,10 +10,11 @@
 //! most cells.
 
 use super::interpolation::interpolated;
-use crate::geometry::{Face, Polygon, Vector};
+use crate::geometry::{Polygon, Vector};
 use crate::parallelism::Parallelism;
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::scene::Shape;
+use crate::visibility::Face;
 use crate::watch::Watch;
 use smallvec::{SmallVec, smallvec};
 

@@ -3,9 +3,10 @@
 
 use crate::answer::Quantity;
 use crate::faces::is_bright;
-use crate::geometry::{Face, Vector};
+use crate::geometry::Vector;
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Straight, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
+use crate::visibility::Face;
 use std::collections::HashMap;
 use std::f64::consts::PI;
 

@@ -16,7 +16,8 @@
 
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
-use crate::geometry::{Vector, gauss};
+use crate::form_factor::gauss;
+use crate::geometry::Vector;
 use crate::scene::Medium;
 use forms_kernels::henyey_greenstein::unguarded as henyey_greenstein;
 use forms_kernels::measure_area_to_solid_angle;

@@ -7,7 +7,8 @@
 //! cone and the far side of the plane are intersections of half-spaces, and each half-space
 //! contains a half line of the ray.
 
-use crate::geometry::{Face, Vector};
+use crate::geometry::Vector;
+use crate::visibility::Face;
 
 /// Returns the segments of a ray, up to an end, from which a light is visible past faces. A light
 /// that is closer to the plane of a face than the resolution sees the face edge-on.

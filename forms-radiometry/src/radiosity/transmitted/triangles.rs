@@ -18,9 +18,11 @@
 
 use super::halving::{Part, Piece, halved};
 use super::{OF_HEIGHT, Reached, gauss_error, rounding, transmittance};
-use crate::geometry::{Face, Vector, gauss};
+use crate::form_factor::gauss;
+use crate::geometry::Vector;
 use crate::radiosity::measure::Measure;
 use crate::scene::Scene;
+use crate::visibility::Face;
 use forms_kernels::measure_area_to_solid_angle;
 use std::f64::consts::PI;
 

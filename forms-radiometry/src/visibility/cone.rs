@@ -1,8 +1,19 @@
 //! Cones: the directions in which a point sees a convex polygon.
 
-use super::Vector;
-use super::clip::{Pieces, split_beyond};
-use super::sides::sides;
+use crate::geometry::Vector;
+use crate::geometry::clip::{Pieces, split_beyond};
+use crate::geometry::sides::sides;
+
+/// Buffers for clipping, reused from receiver to receiver.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cutting {
+    pub(super) screen: Vec<Vector>,
+    pub(super) luminaire_cone: Cone,
+    pub(super) screen_cone: Cone,
+    pub(super) seen: Vec<bool>,
+    pub(super) scratch: Scratch,
+    pub(super) rest: Pieces,
+}
 
 /// Rounding error of the scalar product of two vectors, relative to the product of their largest
 /// coordinates.
@@ -17,36 +28,36 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// because the cross product is antisymmetric in floating point too: no direction slips between
 /// them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Cone {
+pub(crate) struct Cone {
     sides: Vec<Vector>,
 }
 
 impl Cone {
     /// Sets this to the cone over another polygon, whose vertices are relative to the apex.
-    pub(super) fn set(&mut self, polygon: &[Vector], seen_from_front: bool) {
+    pub(crate) fn set(&mut self, polygon: &[Vector], seen_from_front: bool) {
         self.set_sides(sides(polygon.iter().copied(), seen_from_front));
     }
 
     /// Sets this to the cone whose sides have these inward normals.
-    pub(super) fn set_sides(&mut self, sides: impl Iterator<Item = Vector>) {
+    pub(crate) fn set_sides(&mut self, sides: impl Iterator<Item = Vector>) {
         self.sides.clear();
         self.sides.extend(sides);
     }
 
     /// Returns the inward normals of the sides.
-    pub(super) fn sides(&self) -> &[Vector] {
+    pub(crate) fn sides(&self) -> &[Vector] {
         &self.sides
     }
 
     /// Whether all points lie beyond one side of the cone or on it. Then the cone does not meet
     /// their convex hull.
-    pub(super) fn misses(&self, points: &[Vector]) -> bool {
+    pub(crate) fn misses(&self, points: &[Vector]) -> bool {
         self.sides.iter().any(|side| points.iter().all(|&point| side.dot(point) <= 0.0))
     }
 
     /// Appends to `rest` the convex pieces of a polygon that lie outside the cone, at most one for
     /// each side.
-    pub(super) fn cut_from(&self, polygon: &[Vector], scratch: &mut Scratch, rest: &mut Pieces) {
+    pub(crate) fn cut_from(&self, polygon: &[Vector], scratch: &mut Scratch, rest: &mut Pieces) {
         if self.misses(polygon) {
             rest.push(polygon);
             return;
@@ -67,8 +78,8 @@ impl Cone {
 
 /// Buffers that are reused from cut to cut.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
+pub(crate) struct Scratch {
     whole: Vec<Vector>,
-    pub(super) inside: Vec<Vector>,
-    pub(super) outside: Vec<Vector>,
+    pub(crate) inside: Vec<Vector>,
+    pub(crate) outside: Vec<Vector>,
 }

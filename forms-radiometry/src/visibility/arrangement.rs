@@ -6,7 +6,8 @@
 //!         └─ others: tested point by point ─▶ keys ─▶ cells
 //! ```
 
-use super::{Plane, Vector};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 use crate::geometry::edges::Columns;
 
 /// The largest number of planes that separate points: a key has one bit for each.

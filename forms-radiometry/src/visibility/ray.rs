@@ -1,7 +1,8 @@
 //! Ray queries: find the first screen along a ray, or test whether there is any.
 
 use super::branches::Way;
-use super::{Screen, Screens, Vector};
+use super::{Screen, Screens};
+use crate::geometry::Vector;
 use crate::geometry::sides::sides;
 use std::ops::ControlFlow;
 

@@ -11,7 +11,8 @@
 
 use super::areas::{Patch, gauss, patches};
 use super::{Exchange, exchange_of};
-use crate::geometry::{Between, Borders, Face, Looking, Polygon, Screens, Vector, Workspace, scale};
+use crate::geometry::{Polygon, Vector, scale};
+use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 

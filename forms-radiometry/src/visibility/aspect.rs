@@ -18,9 +18,10 @@
 
 use super::arrangement::{Arrangement, Cell, Side};
 use super::body::Body;
-use super::silhouette_columns::Looking;
 use super::silhouette_crossing::{End, MOST, Signs};
-use super::{Plane, Screen, Screens, Vector};
+use super::{Screen, Screens};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 
 /// Products below this fraction of their bound have an uncertain sign: far above rounding, far
 /// below usual values.
@@ -28,6 +29,20 @@ const UNSURE: f64 = 1e-11;
 
 /// The largest number of sides of a body for which aspects are computed.
 const MOST_SIDES: usize = 64;
+
+/// Receivers that see a luminaire behind some occluders.
+#[derive(Clone, Copy)]
+pub(crate) struct Looking<'l> {
+    pub(crate) points: &'l [Vector],
+    /// Corners of a convex set that contains the points.
+    pub(crate) outline: &'l [Vector],
+    /// Normal of the horizon. The part of the luminaire below the horizon does not count.
+    pub(crate) horizon: Option<Vector>,
+    /// The outline of the luminaire, and its unit normal.
+    pub(crate) luminaire: (&'l [Vector], Vector),
+    /// The potential occluders.
+    pub(crate) screens: &'l [u32],
+}
 
 /// The shadows that can hide a part of a luminaire.
 #[derive(Clone, Debug, Default)]

@@ -5,9 +5,9 @@
 //! every box by at most 10⁻⁷ of the scene. Intersections are computed from the screens alone; boxes
 //! only decide which screens are skipped.
 
-use super::Vector;
-use super::bounds::Bounds;
 use super::tree::Tree;
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 

@@ -9,7 +9,8 @@
 //! A screen that the beam grazes casts no shadow.
 
 use super::Between;
-use super::{Plane, Screen, Screens};
+use super::{Screen, Screens};
+use crate::geometry::Plane;
 use crate::geometry::clip::{split, split_beyond};
 use crate::geometry::{Vector, edges};
 
@@ -210,7 +211,7 @@ fn uncovered([a, b]: [Vector; 2], others: &[[Vector; 2]], closeness: f64) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Face;
+    use crate::visibility::Face;
 
     fn corner([x, y, z]: [f64; 3]) -> Vector {
         Vector::new(x, y, z)

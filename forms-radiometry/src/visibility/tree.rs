@@ -5,8 +5,8 @@
 //! depth-first traversal, each with the index at which the traversal continues if the node is
 //! skipped: a traversal needs no stack.
 
-use super::Vector;
-use super::bounds::Bounds;
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;

@@ -12,26 +12,13 @@
 //! an edge can coincide with another one: then no contour is returned, and pieces are clipped
 //! instead.
 
+use super::Screens;
 use super::arrangement::{Arrangement, Cell};
-use super::aspect::{Aspect, Shadows, edge_after};
+use super::aspect::{Aspect, Looking, Shadows, edge_after};
 use super::horizon::Workspace;
 use super::silhouette_crossing::{End, MOST};
-use super::{Screens, Vector};
+use crate::geometry::Vector;
 use crate::geometry::edges::Edges;
-
-/// Receivers that see a luminaire behind some occluders.
-#[derive(Clone, Copy)]
-pub(crate) struct Looking<'l> {
-    pub(crate) points: &'l [Vector],
-    /// Corners of a convex set that contains the points.
-    pub(crate) outline: &'l [Vector],
-    /// Normal of the horizon. The part of the luminaire below the horizon does not count.
-    pub(crate) horizon: Option<Vector>,
-    /// The outline of the luminaire, and its unit normal.
-    pub(crate) luminaire: (&'l [Vector], Vector),
-    /// The potential occluders.
-    pub(crate) screens: &'l [u32],
-}
 
 /// Buffers that are reused from group to group.
 #[derive(Clone, Debug, Default)]
@@ -174,7 +161,8 @@ fn place_crossing(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Face, form_factor_of_pieces};
+    use crate::form_factor::form_factor_of_pieces;
+    use crate::visibility::Face;
 
     /// The rectangle at this height that faces down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {

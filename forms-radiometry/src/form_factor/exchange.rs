@@ -19,10 +19,11 @@ pub(crate) use areas::{Patch, gauss, patches};
 pub(crate) use obstructed::exchange_with;
 pub use obstructed::visible_exchange;
 
-use super::clip::split;
 use super::double_double::{Rounded, heights, way};
-use super::scale::power_of_two;
-use super::{Face, Polygon, Vector};
+use crate::geometry::clip::split;
+use crate::geometry::scale::power_of_two;
+use crate::geometry::{Polygon, Vector};
+use crate::visibility::Face;
 use contour::{Edge, integral};
 use forms::math::{DoubleDouble, Real};
 use std::ops::AddAssign;

@@ -15,15 +15,15 @@
 //! surface does not occlude its own points.
 //!
 //! Rays that continue from surface to surface intersect the exact shapes, including disks and
-//! spheres: [`walls`].
+//! spheres (`ray_walls`).
 
 mod arrangement;
 mod aspect;
 mod beam;
 mod body;
-mod bounds;
 mod boxes;
 mod branches;
+mod cone;
 mod horizon;
 mod occluder_search;
 mod ray;
@@ -34,21 +34,20 @@ mod silhouette_crossing;
 mod tree;
 mod visible;
 
+pub(crate) use aspect::Looking;
 pub(crate) use beam::{Beam, Lit};
 pub(crate) use boxes::{Boxes, distance_of_boxes};
 pub(crate) use horizon::Workspace;
 pub(crate) use occluder_search::Between;
 pub(crate) use ray_walls::{Met, Start, Wall, Walls};
-pub(crate) use silhouette_columns::{Borders, Looking};
+pub(crate) use silhouette_columns::Borders;
 
-use super::{Polygon, Vector, edges};
+use crate::geometry::bounds::Bounds;
+use crate::geometry::plane::{ROUNDING, flatness};
+use crate::geometry::{Plane, Polygon, Vector, edges};
 use body::{Body, bodies};
-use bounds::Bounds;
 use branches::Branches;
 use tree::Tree;
-
-/// Rounding error of a distance, relative to the largest coordinate.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A convex planar piece of one side of a surface; it emits or reflects light, or only blocks it.
 #[derive(Clone, Debug)]
@@ -93,30 +92,6 @@ impl Face {
             Self { surface, is_back: false, vertices, normal, area },
             Self { surface, is_back: true, vertices: back, normal: -normal, area },
         ]
-    }
-}
-
-/// The plane through a point with this unit normal.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Plane {
-    pub(crate) point: Vector,
-    pub(crate) normal: Vector,
-}
-
-impl Plane {
-    /// Returns the signed distance of a point, positive on the side to which the normal points.
-    pub(crate) fn distance(self, point: Vector) -> f64 {
-        self.normal.dot(point - self.point)
-    }
-
-    /// Reflects a point at the plane, for a unit normal: x − 2 ((x − a)·n) n.
-    pub(crate) fn mirrored(self, point: Vector) -> Vector {
-        point - (2.0 * self.distance(point)) * self.normal
-    }
-
-    /// Returns the plane with its normal on this side.
-    pub(crate) fn facing(self, is_front: bool) -> Self {
-        if is_front { self } else { Self { normal: -self.normal, ..self } }
     }
 }
 
@@ -229,23 +204,6 @@ impl Screens {
             rounding,
         }
     }
-}
-
-/// Returns the largest distance of vertices from the plane through the first of them.
-pub(super) fn flatness(vertices: &[Vector], normal: Vector) -> f64 {
-    let plane = Plane { point: vertices[0], normal };
-    vertices.iter().map(|&vertex| plane.distance(vertex).abs()).fold(0.0, f64::max)
-}
-
-/// Returns the distance below which vertices that are given in decimals count as coincident: 10⁻⁹
-/// of the extent of all points, or the rounding of their coordinates where they are far from the
-/// origin. Visibility does not depend on it.
-pub(crate) fn closeness(points: impl Iterator<Item = Vector>) -> f64 {
-    let bounds = Bounds::of(points);
-    if bounds.low.x > bounds.high.x {
-        return 0.0;
-    }
-    (1e-9 * bounds.extent()).max(ROUNDING * bounds.largest())
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! edges, and cases without a closed form return none.
 
 use super::*;
-use crate::geometry::double_double::form_factor;
+use crate::form_factor::double_double::form_factor;
 
 const HERE: Vector = Vector::new(0.3, -0.2, 0.7);
 /// Tessellation level of a polygon with 6144 edges: its form factor has an error of about 10⁻¹⁵.

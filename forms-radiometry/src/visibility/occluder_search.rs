@@ -8,10 +8,12 @@
 //! plane. If the screen contains all of these points, it hides everything; if all lie beyond one of
 //! its edges, it hides nothing. Screens of a convex body are treated together.
 
-use super::bounds::Bounds;
 use super::shaft::Shaft;
 use super::tree::Query;
-use super::{Plane, Screen, Screens, Vector};
+use super::{Screen, Screens};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 

@@ -4,22 +4,12 @@
 //! The cone of directions of each screen in front of the luminaire's plane is clipped out. Pieces
 //! are relative to the point.
 
-use super::bounds::Bounds;
+use super::cone::{Cutting, Scratch};
 use super::horizon::{View, Workspace};
-use super::{Screen, Screens, Vector};
+use super::{Screen, Screens};
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use crate::geometry::clip::{Pieces, split};
-use crate::geometry::cone::{Cone, Scratch};
-
-/// Buffers for clipping, reused from receiver to receiver.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Cutting {
-    screen: Vec<Vector>,
-    luminaire_cone: Cone,
-    screen_cone: Cone,
-    seen: Vec<bool>,
-    scratch: Scratch,
-    rest: Pieces,
-}
 
 /// A luminaire relative to a receiver, its visible part, and buffers for clipping.
 struct Cut<'w> {

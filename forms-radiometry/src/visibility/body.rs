@@ -8,9 +8,11 @@
 //! silhouette of its shadow. A body can be open in one plane, like a box without a bottom: seen
 //! from the body's side of that plane it looks closed.
 
-use super::bounds::Bounds;
-use super::{Plane, Screen, Vector};
+use super::Screen;
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 use crate::geometry::Welded;
+use crate::geometry::bounds::Bounds;
 use rustc_hash::FxHashMap;
 
 /// The largest number of screens of a body: each corner is compared with each plane.

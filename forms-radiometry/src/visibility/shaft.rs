@@ -7,8 +7,9 @@
 //! Source: E. Haines, J. Wallace, Shaft culling for efficient ray-traced radiosity (1991), with the
 //! hull instead of boxes.
 
-use super::bounds::Bounds;
-use super::{Plane, Vector};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use smallvec::SmallVec;
 
 /// Inline capacity: the planes of the shaft between two quadrilaterals, at most two about each

@@ -11,10 +11,13 @@
 //! whatever the rounding. Hence nothing depends on how far the scene is from the origin, or how
 //! large it is.
 
-use super::bounds::Bounds;
 use super::branches::{Branches, Way};
 use super::tree::Tree;
-use super::{Plane, ROUNDING, Vector, flatness};
+use crate::geometry::Plane;
+use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
+use crate::geometry::plane::ROUNDING;
+use crate::geometry::plane::flatness;
 use crate::geometry::sides::sides;
 use crate::geometry::{Disk, Sphere};
 use std::ops::ControlFlow;

@@ -4,9 +4,9 @@ use super::Vector;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
-    pub(super) low: Vector,
-    pub(super) high: Vector,
+pub(crate) struct Bounds {
+    pub(crate) low: Vector,
+    pub(crate) high: Vector,
 }
 
 /// Applies a function to both vectors coordinate by coordinate.
@@ -16,39 +16,39 @@ fn zipped(a: Vector, b: Vector, of: impl Fn(f64, f64) -> f64) -> Vector {
 
 impl Bounds {
     /// The empty box.
-    pub(super) const NOTHING: Self = {
+    pub(crate) const NOTHING: Self = {
         let most = f64::INFINITY;
         Self { low: Vector::new(most, most, most), high: Vector::new(-most, -most, -most) }
     };
 
     /// Returns the bounding box of points.
-    pub(super) fn of(points: impl Iterator<Item = Vector>) -> Self {
+    pub(crate) fn of(points: impl Iterator<Item = Vector>) -> Self {
         points.fold(Self::NOTHING, |all, point| all.with(Self { low: point, high: point }))
     }
 
     /// Returns the bounding box of two boxes.
-    pub(super) fn with(self, other: Self) -> Self {
+    pub(crate) fn with(self, other: Self) -> Self {
         Self { low: zipped(self.low, other.low, f64::min), high: zipped(self.high, other.high, f64::max) }
     }
 
     /// Returns the box extended by this margin on every side.
-    pub(super) fn wider(self, by: f64) -> Self {
+    pub(crate) fn wider(self, by: f64) -> Self {
         let by = Vector::new(by, by, by);
         Self { low: self.low - by, high: self.high + by }
     }
 
     /// Returns the longest side.
-    pub(super) fn extent(self) -> f64 {
+    pub(crate) fn extent(self) -> f64 {
         (self.high - self.low).largest()
     }
 
     /// Returns the largest absolute value of a coordinate in the box.
-    pub(super) fn largest(self) -> f64 {
+    pub(crate) fn largest(self) -> f64 {
         self.low.largest().max(self.high.largest())
     }
 
     /// Whether two boxes have a point in common.
-    pub(super) fn meets(&self, other: &Self) -> bool {
+    pub(crate) fn meets(&self, other: &Self) -> bool {
         let Self { low, high } = other;
         self.low.x <= high.x
             && low.x <= self.high.x
@@ -59,19 +59,19 @@ impl Bounds {
     }
 
     /// Returns the distance of two boxes.
-    pub(super) fn distance(&self, other: &Self) -> f64 {
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
         let nothing = Vector::default();
         let [after, before] = [self.low - other.high, other.low - self.high];
         zipped(zipped(after, before, f64::max), nothing, f64::max).length()
     }
 
     /// Whether a point is in the box.
-    pub(super) fn holds(&self, point: Vector) -> bool {
+    pub(crate) fn holds(&self, point: Vector) -> bool {
         self.meets(&Self { low: point, high: point })
     }
 
     /// Returns the farthest point of the box in a direction.
-    pub(super) fn farthest(&self, direction: Vector) -> Vector {
+    pub(crate) fn farthest(&self, direction: Vector) -> Vector {
         let reach = |along: f64, low: f64, high: f64| if along > 0.0 { high } else { low };
         Vector::new(
             reach(direction.x, self.low.x, self.high.x),

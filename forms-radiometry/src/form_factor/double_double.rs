@@ -13,7 +13,7 @@ mod round;
 
 pub(crate) use round::SeenWhole;
 
-use super::Vector;
+use crate::geometry::Vector;
 use forms::math::{DoubleDouble, Real};
 use forms_kernels::{edge_form_factor, solid_angle_triangle};
 use std::f64::consts::PI;

@@ -1,9 +1,9 @@
 //! Box intersection: builds a BVH of boxes around points and finds the boxes that intersect another
 //! box.
 
-use super::bounds::Bounds;
 use super::tree::{Query, Tree};
 use crate::geometry::Vector;
+use crate::geometry::bounds::Bounds;
 use std::ops::ControlFlow;
 
 /// A BVH of boxes, each around a few points.

@@ -5,7 +5,8 @@ mod groups;
 mod searches;
 
 use super::*;
-use crate::geometry::{Disk, Sphere, form_factor_of_pieces};
+use crate::form_factor::form_factor_of_pieces;
+use crate::geometry::{Disk, Sphere};
 use forms_kernels::solid_angle_triangle;
 use std::f64::consts::PI;
 

@@ -1,8 +1,10 @@
 //! Horizon clipping: clips a luminaire at a point's horizon; the result is the convex piece that
 //! the point sees without occluders.
 
-use super::visible::Cutting;
-use super::{Plane, Screens, Vector};
+use super::Screens;
+use super::cone::Cutting;
+use crate::geometry::Plane;
+use crate::geometry::Vector;
 use crate::geometry::clip::{Pieces, split};
 
 /// Buffers that are reused from receiver to receiver.

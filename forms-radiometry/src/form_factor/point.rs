@@ -1,8 +1,8 @@
 //! The form factor from a point to a polygon: the polygon is clipped at the horizon, then its edges
 //! are summed.
 
-use super::clip::split;
-use super::{Polygon, Vector, scale};
+use crate::geometry::clip::split;
+use crate::geometry::{Polygon, Vector, scale};
 use forms_kernels::edge_form_factor;
 
 /// Returns the unoccluded form factor from a receiver to the front of a polygon; E = π F L for a
