@@ -11,7 +11,7 @@ pub mod batch;
 pub mod vector;
 
 #[rustfmt::skip]
-#[allow(unreachable_pub)]
+#[allow(unreachable_pub, reason = "the file keeps the style of its author")]
 #[cfg(target_arch = "x86_64")]
 pub mod bilinear_expert;
 pub mod double_area;

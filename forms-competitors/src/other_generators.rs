@@ -2,14 +2,28 @@
 
 /// Kernels as SymPy emits them.
 #[cfg(has_sympy)]
-#[allow(clippy::all, non_snake_case, unused_parens, unreachable_pub, missing_docs)]
+#[allow(
+    clippy::all,
+    non_snake_case,
+    unused_parens,
+    unreachable_pub,
+    missing_docs,
+    reason = "another generator's style"
+)]
 pub(crate) mod by_sympy {
     include!(concat!(env!("OUT_DIR"), "/by_sympy.rs"));
 }
 
 /// Kernels as wrenfold emits them.
 #[cfg(has_wrenfold)]
-#[allow(clippy::all, non_snake_case, unused_parens, unreachable_pub, missing_docs)]
+#[allow(
+    clippy::all,
+    non_snake_case,
+    unused_parens,
+    unreachable_pub,
+    missing_docs,
+    reason = "another generator's style"
+)]
 pub(crate) mod by_wrenfold {
     include!(concat!(env!("OUT_DIR"), "/by_wrenfold.rs"));
 }

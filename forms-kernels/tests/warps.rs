@@ -5,6 +5,7 @@
 //! density over a bin, by the midpoint rule, gives the expected number of samples in it.
 
 use forms_kernels as k;
+use forms_testing::SplitMix;
 use std::f64::consts::{PI, TAU};
 
 /// Number of samples of each warp, from a sequence with a fixed seed.
@@ -17,19 +18,6 @@ const MIDPOINTS: usize = 12;
 const FEWEST: f64 = 10.0;
 /// Significance level: the probability that a test refuses a right density.
 const SIGNIFICANCE: f64 = 1e-5;
-
-/// SplitMix64 (Steele, Lea, Flood 2014), as numbers from 0 to 1.
-struct Uniform(u64);
-
-impl Uniform {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 /// Domain as the image of the unit square with a constant measure: the map from a point to the
 /// square, and back.
@@ -67,9 +55,9 @@ impl<const N: usize> Domain<N> {
     /// larger one, for samples that have this density.
     fn p_value(&self, sample: impl Fn(f64, f64) -> [f64; N], pdf: impl Fn([f64; N]) -> f64) -> f64 {
         let mut counts = vec![0.0; BINS * BINS];
-        let mut uniform = Uniform(7);
+        let mut uniform = SplitMix(7);
         for _ in 0..SAMPLES {
-            let place = (self.place)(sample(uniform.next(), uniform.next()));
+            let place = (self.place)(sample(uniform.unit(), uniform.unit()));
             let [row, column] = place.map(|x| ((x * BINS as f64) as usize).min(BINS - 1));
             counts[row * BINS + column] += 1.0;
         }
@@ -126,9 +114,9 @@ fn comes_back<const N: usize>(
     sample: impl Fn(f64, f64) -> [f64; N],
     inverse: impl Fn([f64; N]) -> [f64; 2],
 ) {
-    let mut uniform = Uniform(11);
+    let mut uniform = SplitMix(11);
     for _ in 0..1000 {
-        let place = [uniform.next(), uniform.next()];
+        let place = [uniform.unit(), uniform.unit()];
         let back = inverse(sample(place[0], place[1]));
         for (there, back) in place.iter().zip(back) {
             assert!((there - back).abs() < 1e-9, "{name}: {place:?} came back as {back}");

@@ -47,13 +47,17 @@ impl Included {
         }
     }
 
-    /// Replaces the forms of kernels by those chosen in the accompanying stability file, if it
-    /// exists. Returns tokens that make the compiler track that file.
-    fn choose(&self, theory: &mut Theory) -> Result<TokenStream, TokenStream> {
+    /// Returns the text of the accompanying stability file, if it exists.
+    fn choices(&self) -> Option<String> {
+        std::fs::read_to_string(self.path.with_extension(EXTENSION)).ok()
+    }
+
+    /// Replaces the forms of kernels by those chosen in the text of the stability file. Returns
+    /// tokens that make the compiler track that file.
+    fn choose(&self, theory: &mut Theory, choices: &str) -> Result<TokenStream, TokenStream> {
         let path = self.path.with_extension(EXTENSION);
-        let Ok(text) = std::fs::read_to_string(&path) else { return Ok(TokenStream::new()) };
         let path = path.to_string_lossy();
-        let source = Source::new(path.clone(), text);
+        let source = Source::new(path.clone(), choices);
         match Choices::read(&source.text) {
             Ok(choices) => {
                 let warning = choices.objection(theory).map(|message| warned(&message));
@@ -91,12 +95,12 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
     };
     let text = included.text();
     let (mut theory, diagnostics) = read_theory(&included.source.text);
-    let chosen = match included.choose(&mut theory) {
+    let choices = included.choices();
+    let chosen = match choices.as_deref().map(|choices| included.choose(&mut theory, choices)).transpose() {
         Ok(chosen) => chosen,
         Err(error) => return error,
     };
-    let choices = std::fs::read_to_string(included.path.with_extension(EXTENSION)).unwrap_or_default();
-    let key = Key::of(&lex(&included.source.text).0, &choices);
+    let key = Key::of(&lex(&included.source.text).0, &choices.unwrap_or_default());
     let origin = Origin::File(included.source, included.place);
     let items = theory_checked(theory, diagnostics, &origin, key.as_ref());
     quote! {

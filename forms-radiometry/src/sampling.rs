@@ -1,7 +1,7 @@
 //! Sampling: hash keys become points of the unit square, and these become directions about an axis.
 //!
-//! The warps themselves are kernels of [`forms_kernels`]; this module provides their
-//! inputs, and the frames that rotate their axis to the required direction.
+//! The warps themselves are kernels of [`forms_kernels`]; this module provides their inputs, and the
+//! frames that rotate their axis to the required direction.
 
 mod choice;
 mod draws;

@@ -21,6 +21,11 @@ impl SplitMix {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// Returns a number between these limits.
+    pub fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
     /// Returns a number below a non-zero bound.
     pub fn below(&mut self, bound: usize) -> usize {
         (self.next() >> 11) as usize % bound

@@ -14,7 +14,6 @@ mod measured;
 mod points;
 mod room;
 mod series;
-mod uniform;
 
 use std::io;
 

@@ -1,7 +1,7 @@
 //! Scenes with many point receivers: under a lamp, under a lamp that a plate partly occludes, and
 //! in a closed room.
 
-use crate::uniform::Uniform;
+use forms_testing::SplitMix;
 use forms_testing::scene_text::{CUBE, Point, material, point_receiver, polygon, surface, tolerance};
 use std::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ pub(crate) fn under_a_plate(points: usize) -> String {
 
 /// Returns points with random normals in a cube whose walls reflect and whose ceiling emits.
 pub(crate) fn in_a_cube(points: usize) -> String {
-    let mut random = Uniform::new(2);
+    let mut random = SplitMix(2);
     let mut text = material("paint", 0.6);
     for (name, corners) in CUBE {
         let light = if name == "ceiling" { "\nexitance = 1" } else { "" };
@@ -42,7 +42,7 @@ fn lamp() -> String {
 
 fn on_the_floor(points: usize) -> String {
     const UP: Point = [0.0, 0.0, 1.0];
-    let mut random = Uniform::new(1);
+    let mut random = SplitMix(1);
     let mut place = || random.between([-2.0, 2.0]);
     (0..points).map(|index| point_receiver(&index.to_string(), [place(), place(), 0.0], UP)).collect()
 }

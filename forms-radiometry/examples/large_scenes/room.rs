@@ -1,7 +1,7 @@
 //! A room of 10 m by 10 m by 4 m with a lamp under its ceiling, whose floor is full of boxes of
 //! different heights and random orientations.
 
-use crate::uniform::Uniform;
+use forms_testing::SplitMix;
 use forms_testing::scene_text::{Point, material, polygon, surface};
 use std::f64::consts::TAU;
 
@@ -80,7 +80,7 @@ pub(crate) fn with_boxes(surfaces: usize) -> String {
     shell(&mut text);
     let boxes = surfaces.saturating_sub(SHELL).div_ceil(BOX);
     let columns = (boxes as f64).sqrt().ceil() as usize;
-    let mut random = Uniform::new(1);
+    let mut random = SplitMix(1);
     for index in 0..boxes {
         let cell = [index % columns, index / columns];
         add_box(&mut text, index, cell, 1.0 / columns as f64, &mut random);
@@ -106,16 +106,16 @@ fn shell(text: &mut String) {
 }
 
 /// Adds a box without a bottom, within its cell of the floor.
-fn add_box(text: &mut String, index: usize, [column, row]: [usize; 2], size: f64, random: &mut Uniform) {
+fn add_box(text: &mut String, index: usize, [column, row]: [usize; 2], size: f64, random: &mut SplitMix) {
     let middle = [(column as f64 + 0.5) * size * SIZE[0], (row as f64 + 0.5) * size * SIZE[1]];
-    let half = size * SIZE[0] * (0.15 + 0.15 * random.next());
-    let height = 0.2 + 1.2 * random.next() * random.next();
-    let turn = TAU * random.next();
+    let half = size * SIZE[0] * (0.15 + 0.15 * random.unit());
+    let height = 0.2 + 1.2 * random.unit() * random.unit();
+    let turn = TAU * random.unit();
     let corner = |i: usize, z: f64| {
         let (sin, cos) = (turn + TAU * (i % 4) as f64 / 4.0).sin_cos();
         [middle[0] + half * cos, middle[1] + half * sin, z]
     };
-    let material = if random.next() < 0.5 { "wood" } else { "cloth" };
+    let material = if random.unit() < 0.5 { "wood" } else { "cloth" };
     let top: Vec<[f64; 3]> = (0..4).map(|i| corner(i, height)).collect();
     *text += &surface(&format!("top {index}"), material, &polygon(&top));
     for i in 0..4 {

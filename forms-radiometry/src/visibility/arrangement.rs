@@ -6,9 +6,8 @@
 //!         └─ others: tested point by point ─▶ keys ─▶ cells
 //! ```
 
-use crate::geometry::Plane;
-use crate::geometry::Vector;
 use crate::geometry::edges::Columns;
+use crate::geometry::{Plane, Vector};
 
 /// The largest number of planes that separate points: a key has one bit for each.
 const MOST: u32 = u64::BITS;

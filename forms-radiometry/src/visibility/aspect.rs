@@ -20,8 +20,7 @@ use super::arrangement::{Arrangement, Cell, Side};
 use super::body::Body;
 use super::silhouette_crossing::{End, MOST, Signs};
 use super::{Screen, Screens};
-use crate::geometry::Plane;
-use crate::geometry::Vector;
+use crate::geometry::{Plane, Vector};
 
 /// Products below this fraction of their bound have an uncertain sign: far above rounding, far
 /// below usual values.

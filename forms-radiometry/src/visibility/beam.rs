@@ -10,9 +10,8 @@
 
 use super::Between;
 use super::{Screen, Screens};
-use crate::geometry::Plane;
 use crate::geometry::clip::{split, split_beyond};
-use crate::geometry::{Vector, edges};
+use crate::geometry::{Plane, Vector, edges};
 
 /// Rounding error of a distance from a plane, relative to the largest distance in its face.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

@@ -9,10 +9,8 @@
 //! from the body's side of that plane it looks closed.
 
 use super::Screen;
-use crate::geometry::Plane;
-use crate::geometry::Vector;
-use crate::geometry::Welded;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Plane, Vector, Welded};
 use rustc_hash::FxHashMap;
 
 /// The largest number of screens of a body: each corner is compared with each plane.

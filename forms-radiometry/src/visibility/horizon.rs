@@ -3,9 +3,8 @@
 
 use super::Screens;
 use super::cone::Cutting;
-use crate::geometry::Plane;
-use crate::geometry::Vector;
 use crate::geometry::clip::{Pieces, split};
+use crate::geometry::{Plane, Vector};
 
 /// Buffers that are reused from receiver to receiver.
 #[derive(Clone, Debug, Default)]

@@ -11,9 +11,8 @@
 use super::shaft::Shaft;
 use super::tree::Query;
 use super::{Screen, Screens};
-use crate::geometry::Plane;
-use crate::geometry::Vector;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Plane, Vector};
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 

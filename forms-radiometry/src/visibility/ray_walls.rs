@@ -13,13 +13,10 @@
 
 use super::branches::{Branches, Way};
 use super::tree::Tree;
-use crate::geometry::Plane;
-use crate::geometry::Vector;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::plane::ROUNDING;
-use crate::geometry::plane::flatness;
+use crate::geometry::plane::{ROUNDING, flatness};
 use crate::geometry::sides::sides;
-use crate::geometry::{Disk, Sphere};
+use crate::geometry::{Disk, Plane, Sphere, Vector};
 use std::ops::ControlFlow;
 
 /// A piece of a surface that rays intersect.

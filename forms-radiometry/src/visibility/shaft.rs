@@ -7,9 +7,8 @@
 //! Source: E. Haines, J. Wallace, Shaft culling for efficient ray-traced radiosity (1991), with the
 //! hull instead of boxes.
 
-use crate::geometry::Plane;
-use crate::geometry::Vector;
 use crate::geometry::bounds::Bounds;
+use crate::geometry::{Plane, Vector};
 use smallvec::SmallVec;
 
 /// Inline capacity: the planes of the shaft between two quadrilaterals, at most two about each
