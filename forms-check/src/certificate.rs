@@ -45,52 +45,73 @@ pub(crate) fn check(
     let names = lines.iter().filter(|line| line.0 == "file").map(|line| &line.1);
     for (file, section) in names.zip(sections) {
         let source = read(file).map_err(malformed)?;
-        let Some(((keyword, listed), entries)) = section.split_first() else {
-            return Err(malformed("a file without its hash"));
-        };
-        if keyword != "hash" || *listed != hash(&source) {
-            return Err(malformed(format!("{file} is not the file that was certified: its hash differs")));
-        }
-        let is_start =
-            |line: &Line| ["integral", "proved", "refuted", "uncovered"].contains(&line.0.as_str());
-        let (mut rest, mut claims, mut offered) = (entries, Vec::new(), Offered::new());
-        while let Some((head, after)) = rest.split_first() {
-            let length = after.iter().position(is_start).unwrap_or(after.len());
-            let (body, next) = after.split_at(length);
-            rest = next;
-            if head.0 == "integral" {
-                integral::offer(&mut offered, &head.1, body)?;
-            } else {
-                claims.push((head, body));
-            }
-        }
-        let mut theory = Theory::read(&source, offered).map_err(|stop| {
-            malformed(format!("the statements of {file} cannot be decided: {}", stop.into_text()))
-        })?;
-        for (head, body) in claims {
-            let name = head.1.split(' ').next().unwrap_or_default().to_string();
-            if checked.iter().any(|known| known.file == *file && known.name == name) {
-                return Err(malformed(format!("`{name}` has two entries")));
-            }
-            let outcome = entry(&mut theory, head, &name, body)?;
-            let shown = match head.0.as_str() {
-                "proved" => Some(Claim::Prove),
-                "refuted" => Some(Claim::Refute),
-                _ => None,
-            };
-            let shown = shown.filter(|_| outcome == Outcome::Accepted);
-            let claim = theory.claim(&name).unwrap_or(Claim::Prove);
-            checked.push(Checked { file: file.clone(), name, claim, shown, outcome });
-        }
-        for name in theory.statement_names() {
-            if !checked.iter().any(|known| known.file == *file && known.name == name) {
-                let outcome = Outcome::NotCovered("the certificate has no entry".into());
-                let claim = theory.claim(&name).unwrap_or(Claim::Prove);
-                checked.push(Checked { file: file.clone(), name, claim, shown: None, outcome });
-            }
-        }
+        check_file((file, &source), section, &mut checked)?;
     }
     Ok(checked)
+}
+
+/// Checks the entries of one file with this source.
+fn check_file(
+    (file, source): (&str, &str),
+    section: &[Line],
+    checked: &mut Vec<Checked>,
+) -> Result<(), Stop> {
+    let Some(((keyword, listed), entries)) = section.split_first() else {
+        return Err(malformed("a file without its hash"));
+    };
+    if keyword != "hash" || *listed != hash(source) {
+        return Err(malformed(format!("{file} is not the file that was certified: its hash differs")));
+    }
+    let (claims, offered) = claims_and_integrals(entries)?;
+    let mut theory = Theory::read(source, offered).map_err(|stop| {
+        malformed(format!("the statements of {file} cannot be decided: {}", stop.into_text()))
+    })?;
+    let is_known = |checked: &[Checked], name: &str| {
+        checked.iter().any(|known| known.file == file && known.name == name)
+    };
+    for (head, body) in claims {
+        let name = head.1.split(' ').next().unwrap_or_default().to_string();
+        if is_known(checked, &name) {
+            return Err(malformed(format!("`{name}` has two entries")));
+        }
+        let outcome = entry(&mut theory, head, &name, body)?;
+        let shown = match head.0.as_str() {
+            "proved" => Some(Claim::Prove),
+            "refuted" => Some(Claim::Refute),
+            _ => None,
+        };
+        let shown = shown.filter(|_| outcome == Outcome::Accepted);
+        let claim = theory.claim(&name).unwrap_or(Claim::Prove);
+        checked.push(Checked { file: file.to_string(), name, claim, shown, outcome });
+    }
+    for name in theory.statement_names() {
+        if !is_known(checked, &name) {
+            let outcome = Outcome::NotCovered("the certificate has no entry".into());
+            let claim = theory.claim(&name).unwrap_or(Claim::Prove);
+            checked.push(Checked { file: file.to_string(), name, claim, shown: None, outcome });
+        }
+    }
+    Ok(())
+}
+
+/// First line of an entry for a statement, and the lines after it.
+type Entry<'l> = (&'l Line, &'l [Line]);
+
+/// Divides the entries of a file into those for statements, and the offered antiderivatives.
+fn claims_and_integrals(entries: &[Line]) -> Result<(Vec<Entry<'_>>, Offered), Stop> {
+    let is_start = |line: &Line| ["integral", "proved", "refuted", "uncovered"].contains(&line.0.as_str());
+    let (mut rest, mut claims, mut offered) = (entries, Vec::new(), Offered::new());
+    while let Some((head, after)) = rest.split_first() {
+        let length = after.iter().position(is_start).unwrap_or(after.len());
+        let (body, next) = after.split_at(length);
+        rest = next;
+        if head.0 == "integral" {
+            integral::offer(&mut offered, &head.1, body)?;
+        } else {
+            claims.push((head, body));
+        }
+    }
+    Ok((claims, offered))
 }
 
 fn entry(theory: &mut Theory, head: &Line, name: &str, body: &[Line]) -> Result<Outcome, Stop> {

@@ -2,7 +2,7 @@
 //! else.
 //!
 //! ```text
-//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (expression, calculus, metric)
+//! source file ─▶ tokens ─▶ theory, evaluate ─▶ both sides, conditions      (call, expression, calculus, metric)
 //! antiderivatives ─▶ F′ = f, continuity ─▶ values of integrals              (integral, continuity)
 //! certificate ─▶ proof   ─▶ bases, units, signs ─▶ is left − right zero?   (field, element, circle, sign, polynomial)
 //!             └▶ witness ─▶ a point             ─▶ do left and right differ? (interval)
@@ -13,6 +13,7 @@
 //! a claim that does not follow from the source.
 
 mod calculus;
+mod call;
 mod certificate;
 mod circle;
 mod continuity;

@@ -1,11 +1,13 @@
 //! Command-line arguments.
 
+mod simulate;
 mod solve;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use forms::math::Instructions;
 use forms_radiometry::scene::Overrides;
-use forms_radiometry::simulation::{Budget, Exposure, Share};
+use forms_radiometry::simulation::{Budget, Exposure};
+pub(crate) use simulate::SimulateArguments;
 pub(crate) use solve::{SolveArguments, ThreadArguments};
 use std::net::IpAddr;
 use std::time::Duration;
@@ -147,43 +149,7 @@ pub(crate) enum Command {
     /// A path-tracing run that was killed resumes from its --checkpoint with bit-identical results.
     /// Such a run can also be divided among machines: each computes one --shard, and `forms merge`
     /// combines the parts into the results of a single run, bit for bit.
-    Simulate {
-        /// A scene, in TOML or in the format of Mitsuba 3 (.xml)
-        scene: String,
-        /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder;
-        /// with --shard, write the part to this file
-        #[arg(long, value_name = "DIR")]
-        out: Option<String>,
-        /// Save the state of the work in this file, and resume from it if it exists
-        #[arg(long, value_name = "FILE")]
-        checkpoint: Option<String>,
-        /// Seconds between two saved states
-        #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = interval, requires = "checkpoint")]
-        every: Duration,
-        /// Compute the i-th of n shards of the work, i from 1 to n or from 0 to n − 1, and write it
-        /// to the file --out
-        #[arg(long, value_name = "i/n", requires = "out")]
-        shard: Option<Share>,
-        /// Take this number of samples, a multiple of 32, for each number, cell and pixel, instead
-        /// of the number that the tolerance requires
-        #[arg(long, value_name = "COUNT", value_parser = budget)]
-        samples: Option<Budget>,
-        /// Use these vector instructions instead of the best available ones; baseline gives the
-        /// same bits on all processors of one architecture
-        #[arg(long, value_name = "NAME", value_parser = instructions)]
-        isa: Option<Instructions>,
-        /// Also report the exposure for each irradiance, and the fluence for each fluence rate,
-        /// over this time, in J/m²
-        #[arg(long, value_name = "SECONDS", value_parser = exposure, allow_negative_numbers = true)]
-        exposure: Option<Exposure>,
-        #[command(flatten)]
-        solve: SolveArguments,
-        #[command(flatten)]
-        threads: ThreadArguments,
-        /// Print one JSON object per line
-        #[arg(long)]
-        json: bool,
-    },
+    Simulate(SimulateArguments),
     /// Combine the parts of a simulation that were written with --shard into the results of a
     /// single run
     ///

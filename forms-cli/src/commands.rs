@@ -63,34 +63,7 @@ pub(crate) fn run_with_input(
             };
             accuracy::accuracy(&request, output)
         }
-        Some(Command::Simulate {
-            scene,
-            out,
-            checkpoint,
-            every,
-            shard,
-            samples,
-            isa,
-            exposure,
-            solve,
-            threads,
-            json,
-        }) => {
-            let request = simulate::Request {
-                scene,
-                out: out.as_deref(),
-                checkpoint: checkpoint.as_deref(),
-                every: *every,
-                share: *shard,
-                budget: *samples,
-                instructions: *isa,
-                exposure: *exposure,
-                overrides: solve.overrides(),
-                threads: *threads,
-                json: *json,
-            };
-            simulate::simulate(&request, output)
-        }
+        Some(Command::Simulate(arguments)) => simulate::simulate(arguments, output),
         Some(Command::Merge { parts, out, threads, json }) => match threads.make() {
             Ok(()) => simulate::merge(parts, out.as_deref(), *json, output),
             Err(message) => Ok(refuse(&message)),

@@ -3,6 +3,8 @@
 //!
 //! Nothing here decides whether a claim is false; the caller that requests a forgery knows that.
 
+use forms_testing::SplitMix;
+
 /// Statement for which a certificate is forged.
 #[derive(Clone, Debug)]
 pub(crate) struct Target {
@@ -15,53 +17,8 @@ pub(crate) struct Target {
     pub(crate) proof: Vec<String>,
 }
 
-/// SplitMix64.
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
-
-    pub(crate) fn of<'a, T>(&mut self, all: &'a [T]) -> &'a T {
-        &all[self.below(all.len())]
-    }
-}
-
-const NUMBERS: [&str; 24] = [
-    "0",
-    "1",
-    "-1",
-    "2",
-    "3",
-    "4",
-    "1/2",
-    "-1/2",
-    "6",
-    "16",
-    "60",
-    "64",
-    "119",
-    "120",
-    "121",
-    "127",
-    "128",
-    "255",
-    "256",
-    "4096",
-    "32767",
-    "65536",
-    "9223372036854775807",
-    "18446744073709551616",
-];
+const NUMBERS: &str = "0 1 -1 2 3 4 1/2 -1/2 6 16 60 64 119 120 121 127 128 255 256 4096 32767 65536 9223372036854775807 \
+                       18446744073709551616";
 
 /// Expressions equal to q wherever they are defined: `@` stands for q, `#` for another expression.
 const DISGUISES: [&str; 26] = [
@@ -146,7 +103,7 @@ fn parts_of(source: &str) -> Vec<String> {
 }
 
 /// Forges a certificate for a target.
-pub(crate) fn forgery(random: &mut Random, target: &Target, donors: &[Target]) -> String {
+pub(crate) fn forgery(random: &mut SplitMix, target: &Target, donors: &[Target]) -> String {
     let parts = parts_of(&target.source);
     let mut forger = Forger { random, parts: &parts, donors };
     let mut integrals = target.integrals.clone();
@@ -171,18 +128,23 @@ pub(crate) fn forgery(random: &mut Random, target: &Target, donors: &[Target]) -
 }
 
 struct Forger<'a> {
-    random: &'a mut Random,
+    random: &'a mut SplitMix,
     parts: &'a [String],
     donors: &'a [Target],
 }
 
 impl Forger<'_> {
     fn number(&mut self) -> String {
-        self.random.of(&NUMBERS).to_string()
+        let numbers: Vec<&str> = NUMBERS.split(' ').collect();
+        self.random.of(&numbers).to_string()
     }
 
     fn part(&mut self) -> String {
-        if self.random.below(8) == 0 { self.number() } else { self.random.of(self.parts).clone() }
+        if self.random.below(8) == 0 {
+            self.number()
+        } else {
+            self.parts[self.random.below(self.parts.len())].clone()
+        }
     }
 
     /// Makes an expression of parts of the statement.
@@ -212,7 +174,7 @@ impl Forger<'_> {
     fn disguised(&mut self, q: &str) -> String {
         let mut disguised = q.to_string();
         for _ in 0..=self.random.below(2) {
-            let form = *self.random.of(&DISGUISES);
+            let form = self.random.of(&DISGUISES);
             disguised = self.filled(form, &format!("({disguised})"));
         }
         disguised
@@ -338,11 +300,11 @@ impl Forger<'_> {
             }
             3 if !lines.is_empty() => lines.insert(place, lines[at].clone()),
             4 if lines.len() > 1 => {
-                let other = self.random.below(lines.len());
+                let other = self.random.below(lines.len().max(1));
                 lines.swap(at, other);
             }
             5 => {
-                let donor = &self.random.of(self.donors).proof.clone();
+                let donor = &self.donors[self.random.below(self.donors.len())].proof.clone();
                 let start = self.random.below(donor.len() + 1);
                 let end = start + self.random.below(donor.len() - start + 1);
                 lines.splice(place..place, donor[start..end].to_vec());
@@ -404,7 +366,7 @@ impl Forger<'_> {
 
     /// Changes an antiderivative, or its proof.
     fn change_offer(&mut self, lines: &mut Vec<String>) {
-        let at = self.random.below(lines.len());
+        let at = self.random.below(lines.len().max(1));
         let parts: Vec<&str> = lines[at].splitn(3, ' ').collect();
         if let ["integral", place, offer] = parts.as_slice() {
             let other = self.part();

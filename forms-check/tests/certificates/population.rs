@@ -1,12 +1,13 @@
 //! Random forgeries in large numbers: none is accepted. The claims are known to be false, or true
 //! where the forgery refutes.
 
-use crate::grammar::{Random, Target, forgery};
+use crate::grammar::{Target, forgery};
 use crate::support::checked;
 use forms_check::{Claim, Outcome};
 use forms_core::certificate::{HEADER, antiderivatives, entry, file_lines};
 use forms_core::check::read_theory;
 use forms_core::decide::{Verdict, decide};
+use forms_testing::SplitMix;
 
 const DECLARED: &str = "chart L(x, y, z); chart H(w) where w > 0; chart S(t, q) where 0 < t < pi; param a, b where a > 0, b > 1; param n; fn f(x, y); ";
 
@@ -221,8 +222,8 @@ fn no_forgery_is_accepted() {
     assert!(targets.len() > 200, "{} targets", targets.len());
     let mut outcomes = [0_usize; 3];
     for number in 0..count {
-        let mut random = Random(number);
-        let target = random.of(&targets).clone();
+        let mut random = SplitMix(number);
+        let target = targets[random.below(targets.len())].clone();
         let forged = forgery(&mut random, &target, &donors);
         let lines = HEADER.to_string() + &file_lines("it.forms", &target.source) + &forged;
         let all = checked(&lines, &target.source);

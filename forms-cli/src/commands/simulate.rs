@@ -18,50 +18,23 @@ mod plan;
 mod progress;
 
 use super::refuse;
-use crate::arguments::ThreadArguments;
+use crate::arguments::SimulateArguments;
 use crate::json::write_record;
 use crate::layout::seconds;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::streams::tell;
-use forms::math::Instructions;
-use forms_radiometry::scene::{Overrides, Scene, SceneError, Sources};
-use forms_radiometry::simulation::{self, Budget, Exposure, Identity, Job, Plan, Share, Simulation, State};
+use forms_radiometry::scene::{Scene, SceneError, Sources};
+use forms_radiometry::simulation::{self, Exposure, Identity, Job, Plan, Share, Simulation, State};
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
 use missed::Missed;
 use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
-
-/// Request of the command line.
-pub(crate) struct Request<'a> {
-    /// File of the scene.
-    pub(crate) scene: &'a str,
-    /// Output folder, if any; the output file of a share.
-    pub(crate) out: Option<&'a str>,
-    /// Checkpoint file from which the work resumes, if any, and the interval between writes.
-    pub(crate) checkpoint: Option<&'a str>,
-    pub(crate) every: Duration,
-    /// Share of the work to compute, if not all of it.
-    pub(crate) share: Option<Share>,
-    /// Number of samples of each number; `None` leaves it to the tolerance.
-    pub(crate) budget: Option<Budget>,
-    /// Chosen vector instructions, if any.
-    pub(crate) instructions: Option<Instructions>,
-    /// Exposure time, if exposures are requested.
-    pub(crate) exposure: Option<Exposure>,
-    /// Values that override the settings of the scene.
-    pub(crate) overrides: Overrides,
-    /// Number of threads.
-    pub(crate) threads: ThreadArguments,
-    /// Whether to print one JSON object per line.
-    pub(crate) json: bool,
-}
 
 /// Options of the output of a simulation.
-struct Asked<'a> {
+struct OutputOptions<'a> {
     scene: &'a Scene,
     folder: Option<PathBuf>,
     json: bool,
@@ -79,27 +52,26 @@ struct Planned {
 }
 
 /// Simulates a scene and prints the results.
-pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
-    let prepared =
-        request.instructions.map_or(Ok(()), instructions::choose).and_then(|()| request.threads.make());
+pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) -> io::Result<Status> {
+    let prepared = arguments.isa.map_or(Ok(()), instructions::choose).and_then(|()| arguments.threads.make());
     if let Err(message) = prepared {
         return Ok(refuse(&message));
     }
-    let planned = match planned(request) {
+    let planned = match planned(arguments) {
         Ok(planned) => planned,
         Err(messages) => {
             messages.iter().for_each(|message| tell!("error: {message}"));
             return Ok(Status::Error);
         }
     };
-    let mut ready = match ready(request, &planned) {
+    let mut ready = match ready(arguments, &planned) {
         Ok(ready) => ready,
         Err(message) => return Ok(refuse(&message)),
     };
     let Planned { scene, plan, .. } = &planned;
-    plan::show(plan, scene, request.json, output)?;
+    plan::show(plan, scene, arguments.json, output)?;
     output.flush()?;
-    let found = match found(request, &planned, &mut ready) {
+    let found = match found(arguments, &planned, &mut ready) {
         Ok(found) => found,
         Err(message) => return Ok(refuse(&message)),
     };
@@ -107,39 +79,39 @@ pub(crate) fn simulate(request: &Request<'_>, output: &mut dyn Write) -> io::Res
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
     failure.iter().for_each(|message| tell!("error: {message}"));
     let status = match &kept.part {
-        Some(part) => shared(request, part, is_by_paths, &found, output)?,
+        Some(part) => shared(arguments, part, is_by_paths, &found, output)?,
         None => {
-            let is_to_tolerance = request.budget.is_none();
-            let asked = Asked { scene, folder, json: request.json, is_to_tolerance, is_by_paths };
-            finish(&asked, &found, output)?
+            let is_to_tolerance = arguments.samples.is_none();
+            let options = OutputOptions { scene, folder, json: arguments.json, is_to_tolerance, is_by_paths };
+            finish(&options, &found, output)?
         }
     };
     Ok(if failure.is_some() { status.max(Status::Error) } else { status })
 }
 
 /// Runs the simulation.
-fn found(request: &Request<'_>, planned: &Planned, ready: &mut Ready) -> Result<Simulation, String> {
-    let share = request.share.unwrap_or(Share::WHOLE);
-    let job = Job { budget: request.budget, share, state: ready.state.take(), keeper: Some(&ready.kept) };
+fn found(arguments: &SimulateArguments, planned: &Planned, ready: &mut Ready) -> Result<Simulation, String> {
+    let share = arguments.shard.unwrap_or(Share::WHOLE);
+    let job = Job { budget: arguments.samples, share, state: ready.state.take(), keeper: Some(&ready.kept) };
     let found = simulation::simulate_job(&planned.plan, job, &ready.progress)
         .map_err(|error| format!("cannot resume from the checkpoint: {error}"));
     ready.progress.end();
     let mut found = found?;
-    if let Some(exposure) = request.exposure {
+    if let Some(exposure) = arguments.exposure {
         exposure.add_to(&mut found);
     }
     Ok(found)
 }
 
-fn planned(request: &Request<'_>) -> Result<Planned, Vec<String>> {
-    let file = request.scene;
+fn planned(arguments: &SimulateArguments) -> Result<Planned, Vec<String>> {
+    let file = &arguments.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
     let (mut scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
-    request.overrides.apply(&mut scene);
+    arguments.solve.overrides().apply(&mut scene);
     if scene.receivers.is_empty() {
         return Err(vec![nothing_asked(file)]);
     }
-    request.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
+    arguments.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
     let plan = simulation::plan(&scene).map_err(messages)?;
     Ok(Planned { scene, sources, plan })
 }
@@ -154,46 +126,47 @@ struct Ready {
 }
 
 /// Checks, before the work begins, that it can be done as requested, and prepares its resources.
-fn ready(request: &Request<'_>, planned: &Planned) -> Result<Ready, String> {
+fn ready(arguments: &SimulateArguments, planned: &Planned) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
     let is_by_paths = planned.plan.is_by_paths();
     if !is_by_paths {
-        solved_as_a_whole(request)?;
+        solved_as_a_whole(arguments)?;
     }
-    let share = request.share.unwrap_or(Share::WHOLE);
-    let identity = || Identity::new(&planned.sources, &planned.plan, request.budget, share);
-    if let Some(file) = request.checkpoint {
-        let (checkpoint, found) = Checkpoint::open(file, identity(), request.every)?;
+    let share = arguments.shard.unwrap_or(Share::WHOLE);
+    let identity = || Identity::new(&planned.sources, &planned.plan, arguments.samples, share);
+    if let Some(file) = &arguments.checkpoint {
+        let (checkpoint, found) = Checkpoint::open(file, identity(), arguments.every)?;
         if found.is_some() {
             tell!("note: resuming from `{file}`");
         }
         (kept.checkpoint, state) = (Some(checkpoint), found);
     }
-    if let (Some(_), Some(file)) = (request.share, request.out) {
+    if let (Some(_), Some(file)) = (arguments.shard, &arguments.out) {
         let belongs_to = PartOf {
             identity: identity(),
             sources: planned.sources.clone(),
-            overrides: request.overrides.clone(),
-            exposure: request.exposure.map(Exposure::seconds),
-            instructions: request.instructions.map(|set| set.name().to_lowercase()),
+            overrides: arguments.solve.overrides(),
+            exposure: arguments.exposure.map(Exposure::seconds),
+            instructions: arguments.isa.map(|set| set.name().to_lowercase()),
         };
         kept.part = Some(Part::new(file, belongs_to)?);
     }
-    let folder = request.out.filter(|_| request.share.is_none()).map(files::folder).transpose()?;
+    let folder =
+        arguments.out.as_deref().filter(|_| arguments.shard.is_none()).map(files::folder).transpose()?;
     Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
 }
 
 /// Checks a request for a scene that is solved as a whole: it has no samples and cannot be divided
 /// into shares.
-fn solved_as_a_whole(request: &Request<'_>) -> Result<(), String> {
+fn solved_as_a_whole(arguments: &SimulateArguments) -> Result<(), String> {
     let why = "this scene is solved as a whole, without paths";
-    if request.budget.is_some() {
+    if arguments.samples.is_some() {
         return Err(format!("{why}, so it has no samples: omit --samples"));
     }
-    if let Some(share) = request.share.filter(|share| !share.is_whole()) {
+    if let Some(share) = arguments.shard.filter(|share| !share.is_whole()) {
         tell!("note: {why}: all of the work belongs to shard {}, and none to the others", share.first());
     }
-    if request.checkpoint.is_some() {
+    if arguments.checkpoint.is_some() {
         tell!(
             "note: {why}: the checkpoint is written only at the end; a run that is killed before then starts again"
         );
@@ -216,29 +189,30 @@ fn nothing_asked(file: &str) -> String {
 
 /// Reports the result of a share.
 fn shared(
-    request: &Request<'_>,
+    arguments: &SimulateArguments,
     part: &Part,
     is_by_paths: bool,
     found: &Simulation,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
-    let (share, file) = (request.share.unwrap_or(Share::WHOLE), request.out.unwrap_or_default());
+    let (share, file) =
+        (arguments.shard.unwrap_or(Share::WHOLE), arguments.out.as_deref().unwrap_or_default());
     let [own, all] = match part.written() {
         Some(Ok(units)) => units,
         Some(Err(message)) => return Ok(refuse(&message)),
         None => {
             let rest =
-                if request.checkpoint.is_some() { "the same call resumes it" } else { "no state is saved" };
+                if arguments.checkpoint.is_some() { "the same call resumes it" } else { "no state is saved" };
             tell!("stopped: shard {share} is not complete, and `{file}` is not written; {rest}");
             return Ok(Status::Stopped);
         }
     };
-    if request.json {
+    if arguments.json {
         let record = SharedRecord { share: share.to_string(), part: file, units: own, of: all };
         write_record(output, &record)?;
         return Ok(Status::AsStated);
     }
-    let units = if request.budget.is_some() {
+    let units = if arguments.samples.is_some() {
         "replicates of numbers, cells and pixels"
     } else {
         "numbers, cells and pixels"
@@ -252,8 +226,11 @@ fn shared(
     let line = format!("shard {share}, {what}, in {taken}, written to {file}");
     writeln!(output, "{}", Palette::of_output().quiet(&line))?;
     if is_by_paths && own == 0 {
-        let more =
-            if request.budget.is_some() { "" } else { "; with --samples each is divided into 32 replicates" };
+        let more = if arguments.samples.is_some() {
+            ""
+        } else {
+            "; with --samples each is divided into 32 replicates"
+        };
         tell!("note: there are fewer {units} than shards, and none is left for this one{more}");
     }
     Ok(Status::AsStated)
@@ -269,8 +246,8 @@ struct SharedRecord<'a> {
 }
 
 /// Writes the files, then prints the answers: the reader of the output can go away.
-fn finish(asked: &Asked<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
-    let Asked { scene, folder, json, is_to_tolerance, is_by_paths } = asked;
+fn finish(options: &OutputOptions<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
+    let OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths } = options;
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };

@@ -203,20 +203,8 @@ impl<const N: usize> Sent<N> {
             }
             Place::Far(direction) if is_boundary => {
                 let other = optics.medium(interface.filling(!is_front));
-                let bent = |passage: Passage<N>, part: f64| match passage {
-                    Passage::Reflected(direction, _) => {
-                        next(Place::Far(direction), scaled(part, &self.light), false)
-                    }
-                    Passage::Refracted(beyond, _) => {
-                        let widened = normal.dot(direction) / normal.dot(beyond);
-                        next(Place::Far(beyond), scaled(part * widened, &self.light), true)
-                    }
-                };
-                let [reflected, refracted] = passages([&medium, &other], direction, normal);
-                [reflected, refracted]
-                    .into_iter()
-                    .flatten()
-                    .map(|(part, passage)| bent(passage, part))
+                self.at_boundary([&medium, &other], direction, normal)
+                    .map(|(direction, light, is_bent)| next(Place::Far(direction), light, is_bent))
                     .collect()
             }
             Place::Far(direction) if world.is_bright(wall, is_front) => {
@@ -229,6 +217,24 @@ impl<const N: usize> Sent<N> {
             }
             _ => Vec::new(),
         }
+    }
+
+    /// Returns the directions and the light that the boundary of two media reflects and refracts
+    /// from parallel light, and whether it is refracted.
+    fn at_boundary(
+        &self,
+        media: [&MediumOptics<N>; 2],
+        direction: Vector,
+        normal: Vector,
+    ) -> impl Iterator<Item = (Vector, [f64; N], bool)> {
+        let both = passages(media, direction, normal).into_iter().flatten();
+        both.map(move |(part, passage)| match passage {
+            Passage::Reflected(direction, _) => (direction, scaled(part, &self.light), false),
+            Passage::Refracted(beyond, _) => {
+                let widened = normal.dot(direction) / normal.dot(beyond);
+                (beyond, scaled(part * widened, &self.light), true)
+            }
+        })
     }
 }
 

@@ -16,26 +16,25 @@ mod interpolation;
 mod maps;
 mod precision;
 pub(crate) mod readings;
+mod rounds;
 mod sampled;
 pub(crate) mod scales;
 mod tessellation;
 
 use super::question::asks_for_rays;
-use super::{FinalGathering, Gathering, Lights, Question, Radiosity, Scratch, Transport};
-use crate::answer::{Answer, ErrorParts, Moment, Simulation};
+use super::{FinalGathering, Gathering, Lights, Question, Radiosity, Transport};
+use crate::answer::{Answer, Moment, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
 use crate::parallelism::Parallelism;
 use crate::progress::times::{Times, timed};
-use crate::progress::{Outlook, Progress, foreseen};
+use crate::progress::{Outlook, Progress};
 use crate::scene::{Effect, Scene};
 use crate::visibility::{Face, Screens};
 use crate::watch::Watch;
-use estimate::{Estimate, Found, pool};
-use goals::Earlier;
+use estimate::Found;
 use grid::Grid;
 use images::Image;
-use precision::{Digits, Value};
 use readings::{Reading, groups};
 use scales::Pictures;
 use std::time::Instant;
@@ -53,11 +52,6 @@ pub(crate) const FINEST: usize = 4;
 /// Largest number of times that maps and images are computed: again only where their means are less
 /// than the watched cells indicated.
 const ATTEMPTS: usize = 2;
-/// Least future change after each refinement, relative to its change, where surfaces may occlude
-/// each other. Shadows that fall between the nodes appear when the nodes are closer, and the
-/// boundaries of shadows converge no faster than elements shrink.
-const BEHIND_SCREENS: [f64; 3] = [10.0, 2.0, 1.0];
-
 /// Solves a scene as a whole, in working units, with the transport method at each tessellation
 /// level; the last one is also that of finer levels.
 pub(crate) fn solved(
@@ -141,59 +135,7 @@ impl<'s> Work<'s> {
         let mut history = Vec::new();
         let mut attempts = 1;
         for fineness in 0.. {
-            self.progress.begin(Outlook::Unknown);
-            let faces = faces(self.scene, fineness);
-            let gathering = self.gathering[fineness.min(self.gathering.len() - 1)];
-            let transport = self.transport(faces, gathering);
-            let lights = Lights::of(self.scene, &transport);
-            let grids = self.grids(&transport);
-            let own_sight = self.sight(&transport);
-            let sight = own_sight.as_ref().unwrap_or(&transport);
-            if fineness == 0 {
-                let is_watched = is_round_anywhere || !self.is_straight(gathering);
-                self.watch_some(if is_watched { &grids } else { &[] }, sight);
-            }
-            let parallelism = self.parallelism(gathering, &lights, &transport, &grids);
-            let (found, pictures) = parallelism.enter(|| {
-                let straight = || self.straight(&grids, &lights, &transport);
-                // these are the last faces, and maps are not sampled: the direct light of cells
-                // waits for no solution
-                let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
-                let ((solution, mut found), known) = self.both(
-                    parallelism,
-                    || self.solved(gathering, &transport, &lights, &mut history),
-                    || is_known_before.then(straight),
-                );
-                let is_compared = self.compare(&mut shapes, &mut found);
-                // includes readings that were settled, and the error by tessellation
-                if let Some(now) = history.last_mut() {
-                    now.error = self.relative_errors(&found).fold(0.0, f64::max);
-                }
-                let is_whole = grids.is_empty()
-                    && self.cameras().next().is_none()
-                    && !found.iter().any(|found| found.has_pieces);
-                let is_last = !is_round_anywhere
-                    || is_whole
-                    || self.watch.is_stopped()
-                    || fineness == FINEST
-                    || (is_compared && self.is_enough(&found));
-                let pictures = is_last.then(|| match &solution {
-                    Solution::Elements(radiosity) => {
-                        let grids = (&grids[..], known.unwrap_or_else(straight));
-                        let cameras = self.cameras().count();
-                        self.progress.begin(Outlook::Stages(1 + cameras));
-                        let maps = self.maps(radiosity, grids, &found);
-                        self.progress.begin(Outlook::Stages(cameras));
-                        let images = self.images(radiosity, sight, &found);
-                        Pictures { maps, images, is_sampled: false }
-                    }
-                    Solution::FinalGathering(paths) => {
-                        self.progress.begin(Outlook::Stages(grids.len()));
-                        Pictures::sampled(self.sampled_maps(paths, &grids, &found))
-                    }
-                });
-                (found, pictures)
-            });
+            let (found, pictures) = self.at_fineness(fineness, &mut shapes, &mut history);
             if let Some(pictures) = pictures {
                 let is_final = attempts == ATTEMPTS || fineness == FINEST;
                 if is_final || !self.rescale(&pictures, &found) {
@@ -206,6 +148,82 @@ impl<'s> Work<'s> {
             }
         }
         unreachable!("the finest polyhedra are the last")
+    }
+
+    /// Returns the readings with polyhedra of this fineness, and the maps and images if no finer
+    /// polyhedra are needed.
+    fn at_fineness(
+        &mut self,
+        fineness: usize,
+        shapes: &mut Shapes,
+        history: &mut Vec<Moment>,
+    ) -> (Vec<Found>, Option<Pictures>) {
+        let is_round_anywhere = shapes.are_round();
+        self.progress.begin(Outlook::Unknown);
+        let faces = faces(self.scene, fineness);
+        let gathering = self.gathering[fineness.min(self.gathering.len() - 1)];
+        let transport = self.transport(faces, gathering);
+        let lights = Lights::of(self.scene, &transport);
+        let grids = self.grids(&transport);
+        let own_sight = self.sight(&transport);
+        let sight = own_sight.as_ref().unwrap_or(&transport);
+        if fineness == 0 {
+            let is_watched = is_round_anywhere || !self.is_straight(gathering);
+            self.watch_some(if is_watched { &grids } else { &[] }, sight);
+        }
+        let parallelism = self.parallelism(gathering, &lights, &transport, &grids);
+        parallelism.enter(|| {
+            let straight = || self.straight(&grids, &lights, &transport);
+            // these are the last faces, and maps are not sampled: the direct light of cells waits
+            // for no solution
+            let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
+            let ((solution, mut found), known) = self.both(
+                parallelism,
+                || self.solved(gathering, &transport, &lights, history),
+                || is_known_before.then(straight),
+            );
+            let is_compared = self.compare(shapes, &mut found);
+            // includes readings that were settled, and the error by tessellation
+            if let Some(now) = history.last_mut() {
+                now.error = self.relative_errors(&found).fold(0.0, f64::max);
+            }
+            let is_whole = grids.is_empty()
+                && self.cameras().next().is_none()
+                && !found.iter().any(|found| found.has_pieces);
+            let is_last = !is_round_anywhere
+                || is_whole
+                || self.watch.is_stopped()
+                || fineness == FINEST
+                || (is_compared && self.is_enough(&found));
+            let pictures = is_last.then(|| match &solution {
+                Solution::Elements(radiosity) => {
+                    let grids = (&grids[..], known.unwrap_or_else(straight));
+                    self.pictures(radiosity, grids, sight, &found)
+                }
+                Solution::FinalGathering(paths) => {
+                    self.progress.begin(Outlook::Stages(grids.len()));
+                    Pictures::sampled(self.sampled_maps(paths, &grids, &found))
+                }
+            });
+            (found, pictures)
+        })
+    }
+
+    /// Returns the maps and images of a solution on elements. `grids` are the maps, with the direct
+    /// light of their cells.
+    fn pictures(
+        &self,
+        radiosity: &Radiosity,
+        grids: (&[(usize, Grid)], Vec<Vec<f64>>),
+        sight: &Transport,
+        found: &[Found],
+    ) -> Pictures {
+        let cameras = self.cameras().count();
+        self.progress.begin(Outlook::Stages(1 + cameras));
+        let maps = self.maps(radiosity, grids, found);
+        self.progress.begin(Outlook::Stages(cameras));
+        let images = self.images(radiosity, sight, found);
+        Pictures { maps, images, is_sampled: false }
     }
 
     /// Returns the results of two tasks that do not depend on each other. Where they run at the
@@ -288,108 +306,6 @@ impl<'s> Work<'s> {
 
     pub(crate) fn question(&self) -> Question {
         Question::of(self.scene, &self.effects)
-    }
-
-    /// Returns the solution on elements that are fine enough for all readings, and the readings.
-    fn refined<'t>(
-        &self,
-        transport: &'t Transport,
-        lights: &'t Lights<'t>,
-        history: &mut Vec<Moment>,
-    ) -> (Radiosity<'t>, Vec<Found>)
-    where
-        's: 't,
-    {
-        let (begin, first) = (self.progress.seconds(), history.len());
-        let mut radiosity = Radiosity::new(self.scene, transport, lights, self.question(), self.watch);
-        let mut found = self.read(&radiosity, None);
-        let mut splits = 0;
-        loop {
-            let seconds = self.progress.seconds();
-            history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
-            let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
-            self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
-            if self.watch.is_stopped() || self.is_enough(&found) {
-                return (radiosity, found);
-            }
-            let (asking, open) = self.asking(&radiosity, &found);
-            let Some(mut refined) = radiosity.refine(&asking) else {
-                self.settle(&radiosity, &mut found);
-                return (radiosity, found);
-            };
-            if transport.occlusion {
-                refined.left = refined.left.max(BEHIND_SCREENS[splits.min(BEHIND_SCREENS.len() - 1)]);
-            }
-            splits += 1;
-            let earlier = Earlier::new(&found, &open, refined);
-            let finer = self.read(&radiosity, Some(&earlier));
-            if self.watch.is_stopped() {
-                return (radiosity, found);
-            }
-            found = finer;
-        }
-    }
-
-    /// Removes the error by elements from readings that no element reaches, or that have no goal.
-    fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
-        for (reading, found) in self.readings.iter().zip(found) {
-            let goal = reading.goal(self.scene, radiosity.transport());
-            let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
-            // where the work was stopped, it is not known which elements reach the reading
-            if !is_reached && !self.watch.is_stopped() {
-                found.bands.iter_mut().for_each(Estimate::settle);
-            }
-        }
-    }
-
-    /// Evaluates all readings in all bands; in none where the work was stopped before.
-    fn read(&self, radiosity: &Radiosity, earlier: Option<&Earlier>) -> Vec<Found> {
-        let is_straight = self.effects.orders == Some(0);
-        let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
-        let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
-            let begin = Instant::now();
-            let found = (!self.watch.is_stopped())
-                .then(|| digits.value((reading, index >= self.answers), self.scene, radiosity, scratch))
-                .filter(|_| !self.watch.is_stopped());
-            let Some(Value { bands, rounding, has_pieces }) = found else {
-                return (Found { bands: Vec::new(), has_pieces: true }, begin.elapsed().as_secs_f64());
-            };
-            let largest = reading.largest(radiosity.transport());
-            let doubts = reading.doubts(self.scene, radiosity, scratch);
-            let of_band = |(band, value): (usize, f64)| {
-                let straight = reading.straight_error(radiosity, band);
-                let [of_rules, of_rounding] = straight.unwrap_or_default();
-                let quadrature = of_rules + doubts[band];
-                let rounding = rounding.get(band).copied().unwrap_or(0.0) + of_rounding;
-                let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
-                if self.effects.orders == Some(0) && straight.is_some() {
-                    return Estimate::exact(value, integral);
-                }
-                let before = earlier.map(|earlier| earlier.of(index, band));
-                let orders = largest * radiosity.floor(band);
-                Estimate::new(value, before, ErrorParts { orders, ..integral })
-            };
-            let bands = bands.into_iter().enumerate().map(of_band).collect();
-            (Found { bands, has_pieces }, begin.elapsed().as_secs_f64())
-        };
-        let parallelism = Parallelism::of(radiosity.operations(self.readings.len()));
-        let readings: Vec<(usize, &Reading)> = self.readings.iter().enumerate().collect();
-        let begin = Instant::now();
-        let (mut found, seconds): (Vec<Found>, Vec<f64>) = parallelism.map(readings, one).into_iter().unzip();
-        self.times.add(begin, self.readings.iter().map(|reading| reading.receiver).zip(seconds));
-        let scales = self.scales(&found);
-        pool(&mut found, &scales, &self.groups);
-        let spared = earlier.map_or(0.0, |earlier| earlier.refined.spared);
-        for (found, scales) in found.iter_mut().zip(scales) {
-            for (estimate, scale) in found.bands.iter_mut().zip(scales) {
-                if estimate.is_exact() {
-                    continue;
-                }
-                estimate.floor.quadrature += (radiosity.rules() + spared) * scale;
-                estimate.floor.rounding += ROUNDING * scale;
-            }
-        }
-        found
     }
 
     /// Returns the results, in the order of the receivers.

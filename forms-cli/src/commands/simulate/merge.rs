@@ -6,7 +6,7 @@
 //! ```
 
 use super::kept::{LARGEST_STATE, PartOf};
-use super::{Asked, finish, plan};
+use super::{OutputOptions, finish, plan};
 use crate::commands::refuse;
 use crate::files::reason;
 use crate::status::Status;
@@ -56,7 +56,11 @@ pub(crate) fn merge(
         Ok((scene, planned, found)) => {
             plan::show(&planned, &scene, json, output)?;
             let is_by_paths = planned.is_by_paths();
-            finish(&Asked { scene: &scene, folder, json, is_to_tolerance, is_by_paths }, &found, output)
+            finish(
+                &OutputOptions { scene: &scene, folder, json, is_to_tolerance, is_by_paths },
+                &found,
+                output,
+            )
         }
         Err(messages) => {
             messages.iter().for_each(|message| tell!("error: {message}"));
