@@ -196,7 +196,7 @@ fn the_counted_scene_has_answers() {
 fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan() {
     const TEST: &str =
         "effects_code::what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan";
-    if !callgrind::is_installed() {
+    if !forms_testing::is_installed("valgrind") {
         forms_testing::skipped(TEST, "valgrind", "no instructions are counted");
         return;
     }

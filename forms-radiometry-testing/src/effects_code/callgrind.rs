@@ -33,13 +33,6 @@ pub struct Place {
     pub line: u64,
 }
 
-/// Whether Valgrind is installed.
-pub fn is_installed() -> bool {
-    let version =
-        Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-    version.is_ok_and(|status| status.success())
-}
-
 /// Returns the instructions that a program executes with these arguments, on one thread.
 ///
 /// # Errors

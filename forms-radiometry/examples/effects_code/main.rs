@@ -36,7 +36,7 @@ fn main() -> Result<(), Problem> {
     {
         return run(Path::new(file), on);
     }
-    if !callgrind::is_installed() {
+    if !forms_testing::is_installed("valgrind") {
         println!("valgrind is not installed: no instructions were counted");
         return Ok(());
     }

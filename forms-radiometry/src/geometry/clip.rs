@@ -1,4 +1,5 @@
-//! Clipping: splits a convex polygon by a plane into two parts.
+//! Clipping: splits a convex polygon by a plane into two parts, or by several planes into the part
+//! in front of all of them and the parts beyond each.
 
 use super::Vector;
 
@@ -59,6 +60,28 @@ pub(crate) fn split_beyond(
         }
         (a, alpha) = (b, beta);
     }
+}
+
+/// Splits a convex polygon along planes, each given by an affine function that is positive in front
+/// of it, and by the least distance that does not count as zero. Returns the convex parts beyond
+/// each plane, and the part in front of all planes, which has no vertices if it has no area.
+pub(crate) fn split_along<F: Fn(Vector) -> f64>(
+    polygon: &[Vector],
+    sides: impl IntoIterator<Item = (F, f64)>,
+) -> (Vec<Vec<Vector>>, Vec<Vector>) {
+    let (mut rest, mut inside, mut outside) = (polygon.to_vec(), Vec::new(), Vec::new());
+    let mut beyond = Vec::new();
+    for (side, least) in sides {
+        split_beyond(&rest, side, least, &mut inside, &mut outside);
+        if !outside.is_empty() {
+            beyond.push(std::mem::take(&mut outside));
+        }
+        std::mem::swap(&mut rest, &mut inside);
+        if rest.is_empty() {
+            break;
+        }
+    }
+    (beyond, rest)
 }
 
 /// A sequence of convex polygons, stored in one list of points.
@@ -125,5 +148,17 @@ mod tests {
                 assert!((area(&outside) - (1.0 - expected)).abs() < 1e-15, "{name}");
             }
         }
+    }
+
+    #[test]
+    fn the_part_in_front_of_all_planes_and_the_parts_beyond_each_make_up_the_whole() {
+        let area =
+            |p: &[Vector]| (1..p.len()).map(|i| 0.5 * (p[i - 1] - p[0]).cross(p[i] - p[0]).z).sum::<f64>();
+        let planes = [(1.0, 0.25), (-1.0, -0.75)].map(|(sign, at)| (move |v: Vector| sign * v.x - at, 0.0));
+        let (beyond, inside) = split_along(&square(), planes);
+        assert_eq!(beyond.iter().map(|part| area(part)).collect::<Vec<_>>(), [0.25, 0.25]);
+        assert!((area(&inside) - 0.5).abs() < 1e-15);
+        let (beyond, inside) = split_along(&square(), [(|v: Vector| v.x - 2.0, 0.0)]);
+        assert_eq!((beyond.len(), inside.len()), (1, 0));
     }
 }

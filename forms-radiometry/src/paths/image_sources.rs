@@ -16,8 +16,8 @@ use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::passages;
 use super::world::World;
-use crate::geometry::Plane;
-use crate::geometry::{Vector, split};
+use crate::geometry::clip::split_along;
+use crate::geometry::{Plane, Vector, edges};
 use crate::sampling::{chosen, shares};
 use crate::scene::{Filling, LightKind, MaterialKind};
 use crate::visibility::{Met, Start, Wall};
@@ -248,17 +248,13 @@ impl<const N: usize> Sent<N> {
         if self.steps.is_empty() {
             return outline;
         }
-        let (mut lit, mut rest) = (Vec::new(), Vec::new());
-        split(&self.lit, |v| normal.dot(v - point), &mut lit, &mut rest);
         let middle = Vector::mean(&outline);
-        for (i, &a) in outline.iter().enumerate() {
-            let along = outline[(i + 1) % outline.len()] - a;
-            let side = along.cross(self.ray_through(a));
-            let inward = if side.dot(middle - a) < 0.0 { -side } else { side };
-            let mut inside = Vec::new();
-            split(&lit, |v| inward.dot(v - a), &mut inside, &mut rest);
-            lit = inside;
-        }
+        let of_cone = edges(&outline).map(|[a, b]| {
+            let side = (b - a).cross(self.ray_through(a));
+            Plane { point: a, normal: if side.dot(middle - a) < 0.0 { -side } else { side } }
+        });
+        let planes = std::iter::once(Plane { point, normal }).chain(of_cone);
+        let (_, lit) = split_along(&self.lit, planes.map(|plane| (move |v| plane.distance(v), 0.0)));
         let moved = |v: Vector| {
             let ray = self.ray_through(v);
             v + (normal.dot(point - v) / normal.dot(ray)) * ray

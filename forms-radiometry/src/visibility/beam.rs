@@ -10,7 +10,7 @@
 
 use super::Between;
 use super::{Screen, Screens};
-use crate::geometry::clip::{split, split_beyond};
+use crate::geometry::clip::{split, split_along};
 use crate::geometry::{Plane, Vector, edges};
 
 /// Rounding error of a distance from a plane, relative to the largest distance in its face.
@@ -147,21 +147,13 @@ fn cut_from(piece: Vec<Vector>, shadow: &[Plane], rest: &mut Vec<Vec<Vector>>) -
         rest.push(piece);
         return false;
     }
-    let known = rest.len();
-    let mut inside = piece.clone();
-    for plane in shadow {
-        let (mut kept, mut outside) = (Vec::new(), Vec::new());
-        split_beyond(&inside, |v| plane.distance(v), rounding(plane), &mut kept, &mut outside);
-        if !outside.is_empty() {
-            rest.push(outside);
-        }
-        inside = kept;
-        if inside.is_empty() {
-            rest.truncate(known);
-            rest.push(piece);
-            return false;
-        }
+    let sides = shadow.iter().map(|plane| (|v: Vector| plane.distance(v), rounding(plane)));
+    let (beyond, inside) = split_along(&piece, sides);
+    if inside.is_empty() {
+        rest.push(piece);
+        return false;
     }
+    rest.extend(beyond);
     true
 }
 

@@ -6,19 +6,12 @@
 use std::ffi::OsStr;
 use std::io::{Error, ErrorKind, Result};
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 /// Runs the work in a function that Callgrind finds by its name.
 #[inline(never)]
 pub(crate) fn call(work: &mut dyn FnMut()) {
     work();
-}
-
-/// Whether Valgrind is installed.
-pub(crate) fn is_installed() -> bool {
-    let version =
-        Command::new("valgrind").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-    version.is_ok_and(|status| status.success())
 }
 
 /// Returns the instructions of each `call` of this program when it is started with this argument.

@@ -34,7 +34,7 @@ pub(crate) fn is_counted() -> bool {
 /// # Errors
 /// If Valgrind fails, or the record cannot be read or written.
 pub(crate) fn check(writes: bool) -> Result<ExitCode> {
-    if !callgrind::is_installed() {
+    if !forms_testing::is_installed("valgrind") {
         println!("valgrind is not installed: no instructions were counted, so none were checked");
         return Ok(ExitCode::SUCCESS);
     }

@@ -11,7 +11,7 @@
 
 use super::{Polygon, edges};
 use crate::geometry::Vector;
-use crate::geometry::clip::split_beyond;
+use crate::geometry::clip::split_along;
 
 impl Polygon {
     /// Returns this polygon minus the coplanar polygons `holes`, which face the same way; `None` if
@@ -32,7 +32,7 @@ impl Polygon {
 /// Returns the intersection of a convex outline with another one that has this unit normal,
 /// projected along the normal; no vertices if it has no area.
 pub(crate) fn intersection(outline: &[Vector], other: &[Vector], normal: Vector) -> Vec<Vector> {
-    split_along(outline, edges(other), normal, 0.0).1
+    split_along_edges(outline, edges(other), normal, 0.0).1
 }
 
 /// Returns the convex pieces of a convex piece minus a convex hole.
@@ -42,38 +42,24 @@ pub(super) fn difference(
     normal: Vector,
     resolution: f64,
 ) -> Vec<Vec<Vector>> {
-    if split_along(&piece, edges(hole), normal, resolution).1.is_empty() {
+    if split_along_edges(&piece, edges(hole), normal, resolution).1.is_empty() {
         return vec![piece];
     }
     // a segment from a point outside the hole to a point inside crosses an edge within the piece
     let crossing = edges(hole).filter(|edge| length_inside(*edge, &piece, normal) > resolution);
-    let (mut outside, _) = split_along(&piece, crossing, normal, resolution);
+    let (mut outside, _) = split_along_edges(&piece, crossing, normal, resolution);
     outside.iter_mut().for_each(|piece| snap(piece, hole, resolution));
     outside
 }
 
-/// Splits a convex outline along the lines of edges with this unit normal. Returns the convex
-/// pieces beyond each line, and the piece on the inner side of all lines, which has no vertices if
-/// it has no area.
-pub(super) fn split_along(
+/// Splits a convex outline along the lines of edges with this unit normal: see [`split_along`].
+pub(super) fn split_along_edges(
     outline: &[Vector],
     edges: impl Iterator<Item = [Vector; 2]>,
     normal: Vector,
     resolution: f64,
 ) -> (Vec<Vec<Vector>>, Vec<Vector>) {
-    let (mut rest, mut inside, mut outside) = (outline.to_vec(), Vec::new(), Vec::new());
-    let mut pieces = Vec::new();
-    for edge in edges {
-        split_beyond(&rest, inward(edge, normal), resolution, &mut inside, &mut outside);
-        if !outside.is_empty() {
-            pieces.push(std::mem::take(&mut outside));
-        }
-        std::mem::swap(&mut rest, &mut inside);
-        if rest.is_empty() {
-            break;
-        }
-    }
-    (pieces, rest)
+    split_along(outline, edges.map(|edge| (inward(edge, normal), resolution)))
 }
 
 /// Returns the length of the part of an edge that lies in a convex outline.

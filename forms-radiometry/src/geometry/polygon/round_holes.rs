@@ -7,7 +7,7 @@
 //! A regular polygon has the area of its disk and also replaces the disk in the faces of the scene:
 //! hole and disk match at each tessellation level.
 
-use super::difference::{difference, intersection, split_along};
+use super::difference::{difference, intersection, split_along_edges};
 use super::{PLANARITY, Polygon, edges};
 use crate::geometry::round::across;
 use crate::geometry::{Disk, Vector};
@@ -64,7 +64,7 @@ fn without_disk(piece: Vec<Vector>, disk: &Disk, hole: &[Vector]) -> Vec<Vec<Vec
     let [u, v] = across(disk.normal).map(|axis| SQUARE * disk.radius * axis);
     let square = [disk.center - u - v, disk.center + u - v, disk.center + u + v, disk.center - u + v];
     let resolution = PLANARITY * disk.radius;
-    let (mut pieces, inside) = split_along(&piece, edges(&square), disk.normal, resolution);
+    let (mut pieces, inside) = split_along_edges(&piece, edges(&square), disk.normal, resolution);
     pieces.extend(difference(inside, hole, disk.normal, resolution));
     pieces
 }

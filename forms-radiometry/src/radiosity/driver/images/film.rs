@@ -7,6 +7,7 @@
 //! A pinhole maps lines to lines, so convex pieces stay convex.
 
 use crate::camera::Camera;
+use crate::geometry::clip::split_along;
 use crate::geometry::{Vector, split};
 use crate::radiosity::SeenPiece;
 
@@ -65,15 +66,8 @@ impl Block {
 
 /// Returns the polygon of the film in which a piece is seen.
 pub(super) fn projected(camera: &Camera, outline: &[Vector]) -> Polygon {
-    let mut polygon = outline.to_vec();
-    let (mut inside, mut outside) = (Vec::new(), Vec::new());
-    for side in camera.sides() {
-        split(&polygon, |way| side.dot(way), &mut inside, &mut outside);
-        std::mem::swap(&mut polygon, &mut inside);
-        if polygon.is_empty() {
-            return polygon;
-        }
-    }
+    let (_, polygon) =
+        split_along(outline, camera.sides().map(|side| (move |way: Vector| side.dot(way), 0.0)));
     let [width, height] = camera.resolution.map(|side| side as f64);
     let point = |way: &Vector| {
         let [x, y] = camera.film(*way);
