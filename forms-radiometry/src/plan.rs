@@ -4,8 +4,9 @@
 //! ```text
 //! scene ─ decision ─▶ effects ─ working scene ─▶ simulated scene ─ method ─▶ solver, methods, kernels
 //! ```
-//! A plan owns the scene as it is simulated, so a solver cannot be given the plan of another scene,
-//! and takes every choice from the plan.
+//! A plan owns the scene as it is simulated, and for path tracing the walls that rays hit. So a
+//! solver cannot be given the plan of another scene, takes every choice from the plan, and builds
+//! nothing again.
 
 pub(crate) mod decision;
 mod kernels;
@@ -69,7 +70,7 @@ impl Plan {
 
     /// Whether the scene is simulated by path tracing. Other scenes are solved as a whole.
     pub fn is_by_paths(&self) -> bool {
-        matches!(self.solver, Solver::Paths(_))
+        matches!(self.solver, Solver::Paths { .. })
     }
 
     /// Kernels that the simulation runs with these effects.

@@ -42,4 +42,4 @@ pub use read::{open, read, read_with_files};
 pub(crate) use regions::{FilledInterface, Filling, Piece, filled};
 pub use simulated::not_simulated;
 pub use sources::Sources;
-pub(crate) use working_units::WorkingScene;
+pub(crate) use working_units::{WorkingScene, WorkingUnits};

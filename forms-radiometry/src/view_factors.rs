@@ -56,7 +56,7 @@ pub fn view_factors(scene: &Scene) -> ViewFactors {
             fine.error += (fine.value - coarse.value).abs();
         }
     }
-    found.areas.iter_mut().for_each(|area| *area = *area / working.factor / working.factor);
+    found.areas.iter_mut().for_each(|area| *area = *area / working.units.factor / working.units.factor);
     found
 }
 

@@ -3,21 +3,21 @@
 use super::error_budget::ErrorParts;
 use super::quantity::Quantity;
 use super::results::{Answer, Simulation};
-use crate::scene::WorkingScene;
+use crate::scene::WorkingUnits;
 
 impl Simulation {
     /// Converts all numbers to the units of their quantities.
-    pub(crate) fn leave_working_units(&mut self, working: &WorkingScene) {
+    pub(crate) fn leave_working_units(&mut self, units: &WorkingUnits) {
         for answer in &mut self.answers {
-            answer.multiply(working.light);
+            answer.multiply(units.light);
             if answer.quantity == Quantity::Flux {
-                answer.multiply(working.square_metres);
+                answer.multiply(units.square_metres);
             }
         }
-        if working.light != 1.0 {
+        if units.light != 1.0 {
             for map in &mut self.maps {
                 let numbers = map.values.iter_mut().chain(&mut map.errors).chain([&mut map.scales]);
-                numbers.flatten().for_each(|number| *number *= working.light);
+                numbers.flatten().for_each(|number| *number *= units.light);
             }
         }
     }
@@ -25,9 +25,9 @@ impl Simulation {
 
 impl Quantity {
     /// Converts a number in working units to the unit of this quantity.
-    pub(crate) fn in_unit(self, number: f64, working: &WorkingScene) -> f64 {
-        let area = if self == Self::Flux { working.square_metres } else { 1.0 };
-        number * working.light * area
+    pub(crate) fn in_unit(self, number: f64, units: &WorkingUnits) -> f64 {
+        let area = if self == Self::Flux { units.square_metres } else { 1.0 };
+        number * units.light * area
     }
 }
 

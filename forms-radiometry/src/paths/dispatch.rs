@@ -13,7 +13,7 @@ use std::marker::PhantomData;
 
 /// Returns the path tracers of a world, one for each group of bands that share paths.
 pub(crate) fn path_samplers<'w>(
-    world: &'w World<'w>,
+    world: &'w World,
     effects: EffectSet,
     limits: Limits,
 ) -> Vec<Box<dyn PathSampler + 'w>> {
@@ -21,7 +21,7 @@ pub(crate) fn path_samplers<'w>(
         1 => member::<1>(world, effects, limits, first, count),
         _ => member::<SHARED>(world, effects, limits, first, count),
     };
-    groups(world.scene, effects).into_iter().map(member).collect()
+    groups(&world.scene, effects).into_iter().map(member).collect()
 }
 
 /// Returns the first band and the number of bands of each group that shares its paths: neighbouring
@@ -54,20 +54,20 @@ fn scatter_alike(scene: &Scene, one: usize, other: usize) -> bool {
 
 /// Whether the lights have more image sources in flat walls than can be listed.
 pub(crate) fn has_too_many_images(world: &World) -> bool {
-    let scene = world.scene;
+    let scene = &*world.scene;
     !scene.lights.is_empty()
         && (0..scene.band_count()).any(|band| Images::of(world, &Optics::<1>::of(scene, band, 1)).is_cut)
 }
 
 /// Returns the path tracer that is specialised for these effects.
 fn member<'w, const N: usize>(
-    world: &'w World<'w>,
+    world: &'w World,
     effects: EffectSet,
     limits: Limits,
     first: usize,
     count: usize,
 ) -> Box<dyn PathSampler + 'w> {
-    let optics = Optics::<N>::of(world.scene, first, count);
+    let optics = Optics::<N>::of(&world.scene, first, count);
     let images = Images::of(world, &optics);
     macro_rules! choose {
         ([$($chosen:literal),*]) => {

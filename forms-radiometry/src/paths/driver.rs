@@ -43,11 +43,11 @@ use scale::{Scales, known, settled};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// Scene in working units, the simulated effects, the kinds of receivers that need no samples, and
+/// World of a scene in working units, the simulated effects, the kinds of receivers that need no samples, and
 /// the working unit of length in metres.
 #[derive(Clone, Copy)]
 pub(crate) struct Task<'s> {
-    pub(crate) scene: &'s Scene,
+    pub(crate) world: &'s World,
     pub(crate) effects: &'s SimulatedEffects,
     pub(crate) computable: Computable,
     pub(crate) metres: f64,
@@ -63,14 +63,14 @@ pub(crate) fn simulate(
     (state, keeper): (Option<OfPaths>, Option<&dyn Keeper>),
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
-    let world = World::new(task.scene);
+    let Task { world, .. } = task;
     let limits = Limits::of(task.effects);
     // effects that the file turns on are part of the specialised tracer, even where the scene
     // contains none of them
-    let contained = EffectSet::of_scene(task.scene);
-    let samplers = path_samplers(&world, contained | task.effects.on, limits);
-    let computing = Computing::of(task.scene, (task.computable, &limits), &samplers);
-    let mut work = Work::new(&world, task.metres, (division, keeper), &computing, progress);
+    let contained = EffectSet::of_scene(&world.scene);
+    let samplers = path_samplers(world, contained | task.effects.on, limits);
+    let computing = Computing::of(&world.scene, (task.computable, &limits), &samplers);
+    let mut work = Work::new(world, task.metres, (division, keeper), &computing, progress);
     if let Some(state) = state {
         work.restore(state)?;
     }
@@ -85,8 +85,7 @@ pub(crate) fn merge(
     parts: Vec<(Share, OfPaths)>,
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
-    let world = World::new(task.scene);
-    let mut work = Work::new(&world, task.metres, (division, None), &Computing::nothing(), progress);
+    let mut work = Work::new(task.world, task.metres, (division, None), &Computing::nothing(), progress);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
     if !work.requests.iter().all(Request::is_answered) {
         return Err(Misfit);
@@ -111,14 +110,14 @@ pub(crate) struct Work<'w> {
 
 impl<'w> Work<'w> {
     fn new(
-        world: &World<'w>,
+        world: &'w World,
         metres: f64,
         (division, keeper): (Division, Option<&'w dyn Keeper>),
         computing: &Computing<'_>,
         progress: &'w Progress<'w>,
     ) -> Self {
         Self {
-            scene: world.scene,
+            scene: &world.scene,
             division,
             requests: requests(world, metres, computing),
             scales: None,

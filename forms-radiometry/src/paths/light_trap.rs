@@ -38,7 +38,7 @@ const POINTS: u32 = 64;
 
 /// Returns an error for a trap that light of a world reaches, if there is one.
 pub(crate) fn trap(world: &World) -> Option<SceneError> {
-    let scene = world.scene;
+    let scene = &*world.scene;
     let surface = (0..scene.band_count()).find_map(|band| {
         let search = Search::of(world, band);
         search.mirrors().or_else(|| search.closed())
@@ -54,7 +54,7 @@ pub(crate) fn trap(world: &World) -> Option<SceneError> {
 
 /// Search for light traps in one band.
 pub(crate) struct Search<'w> {
-    pub(crate) world: &'w World<'w>,
+    pub(crate) world: &'w World,
     pub(crate) optics: Optics<1>,
 }
 
@@ -66,8 +66,8 @@ pub(crate) struct Ray {
 }
 
 impl<'w> Search<'w> {
-    pub(crate) fn of(world: &'w World<'w>, band: usize) -> Self {
-        Self { world, optics: Optics::of(world.scene, band, 1) }
+    pub(crate) fn of(world: &'w World, band: usize) -> Self {
+        Self { world, optics: Optics::of(&world.scene, band, 1) }
     }
 }
 

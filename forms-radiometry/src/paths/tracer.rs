@@ -58,7 +58,7 @@ impl Limits {
 
 /// Path tracer, specialised for the effects of a member of the lattice.
 pub(crate) struct Tracer<'w, L, const N: usize> {
-    pub(crate) world: &'w World<'w>,
+    pub(crate) world: &'w World,
     pub(crate) optics: Optics<N>,
     pub(crate) images: Images<N>,
     pub(crate) limits: Limits,

@@ -31,7 +31,7 @@ pub(crate) fn endless(
     estimands: impl FnOnce() -> Vec<Estimand>,
     limits: &Limits,
 ) -> Option<SceneError> {
-    let scene = world.scene;
+    let scene = &*world.scene;
     if limits.scatterings.is_some() {
         return None;
     }

@@ -8,10 +8,12 @@ use super::luminaires::{Front, Luminaires};
 use crate::geometry::Vector;
 use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, filled};
 use crate::visibility::{Met, Start, Wall, Walls};
+use std::fmt;
+use std::sync::Arc;
 
 /// A scene prepared for path tracing.
-pub(crate) struct World<'s> {
-    pub(crate) scene: &'s Scene,
+pub(crate) struct World {
+    pub(crate) scene: Arc<Scene>,
     pub(super) walls: Walls,
     /// The interface that each wall belongs to.
     pub(super) interfaces: Vec<Interface>,
@@ -22,18 +24,18 @@ pub(crate) struct World<'s> {
     pub(super) fronts: Vec<Front>,
 }
 
-impl<'s> World<'s> {
-    pub(crate) fn new(scene: &'s Scene) -> Self {
+impl World {
+    pub(crate) fn new(scene: Arc<Scene>) -> Self {
         let (mut walls, mut interfaces) = (Vec::new(), Vec::new());
-        for FilledInterface { interface, front, back } in filled(scene) {
+        for FilledInterface { interface, front, back } in filled(&scene) {
             let of_sheet = walls_of(interface.shape);
             let belongs = Interface { surface: interface.surface, fillings: [front, back] };
             interfaces.extend(of_sheet.iter().map(|_| belongs));
             walls.extend(of_sheet);
         }
         let extent = extent(&walls);
-        let luminaires = Luminaires::of(scene, (&walls, extent), &interfaces);
-        let chains = Chains::of(scene, (&walls, extent), &interfaces);
+        let luminaires = Luminaires::of(&scene, (&walls, extent), &interfaces);
+        let chains = Chains::of(&scene, (&walls, extent), &interfaces);
         let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
         for (wall, interface) in interfaces.iter().enumerate() {
             of_surfaces[interface.surface].push(wall);
@@ -81,6 +83,12 @@ impl<'s> World<'s> {
     /// Returns the reflection law of a wall.
     pub(super) fn material(&self, wall: usize) -> &MaterialKind {
         &self.scene.materials[self.scene.surfaces[self.interfaces[wall].surface].material].kind
+    }
+}
+
+impl fmt::Debug for World {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("World").field("walls", &self.interfaces.len()).finish_non_exhaustive()
     }
 }
 

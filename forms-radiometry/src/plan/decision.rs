@@ -54,25 +54,24 @@ fn plan_of_paths(scene: &Scene, reason: String) -> Result<Plan, Vec<SceneError>>
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
     let mut plan = Plan::new(scene, decided(scene, Survey::without_bounds(scene)), Some(reason));
-    let working = plan.simulated.scene();
-    let limits = Limits::of(&plan.simulated.effects);
-    let world = World::new(working);
-    if let Some(trap) = trap(&world) {
-        return Err(vec![trap]);
+    let Solver::Paths { world, computable } = &plan.solver else { return Ok(plan) };
+    if let Some(refused) = refused(world, &Limits::of(&plan.simulated.effects)) {
+        return Err(vec![refused]);
     }
-    let estimands = || all_estimands(working);
-    if let Some(endless) = endless(&world, estimands, &limits) {
-        return Err(vec![endless]);
-    }
-    if let Some(light) = scene.lights.first().filter(|_| has_too_many_images(&world)) {
+    tell_computed(&mut plan.effects, &world.scene, *computable);
+    Ok(plan)
+}
+
+/// Returns the error for a scene that paths cannot simulate: light that never leaves, scattering
+/// without an end, and too many image sources.
+fn refused(world: &World, limits: &Limits) -> Option<SceneError> {
+    let estimands = || all_estimands(&world.scene);
+    trap(world).or_else(|| endless(world, estimands, limits)).or_else(|| {
+        let light = world.scene.lights.first().filter(|_| has_too_many_images(world))?;
         let message = "flat surfaces have too many image sources of point or distant lights";
         let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";
-        return Err(vec![SceneError::new(&light.place, message, expected)]);
-    }
-    if let Solver::Paths(computable) = plan.solver {
-        tell_computed(&mut plan.effects, working, computable);
-    }
-    Ok(plan)
+        Some(SceneError::new(&light.place, message, expected))
+    })
 }
 
 /// Adds to the reasons of absorption and scattering where these need no samples.

@@ -12,7 +12,9 @@ use crate::used_kernel::UsedKernel;
 pub(super) fn of(simulated: &SimulatedScene, solver: &Solver) -> Vec<UsedKernel> {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     let transport = match solver {
-        Solver::Paths(computable) => return paths::kernels(scene, &|receiver| computable.has(receiver)),
+        Solver::Paths { computable, .. } => {
+            return paths::kernels(scene, &|receiver| computable.has(receiver));
+        }
         Solver::Radiosity(transport) => transport[0],
     };
     let (faces, question) = (faces(scene, 0), Question::of(scene, effects));

@@ -14,11 +14,12 @@ use super::survey::MANY;
 use super::working_scene::SimulatedScene;
 use crate::effects::{EffectSet, SimulatedEffects};
 use crate::faces::{faces, is_round};
-use crate::paths::Limits;
 use crate::paths::driver::Computable;
+use crate::paths::{Limits, World};
 use crate::radiosity::driver::FINEST;
 use crate::radiosity::{Gathering, Question};
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
+use std::sync::Arc;
 
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,8 +76,8 @@ pub struct ReceiverMethod {
 pub(crate) enum Solver {
     /// The scene is solved as a whole, with this transport method at each tessellation level.
     Radiosity(Vec<Gathering>),
-    /// Path tracing, except for the kinds of receivers whose answers need no samples.
-    Paths(Computable),
+    /// Path tracing in this world, except for the kinds of receivers whose answers need no samples.
+    Paths { world: Arc<World>, computable: Computable },
 }
 
 /// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
@@ -110,7 +111,8 @@ pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solv
     match paths {
         Some(reason) => {
             let computable = Computable::of(scene, &Limits::of(effects));
-            (Solver::Paths(computable), of_paths(scene, computable, &reason))
+            let world = Arc::new(World::new(simulated.shared_scene()));
+            (Solver::Paths { world, computable }, of_paths(scene, computable, &reason))
         }
         None => {
             // curved surfaces are tessellated several times

@@ -194,7 +194,7 @@ fn bounds(
         });
         let bound = |change| match change {
             0.0 => [0.0; 2],
-            _ => [reading.quantity.in_unit(change, working), change / least],
+            _ => [reading.quantity.in_unit(change, &working.units), change / least],
         };
         let taken = obstacles.map_or(0.0, |obstacles| obstacles.taken_of(&reading));
         [largest * radiances[0], largest * radiances[1], taken].map(bound)
@@ -218,7 +218,11 @@ fn bounds(
 /// Returns the change of an image by a radiance from everywhere: each pixel gets all of it, and the
 /// darkest pixel may be black without it.
 fn of_image(radiance: f64, working: &WorkingScene) -> [f64; 2] {
-    if radiance == 0.0 { [0.0; 2] } else { [Quantity::Radiance.in_unit(radiance, working), f64::INFINITY] }
+    if radiance == 0.0 {
+        [0.0; 2]
+    } else {
+        [Quantity::Radiance.in_unit(radiance, &working.units), f64::INFINITY]
+    }
 }
 
 fn largest<'s>(scene: &'s Scene, of: impl Fn(usize) -> &'s [f64]) -> f64 {

@@ -4,14 +4,17 @@
 use super::reduced_scene::without;
 use crate::answer::{Answer, ErrorParts, Simulation};
 use crate::effects::{PlannedEffect, SimulatedEffects};
+use crate::paths::World;
 use crate::paths::driver::{Computable, Task};
-use crate::scene::{Scene, WorkingScene};
+use crate::scene::{Scene, WorkingUnits};
+use std::sync::Arc;
 
 /// Scene as it is simulated: reduced to the effects that are simulated, in working units.
 #[derive(Clone, Debug)]
 pub(crate) struct SimulatedScene {
     pub(crate) effects: SimulatedEffects,
-    working: WorkingScene<'static>,
+    scene: Arc<Scene>,
+    units: WorkingUnits,
     /// Number of bands that are simulated as a single one, if they are.
     merged: Option<usize>,
     /// Error budget spent on omitted effects, relative to every answer; the solver gets the
@@ -28,24 +31,36 @@ impl SimulatedScene {
         let merged = effects.merges_bands(scene).then_some(scene.band_count());
         let mut reduced = if merged.is_some() { reduced.with_one_band() } else { reduced };
         reduced.solve.tolerance -= dropped;
-        let working = reduced.into_working_units();
-        Self { effects, working, merged, dropped, tolerance: scene.solve.tolerance }
+        let (scene_in_units, units) = reduced.into_working_units();
+        Self {
+            effects,
+            scene: Arc::new(scene_in_units),
+            units,
+            merged,
+            dropped,
+            tolerance: scene.solve.tolerance,
+        }
     }
 
     /// Returns the scene in working units.
     pub(crate) fn scene(&self) -> &Scene {
-        &self.working.scene
+        &self.scene
     }
 
-    /// Returns the task of the path driver. Receivers of these kinds need no samples.
-    pub(crate) fn task(&self, computable: Computable) -> Task<'_> {
-        let metres = self.working.square_metres.sqrt();
-        Task { scene: self.scene(), effects: &self.effects, computable, metres }
+    /// Returns the same scene, for a solver that keeps it.
+    pub(super) fn shared_scene(&self) -> Arc<Scene> {
+        Arc::clone(&self.scene)
+    }
+
+    /// Returns the task of the path driver in the world of the scene. Receivers of these kinds need
+    /// no samples.
+    pub(crate) fn task<'s>(&'s self, world: &'s World, computable: Computable) -> Task<'s> {
+        Task { world, effects: &self.effects, computable, metres: self.units.square_metres.sqrt() }
     }
 
     /// Converts the results to the units of their quantities and to all bands.
     pub(crate) fn finished(&self, mut simulation: Simulation) -> Simulation {
-        simulation.leave_working_units(&self.working);
+        simulation.leave_working_units(&self.units);
         if self.dropped > 0.0 {
             add_dropped(&mut simulation, self.dropped);
         }

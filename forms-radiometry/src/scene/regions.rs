@@ -149,7 +149,7 @@ fn open_boundaries(
         let gap = nearest.map_or(String::new(), |edge| {
             let of = &scene.surfaces[interfaces[edge.first()].surface].name;
             let [a, b] = edge.ends.map(|v| {
-                let v = working.factor.recip() * v;
+                let v = working.units.factor.recip() * v;
                 format!("[{}, {}, {}]", v.x, v.y, v.z)
             });
             format!(": the edge of `{of}` from {a} to {b} meets no other surface")

@@ -87,7 +87,7 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
     let working = scene.in_working_units();
     let mut openings: BTreeMap<usize, Vec<Opening>> = BTreeMap::new();
     for subsurface in subsurfaces {
-        match Opening::of(&working.scene, subsurface, working.factor) {
+        match Opening::of(&working.scene, subsurface, working.units.factor) {
             Ok(opening) => openings.entry(subsurface.base).or_default().push(opening),
             Err((message, expected)) => report.error(subsurface.place.clone(), message, expected),
         }
@@ -95,7 +95,7 @@ pub(super) fn cut(report: &mut Report, scene: &mut Scene, subsurfaces: &[Subsurf
     let mut shapes = Vec::new();
     for (&base, openings) in &openings {
         match cut_shape(&working.scene.surfaces[base].shape, openings) {
-            Ok(shape) => shapes.push((base, shape.scaled(working.factor.recip()))),
+            Ok(shape) => shapes.push((base, shape.scaled(working.units.factor.recip()))),
             Err(message) => {
                 let message = format!("{message} of `{}`", scene.surfaces[base].name);
                 report.error(openings[0].place.clone(), message, "surfaces that do not cover it completely");

@@ -29,6 +29,12 @@ const LEAST_RADIUS: f64 = 1e-12;
 #[derive(Clone, Debug)]
 pub(crate) struct WorkingScene<'s> {
     pub(crate) scene: Cow<'s, Scene>,
+    pub(crate) units: WorkingUnits,
+}
+
+/// Working units of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WorkingUnits {
     /// Scale factor from lengths in the file to working units: a power of two.
     pub(crate) factor: f64,
     /// The area of a square whose side is the working unit of length, in m².
@@ -66,17 +72,17 @@ impl Scene {
         if darker != 1.0 || (has_points && square_metres != 1.0) {
             scene.to_mut().darken(darker, square_metres);
         }
-        WorkingScene { scene, factor, square_metres, light: darker.recip() }
+        WorkingScene { scene, units: WorkingUnits { factor, square_metres, light: darker.recip() } }
     }
 
     /// Returns the same for a scene that is not needed otherwise.
-    pub(crate) fn into_working_units(self) -> WorkingScene<'static> {
-        let WorkingScene { scene, factor, square_metres, light } = self.in_working_units();
+    pub(crate) fn into_working_units(self) -> (Self, WorkingUnits) {
+        let WorkingScene { scene, units } = self.in_working_units();
         let changed = match scene {
             Cow::Owned(scene) => Some(scene),
             Cow::Borrowed(_) => None,
         };
-        WorkingScene { scene: Cow::Owned(changed.unwrap_or(self)), factor, square_metres, light }
+        (changed.unwrap_or(self), units)
     }
 
     /// Returns the largest irradiance or radiance that a light causes at distances of about 1 in

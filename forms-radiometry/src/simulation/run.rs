@@ -34,7 +34,7 @@ pub fn simulate_job(plan: &Plan, job: Job<'_>, watch: &dyn Watch) -> Result<Simu
     let progress = Progress::new(watch);
     let simulated = &plan.simulated;
     let found = match &plan.solver {
-        Solver::Paths(computable) => by_paths(simulated.task(*computable), job, &progress)?,
+        Solver::Paths { world, computable } => by_paths(simulated.task(world, *computable), job, &progress)?,
         Solver::Radiosity(gathering) => in_one_piece(simulated, gathering, job, &progress)?,
     };
     Ok(simulated.finished(found))
@@ -46,12 +46,12 @@ pub fn simulate_job(plan: &Plan, job: Job<'_>, watch: &dyn Watch) -> Result<Simu
 /// A shard is missing or not done, or its checkpoint does not belong to this scene.
 pub fn merge(plan: &Plan, budget: Option<Budget>, parts: Vec<(Share, State)>) -> Result<Simulation, Misfit> {
     let simulated = &plan.simulated;
-    let found = match plan.solver {
-        Solver::Paths(computable) => {
+    let found = match &plan.solver {
+        Solver::Paths { world, computable } => {
             let part = |(share, state): (Share, State)| Some((share, state.of_paths()?));
             let parts = parts.into_iter().map(part).collect::<Option<_>>().ok_or(Misfit)?;
             let division = Division { budget, share: Share::WHOLE };
-            driver::merge(simulated.task(computable), division, parts, &Progress::new(&Unwatched))?
+            driver::merge(simulated.task(world, *computable), division, parts, &Progress::new(&Unwatched))?
         }
         Solver::Radiosity(_) => {
             let piece = parts.into_iter().map(|(share, state)| piece(share, state));

@@ -32,7 +32,7 @@ pub(super) fn brightest(scene: &Scene, of_beams: &[f64], outside: &[f64], part: 
 }
 
 /// Returns, for each band, the brightest radiance that is found only by chance.
-pub(super) fn by_chance(world: &World<'_>, outside: Vec<f64>) -> Vec<f64> {
+pub(super) fn by_chance(world: &World, outside: Vec<f64>) -> Vec<f64> {
     let mut brightest = outside;
     let turned = world.turned_by_chance();
     world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));

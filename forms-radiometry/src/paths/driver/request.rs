@@ -101,8 +101,8 @@ impl Division {
 
 /// Returns all questions of a scene. `metres` is the working unit of length; `computing` answers
 /// the questions that need no samples.
-pub(crate) fn requests(world: &World<'_>, metres: f64, computing: &Computing<'_>) -> Vec<Request> {
-    let scene = world.scene;
+pub(crate) fn requests(world: &World, metres: f64, computing: &Computing<'_>) -> Vec<Request> {
+    let scene = &*world.scene;
     let effects = EffectSet::of_scene(scene);
     let has_images =
         !scene.lights.is_empty() && (effects.has(Effect::Mirror) || effects.has(Effect::Refraction));
