@@ -16,13 +16,13 @@ pub(crate) fn wrap(text: &str, indent: usize) -> Vec<String> {
 /// Breaks a text at spaces into lines. Each line takes as many words as fit, and at least one.
 pub(crate) fn filled(text: &str, fits: impl Fn(&str, &str) -> bool) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
+    for word in text.split_whitespace().map(printable) {
         match lines.last_mut() {
-            Some(line) if fits(line, word) => {
+            Some(line) if fits(line, &word) => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(&word);
             }
-            _ => lines.push(word.to_string()),
+            _ => lines.push(word),
         }
     }
     lines
@@ -43,9 +43,18 @@ pub(crate) fn seconds(seconds: f64) -> String {
     duration(Duration::try_from_secs_f64(seconds).unwrap_or_default())
 }
 
+/// Returns a text with its control characters as escapes, so that names from files neither break a
+/// table nor reach the terminal as commands.
+fn printable(text: &str) -> String {
+    let escaped = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    text.chars().map(escaped).collect()
+}
+
 /// Aligns rows in columns as wide as their widest entry, two spaces apart. Columns marked in
 /// `right` are right-aligned.
 pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) -> Vec<String> {
+    let rows: Vec<[String; N]> =
+        rows.iter().map(|row| row.each_ref().map(|entry| printable(entry))).collect();
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: [usize; N] = std::array::from_fn(width);
     let entry = |(column, entry): (usize, &String)| {
@@ -59,6 +68,12 @@ pub(crate) fn columns<const N: usize>(rows: &[[String; N]], right: [bool; N]) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn control_characters_are_printed_as_escapes() {
+        let rows = [["a\nb".to_owned(), "\u{1b}[31m".to_owned()]];
+        assert_eq!(columns(&rows, [false; 2]), ["a\\nb  \\u{1b}[31m"]);
+    }
 
     #[test]
     fn columns_are_aligned_and_end_with_their_text() {

@@ -11,18 +11,21 @@
 
 use crate::check::{decide_all, objection, read_theory};
 use crate::decide::Verdict;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::Pool;
 use crate::generation::{self, Fault, Generated};
 use crate::kernel::Program;
 use crate::rounding::{ErrorBound, Unbounded};
 use crate::stability::{Choices, by_rules};
+use crate::syntax::{Position, Source};
 use crate::theory::{Kernel, Statement, Theory};
 
 /// Options of a compilation.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options<'a> {
-    /// Text of a file of forms chosen for the kernels ([`crate::stability::written`]).
+    /// Text of a file of forms chosen for the kernels ([`crate::stability::written`]). Entries that
+    /// belong to earlier formulas are ignored; [`Choices::objection`] names them. An error in this
+    /// text is reported at the beginning of the compiled text, with its own line and column.
     pub choices: Option<&'a str>,
     /// Whether the statements are left undecided, where only kernels are needed.
     pub kernels_only: bool,
@@ -66,10 +69,18 @@ pub fn compile(text: &str, options: &Options<'_>) -> Compiled {
             Ok(choices) => {
                 choices.apply(&mut theory);
             }
-            Err(errors) => diagnostics.extend(errors),
+            Err(errors) => diagnostics.extend(errors.iter().map(|error| in_choices(choices, error))),
         }
     }
     compile_theory(theory, diagnostics, options)
+}
+
+/// Returns an error in a file of chosen forms as an error at the beginning of the text, whose spans
+/// are those of another text.
+fn in_choices(choices: &str, error: &Diagnostic) -> Diagnostic {
+    let Position { line, column } = Source::new("", choices).position(error.span.start);
+    let message = format!("line {line}, column {column} of the chosen forms: {}", error.message);
+    Diagnostic { help: error.help.clone(), ..Diagnostic::new(Span::default(), message) }
 }
 
 /// Compiles a theory that was read; the given diagnostics of reading come first in the result.

@@ -6,8 +6,9 @@
 //! ```
 //! An entry is a file in a folder next to the compiled macros, which is below `target` and can be
 //! deleted at any time. It contains its whole key, so it is used only for the same tokens, the same
-//! rest (a file of choices, the kind of macro) and the same build of this library: any change of the prover, of the arithmetic or of
-//! their features writes the file of this library anew. Comments are not part of a key, and the
+//! rest (a file of choices, the kind of macro) and the same build of this library: any change of the
+//! prover, of the arithmetic or of their features writes the file of this library anew. The first
+//! line is a hash of all that follows, so a damaged entry is no entry. Comments are not part of a key, and the
 //! documentation of kernels is inserted into what was emitted. A source with diagnostics is never
 //! stored. If the folder or the file of this library cannot be found, nothing is cached.
 
@@ -51,16 +52,15 @@ impl Key {
         let (path, size) = (library.display(), written.len());
         let source = spelled(tokens)?;
         let text = format!("{path} {size} {time}\n{source}\n{rest}");
-        let mut hasher = DefaultHasher::new();
-        text.hash(&mut hasher);
-        let name = format!("{:016x}", hasher.finish());
+        let name = hash(&text);
         Some(Key { text, file: library.parent()?.parent()?.join(FOLDER).join(name) })
     }
 
     /// Returns what was emitted for this key.
     pub(crate) fn read(&self) -> Option<Vec<Emitted>> {
         let entry = fs::read_to_string(&self.file).ok()?;
-        let (count, texts) = entry.split_once('\n')?;
+        let (sum, content) = entry.split_once('\n')?;
+        let (count, texts) = content.split_once('\n').filter(|_| sum == hash(content))?;
         let texts = split(texts)?;
         let (key, emitted) = texts.split_first()?;
         if *key != self.text || Ok(emitted.len()) != count.parse::<usize>().map(|kernels| 2 * kernels) {
@@ -87,9 +87,20 @@ impl Key {
         }
         // renamed when it is whole, since other processes read and write the same entry
         let unfinished = self.file.with_extension(std::process::id().to_string());
-        fs::write(&unfinished, entry)?;
-        fs::rename(unfinished, &self.file)
+        let written = fs::write(&unfinished, format!("{}\n{entry}", hash(&entry)));
+        let is_there = written.and_then(|()| fs::rename(&unfinished, &self.file));
+        if is_there.is_err() {
+            fs::remove_file(unfinished)?;
+        }
+        is_there
     }
+}
+
+/// Returns a hash of a text, in hexadecimal digits.
+fn hash(text: &str) -> String {
+    let mut hasher = DefaultHasher::new();
+    text.hash(&mut hasher);
+    format!("{:016x}", hasher.finish())
 }
 
 /// Returns the tokens without the text of their documentation; nothing if one of them is not part
@@ -207,6 +218,22 @@ mod tests {
             fs::write(&key.file, &whole[..length]).unwrap();
             assert_eq!(key.read(), None, "{length}");
         }
+        for place in 0..whole.len() {
+            let mut damaged = whole.clone();
+            damaged[place] ^= 1;
+            fs::write(&key.file, damaged).unwrap();
+            assert_eq!(key.read(), None, "{place}");
+        }
+    }
+
+    #[test]
+    fn an_entry_that_cannot_be_written_leaves_nothing_behind() {
+        let library = Library::new("blocked");
+        let key = library.key("kernel one(x) = x;", "");
+        fs::create_dir_all(&key.file).unwrap();
+        key.write(&emitted());
+        assert_eq!(key.read(), None);
+        assert_eq!(fs::read_dir(key.file.parent().unwrap()).unwrap().count(), 1);
     }
 
     #[test]

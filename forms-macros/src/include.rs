@@ -69,7 +69,8 @@ impl Included {
             }
             Err(errors) => {
                 let message: String = errors.iter().map(|error| source.render(error)).collect();
-                Err(compile_error(self.place, self.place, &message))
+                let message = message.strip_prefix("error: ").unwrap_or(&message);
+                Err(compile_error(self.place, self.place, message))
             }
         }
     }

@@ -20,14 +20,18 @@ pub struct Edge {
 
 /// Returns the imports between modules of a crate.
 pub fn edges(modules: &Modules) -> Vec<Edge> {
-    let edges_of = |(from, mentions): (&ModulePath, &Vec<Vec<String>>)| {
+    let edges_of = |(from, mentions): (&ModulePath, Vec<&Vec<String>>)| {
         let edge = |path: &Vec<String>| {
             let to = modules.resolve(from, path)?;
             Some(Edge { from: from.clone(), to, mention: path.join("::") })
         };
-        mentions.iter().filter_map(edge).collect::<Vec<_>>()
+        mentions.into_iter().filter_map(edge).collect::<Vec<_>>()
     };
-    modules.0.iter().map(|(path, module)| (path, &module.mentions)).flat_map(edges_of).collect()
+    let all = modules.0.iter().map(|(path, module)| {
+        let reexports = module.reexports.iter().map(|import| &import.path);
+        (path, module.mentions.iter().chain(reexports).collect())
+    });
+    all.flat_map(edges_of).collect()
 }
 
 /// Returns the cycles of imports between the children of a module: groups of children in which each

@@ -157,7 +157,12 @@ fn the_public_surface_of_a_crate_is_small() {
 
 #[test]
 fn helpers_of_tests_are_crates_and_not_files_of_other_targets() {
-    let names_a_path = |text: &str| text.lines().any(|line| line.trim_start().starts_with("#[path"));
+    let is_inclusion = |line: &str| {
+        let line = line.trim_start();
+        let is_path = line.starts_with("#[") && line.contains("path = \"");
+        is_path || (line.contains("include!(\"") && line.contains("../"))
+    };
+    let names_a_path = |text: &str| text.lines().any(is_inclusion);
     let found = everywhere().into_iter().filter(|(_, text)| names_a_path(text)).map(|(path, _)| path);
     assert_eq!(found.collect::<Vec<_>>(), Vec::<String>::new());
 }
@@ -192,7 +197,8 @@ fn pages_name_files_that_exist() {
             && !folders.iter().any(|folder| folder.join(name).exists())
     };
     let mut missing = Vec::new();
-    for page in files(&root.join("docs"), "md") {
+    let others = ["README.md", "CONTRIBUTING.md"].map(|name| root.join(name));
+    for page in files(&root.join("docs"), "md").into_iter().chain(others) {
         let text = fs::read_to_string(&page).expect("pages are readable");
         let names: BTreeSet<&str> = text.split('`').skip(1).step_by(2).collect();
         let place = shown(&page, &root);

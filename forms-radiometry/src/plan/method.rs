@@ -167,9 +167,9 @@ fn of_paths(scene: &Scene, computable: Computable, reason: &str) -> Vec<Receiver
     let of_receiver = |receiver: &Receiver| {
         let (methods, more) = match receiver.kind {
             ReceiverKind::Ray { .. } if computable.has(receiver) => {
-                (vec![Method::Quadrature], "; it scatters light of point or distant lights once")
+                (vec![Method::Quadrature], "; the medium scatters light of point or distant lights once")
             }
-            _ if computable.has(receiver) => (vec![Method::Quadrature], "; it only attenuates light"),
+            _ if computable.has(receiver) => (vec![Method::Quadrature], "; the medium only attenuates light"),
             ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {
                 let both = vec![Method::PathTracing, Method::RayTrees];
                 (both, "; no samples are needed if the ray meets only smooth or black surfaces")

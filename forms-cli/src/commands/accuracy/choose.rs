@@ -7,7 +7,9 @@ use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{choices_beside, complain, from_text, text};
 use forms::core::stability::{Budget, Found, search, written};
+use std::fs::File;
 use std::io::{self, Write};
+use std::time::SystemTime;
 
 /// Searches the best form of every kernel in a file that does not specify its own form.
 pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
@@ -47,7 +49,15 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
     let beside = choices_beside(path);
     let told = match written(&file.theory.pool, &pairs) {
         Some(text) => {
+            let is_first = !beside.exists();
             replace(&beside, |output| output.write_all(text.as_bytes()))?;
+            if is_first {
+                // Cargo compares the times of files that it knows, and does not know this one yet
+                File::options()
+                    .append(true)
+                    .open(path)
+                    .and_then(|file| file.set_modified(SystemTime::now()))?;
+            }
             format!("written to {}", beside.display())
         }
         None => "no form is better than the formula as written; no file was written".to_string(),
