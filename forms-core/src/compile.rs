@@ -157,3 +157,18 @@ impl CompiledKernel {
         self.generated.optimised.error_bound(boxes)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_in_the_chosen_forms_is_told_with_its_own_place() {
+        let choices = "// chosen forms\nkernel growth(x) = expm1(y);";
+        let options = Options { choices: Some(choices), ..Options::default() };
+        let compiled = compile("kernel f(x) = x;\nkernel growth(x) = exp(x) - 1;", &options);
+        let [found] = &compiled.diagnostics[..] else { panic!("{:?}", compiled.diagnostics) };
+        assert_eq!(found.span, Span::default());
+        assert!(found.message.starts_with("line 2, column 26 of the chosen forms:"), "{}", found.message);
+    }
+}

@@ -90,6 +90,16 @@ mod tests {
     }
 
     #[test]
+    fn a_re_export_is_an_import() {
+        let found = cycles(&[
+            ("", "mod a; mod b;"),
+            ("a", "pub(crate) use crate::b as other; pub struct A;"),
+            ("b", "use crate::a::A;"),
+        ]);
+        assert_eq!(found.len(), 1, "{found:?}");
+    }
+
+    #[test]
     fn a_child_that_uses_an_item_of_its_parent_is_no_cycle() {
         let found = cycles(&[
             ("", "mod a;"),

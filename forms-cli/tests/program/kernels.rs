@@ -33,6 +33,29 @@ fn a_kernel_is_computed_by_its_stable_form() {
     assert!(source.contains("expm1("), "{source}");
 }
 
+/// Cargo compares the time of a source that a macro reads, and does not know a file of forms that
+/// did not exist when the macro read it.
+#[test]
+fn a_first_file_of_chosen_forms_marks_its_source_as_changed() {
+    let source = "kernel tri(x) = cos(x)*(exp(x) - 1 - x);";
+    let folder = Folder::with(&[("tri.forms", source)]);
+    let long_ago = std::time::SystemTime::UNIX_EPOCH + std::time::Duration::from_secs(1_000_000_000);
+    let time =
+        || std::fs::metadata(folder.path("tri.forms")).and_then(|file| file.modified()).expect("a time");
+    let age = || {
+        let file = std::fs::File::options().append(true).open(folder.path("tri.forms"));
+        file.and_then(|file| file.set_modified(long_ago)).expect("a file whose time can be set");
+    };
+    for is_first in [true, false] {
+        age();
+        let run = forms(&folder, &["accuracy", "tri.forms", "--write"]);
+        assert_eq!(run.status, 0, "{}", run.errors);
+        assert!(!folder.read("tri.stable").is_empty(), "{}", run.output);
+        assert_eq!(folder.read("tri.forms"), source.as_bytes());
+        assert_eq!(time() > long_ago, is_first);
+    }
+}
+
 #[test]
 fn a_mistake_in_the_rows_is_named_and_ends_the_output() {
     let folder = Folder::with(&[("good.forms", THEORY)]);
