@@ -19,6 +19,7 @@ use crate::arguments::Arguments;
 use crate::commands::run_with_input;
 use clap::Parser;
 use damage::damaged;
+use forms_testing::SplitMix;
 use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
@@ -36,16 +37,12 @@ const MEMORY: u64 = 6 << 30;
 /// Time limit of a case; a case that takes longer is considered to hang.
 const LONGEST: Duration = Duration::from_secs(120);
 
-/// SplitMix64 generator.
-pub(super) struct Random(u64);
+/// Random choices of the grammars.
+pub(super) struct Random(SplitMix);
 
 impl Random {
     pub(super) fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
+        (self.0.next() % bound.max(1) as u64) as usize
     }
 
     pub(super) fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
@@ -252,7 +249,7 @@ fn survives(make: Maker) {
                 let mut slowest = (Duration::ZERO, 0);
                 for case in (first + thread..first + wanted).step_by(threads as usize) {
                     for is_damaged in [false, true] {
-                        let mut random = Random(2 * case + u64::from(is_damaged));
+                        let mut random = Random(SplitMix(2 * case + u64::from(is_damaged)));
                         slowest = slowest.max((run_case(&make(&mut random, is_damaged), &watched), case));
                     }
                 }

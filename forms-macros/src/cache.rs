@@ -8,9 +8,10 @@
 //! deleted at any time. It contains its whole key, so it is used only for the same tokens, the same
 //! rest (a file of choices, the kind of macro) and the same build of this library: any change of the
 //! prover, of the arithmetic or of their features writes the file of this library anew. The first
-//! line is a hash of all that follows, so a damaged entry is no entry. Comments are not part of a key, and the
-//! documentation of kernels is inserted into what was emitted. A source with diagnostics is never
-//! stored. If the folder or the file of this library cannot be found, nothing is cached.
+//! line is a hash of all that follows, so a damaged entry is no entry. Comments are not part of a
+//! key, and the documentation of kernels is inserted into what was emitted. A source with
+//! diagnostics is never stored. If the folder or the file of this library cannot be found, nothing
+//! is cached.
 
 use forms_core::syntax::token::{Token, TokenKind};
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -68,9 +68,9 @@ impl Included {
                 })
             }
             Err(errors) => {
-                let message: String = errors.iter().map(|error| source.render(error)).collect();
-                let message = message.strip_prefix("error: ").unwrap_or(&message);
-                Err(compile_error(self.place, self.place, message))
+                // the compiler writes "error: " before the first message
+                let messages: Vec<String> = errors.iter().map(|error| source.explain(error)).collect();
+                Err(compile_error(self.place, self.place, &messages.join("error: ")))
             }
         }
     }

@@ -11,7 +11,8 @@
 //! a polynomial on each element, given at its Gauss points. Between these points the equation
 //! itself interpolates (Nyström method), and visibility is exact. The solution is that of the
 //! continuous equation, not one constant for each surface. In scenes with many surfaces, light is
-//! traced along rays instead ([`gathering`], [`paths`]).
+//! traced along rays instead
+//! ([`method`], [`final_gathering`]).
 
 mod brightest;
 mod checks;

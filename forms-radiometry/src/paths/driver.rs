@@ -43,8 +43,8 @@ use scale::{Scales, known, settled};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-/// World of a scene in working units, the simulated effects, the kinds of receivers that need no samples, and
-/// the working unit of length in metres.
+/// World of a scene in working units, the simulated effects, the kinds of receivers that need no
+/// samples, and the working unit of length in metres.
 #[derive(Clone, Copy)]
 pub(crate) struct Task<'s> {
     pub(crate) world: &'s World,
