@@ -171,9 +171,7 @@ impl Compared {
         let off = (self.answer.value - self.truth).abs();
         let least = rounding * self.largest;
         let is_exact = match self.answer.kind {
-            ErrorKind::Bound | ErrorKind::Estimate | ErrorKind::Confidence => {
-                off <= self.answer.error + least
-            }
+            ErrorKind::Bound | ErrorKind::Estimate => off <= self.answer.error + least,
             ErrorKind::Sigma if self.answer.value == 0.0 => off <= self.answer.error,
             ErrorKind::Sigma => self.answer.error <= least && off <= least,
         };

@@ -10,35 +10,30 @@
 //! E(x) = D(x) + ∫ ρ(y)/π E(y) cos cos'/r² V dA(y), with D the direct irradiance from lights. E is
 //! a polynomial on each element, given at its Gauss points. Between these points the equation
 //! itself interpolates (Nyström method), and visibility is exact. The solution is that of the
-//! continuous equation, not one constant for each surface. In scenes with many surfaces, light is
-//! traced along rays instead
-//! ([`method`], [`final_gathering`]).
+//! continuous equation, not one constant for each surface. The cost of a solution is that of pairs
+//! of elements: the plan compares it with that of path tracing ([`expected_cost`]).
 
 mod brightest;
 mod checks;
 mod closed_form;
-mod clusters;
 mod coarsest_elements;
 mod contact;
 mod convergence;
-mod costs;
+mod cost;
 mod direct;
 mod directions;
 mod doubts;
 pub(crate) mod driver;
 mod element;
 mod emission;
-mod final_gathering;
 mod gathered_light;
 mod importance;
 mod kernels;
 mod measure;
-mod method;
 mod operator;
 mod partial;
 mod patch_rule;
 mod point_lights;
-mod probe;
 mod question;
 mod received;
 mod reference;
@@ -48,26 +43,22 @@ mod residual;
 mod round;
 mod shadows;
 mod solution;
-mod subdivision;
 mod system;
 #[cfg(test)]
 mod tests;
 mod transmitted;
 mod transport;
 mod view;
-mod walk;
 mod weights;
 mod whole_elements;
 
 pub(crate) use brightest::{most_direct, most_reflected_of_beams};
 pub(crate) use closed_form::{Straight, is_precise};
+pub(crate) use cost::expected_cost;
 pub(crate) use direct::Lights;
-pub(crate) use final_gathering::FinalGathering;
 pub(crate) use importance::{Goal, GoalKind};
 pub(crate) use kernels::kernels;
 pub(crate) use measure::Measure;
-pub(crate) use method::Gathering;
-pub(crate) use probe::Probe;
 pub(crate) use question::{Question, receiving};
 pub(crate) use refinement::{Asking, Refined};
 pub(crate) use reflectance::{is_reflecting, reflectance};

@@ -64,24 +64,33 @@ fn surface(name: &str, reflectance: f64, exitance: f64) -> String {
     material(name, reflectance) + &scene_text::surface(name, name, &shape)
 }
 
-/// Returns the answer of a receiver for a quantity, and its error.
+/// Number of standard errors that hardly any answer is off by.
+const HARDLY_EXCEEDED: f64 = 5.0;
+
+/// Returns the error that an answer hardly ever exceeds.
+fn largest_error(answer: &Answer) -> f64 {
+    if answer.kind == ErrorKind::Sigma { HARDLY_EXCEEDED * answer.error } else { answer.error }
+}
+
+/// Returns the answer of a receiver for a quantity, and the error that it hardly ever exceeds.
 fn answer(answers: &[Answer], receiver: &str, quantity: Quantity) -> [f64; 2] {
     let is_meant = |answer: &&Answer| answer.receiver == receiver && answer.quantity == quantity;
     let found = answers.iter().find(is_meant).unwrap_or_else(|| panic!("{receiver} {quantity:?}"));
-    [found.value, found.error]
+    [found.value, largest_error(found)]
 }
 
 fn assert_within(name: &str, [found, error]: [f64; 2], expected: f64, tolerance: f64) {
     let off = (found - expected).abs();
     assert!(off <= error, "{name}: {found} is off by {off:e}, said {error:e}");
-    assert!(error <= tolerance * expected.abs(), "{name}: {error:e} is not what was asked for");
+    let allowed = HARDLY_EXCEEDED * tolerance * expected.abs();
+    assert!(error <= allowed, "{name}: {error:e} is not what was asked for");
 }
 
 #[test]
 fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() {
     let mut meshes = Meshes::default();
     let (n, tolerance, reflectances) =
-        if IS_OPTIMISED { (16, 1e-2, vec![0.5, 0.9, 0.999_999]) } else { (6, 5e-2, vec![0.9]) };
+        if IS_OPTIMISED { (16, 1e-2, vec![0.5, 0.9, 0.99]) } else { (6, 5e-2, vec![0.9]) };
     CUBE.iter().for_each(|(name, face)| meshes.add(name, &triangles(*face, n)));
     for rho in reflectances {
         let expected = 1.0 / (1.0 - rho);
@@ -104,7 +113,10 @@ fn in_a_furnace_of_thousands_of_triangles_every_radiance_is_that_of_the_walls() 
         assert_within("floor", answer(&found, "floor", Quantity::Irradiance), PI * expected, tolerance);
         for axis in 0..3 {
             let [flow, error] = answer(&found, "sphere", Quantity::VectorIrradiance(axis));
-            assert!(flow.abs() <= error && error <= 20.0 * tolerance * expected, "{rho}: {flow} ± {error}");
+            assert!(
+                flow.abs() <= error && error <= 20.0 * HARDLY_EXCEEDED * tolerance * expected,
+                "{rho}: {flow} ± {error}"
+            );
         }
     }
 }
@@ -150,10 +162,10 @@ fn each_seed_has_answers_of_its_own_within_the_errors_of_the_others() {
     let of_seed = |seed: u32| meshes.answers(&format!("{text}seed = {seed}\n")).swap_remove(0);
     let found = [1, 2, 3].map(of_seed);
     for (index, one) in found.iter().enumerate() {
-        assert_eq!(one.kind, ErrorKind::Confidence);
+        assert_eq!(one.kind, ErrorKind::Sigma);
         for other in &found[..index] {
             let off = (one.value - other.value).abs();
-            assert!(off > 0.0 && off <= one.error + other.error, "{one:?}, {other:?}");
+            assert!(off > 0.0 && off <= largest_error(one) + largest_error(other), "{one:?}, {other:?}");
         }
     }
 }
@@ -186,18 +198,41 @@ fn slats(random: &mut SplitMix) -> (String, f64) {
 }
 
 #[test]
-fn random_points_are_right_about_regular_shadows_with_every_seed() {
+fn regular_shadows_are_exact() {
     let mut random = SplitMix(1);
     for number in 0..4 {
         let (text, right) = slats(&mut random);
+        let floor = Meshes::default().answers(&text).swap_remove(0);
+        let (value, error) = (floor.value, floor.error);
+        let is_right = (value - right).abs() <= error + 1e-9 * right;
+        assert!(is_right, "{number}: {value} ± {error}, right is {right}");
+        assert_ne!(floor.kind, ErrorKind::Sigma);
+    }
+}
+
+/// A pattern that fits the grid of the random points could be missed by all of them. A mirror far
+/// away makes path tracing necessary, and changes no answer.
+#[test]
+fn random_points_are_right_about_regular_shadows_with_every_seed() {
+    let mirror = "[[material]]\nname = \"silver\"\nkind = \"mirror\"\nreflectance = 0.9\n".to_owned()
+        + &scene_text::surface(
+            "mirror",
+            "silver",
+            "disk = { center = [0, 0, -50], normal = [0, 0, -1], radius = 0.1 }",
+        );
+    let (mut random, mut all, mut beyond_three) = (SplitMix(1), 0, 0);
+    for number in 0..4 {
+        let (text, right) = slats(&mut random);
         for seed in 0..20 {
-            let floor = Meshes::default().answers(&format!("{text}seed = {seed}\n")).swap_remove(0);
-            let (value, error) = (floor.value, floor.error);
-            let is_right = (value - right).abs() <= error + 1e-9 * right;
-            assert!(is_right, "{number}, seed {seed}: {value} ± {error}, right is {right}");
-            assert_ne!(floor.kind, ErrorKind::Sigma);
+            let floor = Meshes::default().answers(&format!("{mirror}{text}seed = {seed}\n")).swap_remove(0);
+            let off = (floor.value - right).abs() / floor.error;
+            assert!(off <= HARDLY_EXCEEDED, "{number}, seed {seed}: {floor:?}, right is {right}");
+            assert_eq!(floor.kind, ErrorKind::Sigma);
+            all += 1;
+            beyond_three += usize::from(off > 3.0);
         }
     }
+    assert!(20 * beyond_three <= all, "{beyond_three} of {all} are beyond three standard errors");
 }
 
 #[test]

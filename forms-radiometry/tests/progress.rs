@@ -49,7 +49,7 @@ fn open(name: &str, tolerance: f64) -> Scene {
     scene
 }
 
-/// Refinement, final gathering over curved surfaces, path tracing of points and of an image, and
+/// Refinement, path tracing of points between diffuse surfaces, in a medium and of an image, and
 /// maps.
 const SCENES: [(&str, f64); 6] = [
     ("cube.toml", 1e-2),

@@ -262,13 +262,17 @@ fn work_that_is_stopped_ends_at_once_with_what_was_found_before() {
     let room = cube([0.5, 0.7, 0.3, 0.5, 0.5, 0.2], [0.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
     let screen =
         surface("screen", "polygon = [[0.2,0.2,0.4], [0.6,0.2,0.4], [0.6,0.6,0.4], [0.2,0.6,0.4]]", "0", "0");
-    let ball = surface("ball", "sphere = { center = [0, 0, 0], radius = 1, inward = true }", "0.5", "1");
+    let disk = |name: &str, z: &str, up: &str, exitance: &str| {
+        let shape = format!("disk = {{ center = [0.4, 0.4, {z}], normal = [0, 0, {up}], radius = 0.5 }}");
+        surface(name, &shape, "0.5", exitance)
+    };
+    let disks = disk("below", "0", "1", "0") + &disk("above", "0.5", "-1", "1");
     let at = point_receiver("here", [0.3, 0.3, 0.1], [0.0, 0.0, 1.0]);
     let map = receivers(&["floor"]) + "grid = [5, 4]\n";
     for (name, text, tolerance) in [
         ("free", format!("{room}{map}{at}"), 1e-3),
         ("with a screen", format!("{room}{screen}{map}{at}"), 0.2),
-        ("round", format!("{ball}{at}"), 5e-3),
+        ("round", format!("{disks}{at}"), 5e-3),
     ] {
         let scene = scene(&(text + &scene_text::tolerance(tolerance)));
         let plan = plan(&scene).expect("the scene is right");

@@ -41,16 +41,7 @@ const OF_PIECES: [Effect; 3] = [Effect::Direct, Effect::Occlusion, Effect::Inter
 
 /// Modules that trace light along rays, which occluders block and which continue at reflecting
 /// surfaces.
-const RAYS: [&str; 8] = [
-    "visibility::branches",
-    "visibility::ray",
-    "radiosity::clusters",
-    "radiosity::directions",
-    "radiosity::final_gathering",
-    "radiosity::probe",
-    "radiosity::subdivision",
-    "radiosity::walk",
-];
+const RAYS: [&str; 3] = ["visibility::branches", "visibility::ray", "radiosity::directions"];
 
 /// Returns the effects that have modules of their own in the path tracer, or in the solver of whole
 /// scenes.

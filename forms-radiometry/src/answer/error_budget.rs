@@ -27,8 +27,7 @@ pub struct ErrorParts {
     /// Possible change by effects that the plan omitted because they matter less than the
     /// tolerance.
     pub effects: f64,
-    /// Error of the mean of rays or paths; where the error is a standard error, the standard error
-    /// of that mean.
+    /// Standard error of the mean of paths.
     pub sampling: f64,
 }
 
@@ -47,7 +46,7 @@ impl ErrorParts {
     pub fn error(&self, kind: ErrorKind) -> f64 {
         let certain = self.rounding + self.quadrature + self.orders + self.effects;
         match kind {
-            ErrorKind::Bound | ErrorKind::Estimate | ErrorKind::Confidence => certain + self.sampling,
+            ErrorKind::Bound | ErrorKind::Estimate => certain + self.sampling,
             ErrorKind::Sigma => self.sampling.hypot(certain),
         }
     }

@@ -9,9 +9,6 @@ pub enum ErrorKind {
     Bound,
     /// Extrapolated from the convergence of the values: hardly ever exceeded, and not by much.
     Estimate,
-    /// Half width of the Student interval of the samples, which contains the value with the
-    /// probability [`ErrorKind::LEVEL`].
-    Confidence,
     /// One standard error.
     Sigma,
 }
@@ -22,21 +19,15 @@ impl ErrorKind {
         match self {
             Self::Bound => "bound",
             Self::Estimate => "estimate",
-            Self::Confidence => "confidence",
             Self::Sigma => "sigma",
         }
     }
-
-    /// Confidence level: the probability that the value lies within an error of the kind
-    /// [`ErrorKind::Confidence`].
-    pub const LEVEL: f64 = 0.9999;
 
     /// Returns its label, printed next to an error.
     pub fn words(self) -> &'static str {
         match self {
             Self::Bound => "bound",
             Self::Estimate => "estimate",
-            Self::Confidence => "99.99 %",
             Self::Sigma => "1 σ",
         }
     }

@@ -19,6 +19,7 @@ mod checkpoint;
 mod foresight;
 mod neighbours;
 mod pixels;
+mod prediction;
 mod radiances;
 pub(crate) mod request;
 mod results;
@@ -36,6 +37,7 @@ pub(crate) use analytic::Computable;
 use analytic::Computing;
 pub(crate) use checkpoint::OfPaths;
 use neighbours::spreads;
+pub(crate) use prediction::expected_rays;
 use rayon::prelude::*;
 pub(crate) use request::{Division, all_estimands};
 use request::{Request, divide_time, requests};
@@ -65,10 +67,7 @@ pub(crate) fn simulate(
 ) -> Result<Simulation, Misfit> {
     let Task { world, .. } = task;
     let limits = Limits::of(task.effects);
-    // effects that the file turns on are part of the specialised tracer, even where the scene
-    // contains none of them
-    let contained = EffectSet::of_scene(&world.scene);
-    let samplers = path_samplers(world, contained | task.effects.on, limits);
+    let samplers = samplers(task, limits);
     let computing = Computing::of(&world.scene, (task.computable, &limits), &samplers);
     let mut work = Work::new(world, task.metres, (division, keeper), &computing, progress);
     if let Some(state) = state {
@@ -76,6 +75,13 @@ pub(crate) fn simulate(
     }
     work.run(&samplers);
     Ok(work.simulation())
+}
+
+/// Returns the path tracers of a task, with these limits. Effects that the file turns on are part
+/// of the specialised tracer, even where the scene contains none of them.
+fn samplers(task: Task<'_>, limits: Limits) -> Vec<Box<dyn PathSampler + '_>> {
+    let contained = EffectSet::of_scene(&task.world.scene);
+    path_samplers(task.world, contained | task.effects.on, limits)
 }
 
 /// Merges the final states of all shards of a scene into its answers.

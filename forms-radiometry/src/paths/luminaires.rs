@@ -166,6 +166,12 @@ impl Luminaires {
         all.iter().map(|beam| (beam, 1.0)).chain(one.map(|(place, chance)| (&self.beams[place], chance)))
     }
 
+    /// Returns the number of light sources that are sampled from a point.
+    pub(super) fn sampled(&self) -> usize {
+        let beams = if self.beams.len() <= FEW_BEAMS { self.beams.len() } else { 1 };
+        beams + usize::from(!self.walls.is_empty())
+    }
+
     /// Whether the light sources of a wall are not sampled from a point.
     fn is_near(&self, wall: usize, from: Vector) -> bool {
         self.near[wall].as_ref().is_some_and(|near| near.holds(from))

@@ -31,27 +31,32 @@ impl Replicates {
         Self { key, of: vec![Sums::new(estimand.numbers(), bands, bins); REPLICATES], samples: 0 }
     }
 
-    /// Adds samples to the selected replicates, up to the number `to`.
+    /// Adds samples to the selected replicates, up to the number `to`. Returns the number of path
+    /// segments that were traced for them.
     pub(crate) fn extend(
         &mut self,
         to: u32,
         estimand: &Estimand,
         samplers: &[Box<dyn PathSampler + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
-    ) {
+    ) -> u64 {
         let (from, own) = (self.samples, self.key);
         let extend = |(replicate, sums): (usize, &mut Sums)| {
             let key = key(own, replicate as u64);
+            let mut segments = 0;
             for index in from..to {
                 for path_samplers in samplers {
                     let mut draws = Draws::new(key ^ path_samplers.bands()[0] as u64, index);
                     path_samplers.sample(estimand, &mut draws, sums);
+                    segments += draws.segments;
                 }
             }
+            segments
         };
         let all = self.of.par_iter_mut().enumerate();
-        all.filter(|(replicate, _)| is_meant(*replicate)).for_each(extend);
+        let segments = all.filter(|(replicate, _)| is_meant(*replicate)).map(extend).sum();
         self.samples = to;
+        segments
     }
 
     /// Returns the number of samples of all replicates together.

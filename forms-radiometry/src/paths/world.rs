@@ -51,6 +51,11 @@ impl World {
         self.chains.left_out()
     }
 
+    /// Returns the number of rays that are traced from a vertex.
+    pub(super) fn rays_of_a_vertex(&self) -> f64 {
+        1.0 + self.luminaires.sampled() as f64
+    }
+
     /// Returns the medium that a ray starts in.
     pub(super) fn medium_at(&self, start: Start, direction: Vector) -> Filling {
         match self.walls.first(start, direction, f64::INFINITY) {

@@ -2,24 +2,34 @@
 //!
 //! ```text
 //! diffuse surfaces in a vacuum
-//!   no reflections ─▶ closed forms, integrated over surfaces ┐ sampled where that takes
-//!   reflections    ─▶ radiosity                              ┘ fewer operations
+//!   no reflections ─▶ closed forms, integrated over surfaces ┐ path tracing where that is
+//!   reflections    ─▶ radiosity                              ┘ expected to cost far less
 //! anything else    ─▶ path tracing; quadrature and ray trees where these need no samples
 //! ```
 //! [`Solver`] is the decision as a solver takes it, and [`ReceiverMethod`] the same decision for one
 //! receiver, by name and with its reason. Where only the work shows which of two methods suffices,
 //! both are named.
+//!
+//! The cost of radiosity is that of pairs of elements, that of path tracing the number of samples
+//! until they agree: neither follows from the contents of a scene alone. Both are predicted in the
+//! same unit, the cost of a ray, by [`expected_cost`] and [`expected_rays`].
 
 use super::survey::MANY;
 use super::working_scene::SimulatedScene;
-use crate::effects::{EffectSet, SimulatedEffects};
+use crate::effects::{EffectSet, Hiding, SimulatedEffects};
 use crate::faces::{faces, is_round};
-use crate::paths::driver::Computable;
+use crate::paths::driver::{Computable, expected_rays};
 use crate::paths::{Limits, World};
-use crate::radiosity::driver::FINEST;
-use crate::radiosity::{Gathering, Question};
+use crate::radiosity::{Question, expected_cost};
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
 use std::sync::Arc;
+
+/// Cost of radiosity, in rays, below which it is not compared with that of path tracing: a fraction
+/// of a second.
+const SMALL: f64 = 1e6;
+/// Cost of radiosity, relative to that of path tracing, up to which it is used: predictions are
+/// right within a few times, and its errors promise more than one standard deviation.
+const WORTHWHILE: f64 = 3.0;
 
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -28,11 +38,6 @@ pub enum Method {
     ClosedForms,
     /// Integrals of these over surfaces and pixels.
     ClosedFormIntegrals,
-    /// Sampled rays to emitters.
-    DirectSampling,
-    /// Sampled rays from receivers to surfaces whose radiosity is known roughly, and paths for the
-    /// remainder.
-    FinalGathering,
     /// Radiosity on elements that are refined where the answers need it.
     Radiosity,
     /// Sampled paths from receivers.
@@ -50,8 +55,6 @@ impl Method {
             Self::ClosedForms => "closed forms",
             Self::ClosedFormIntegrals => "closed forms integrated over surfaces",
             Self::Quadrature => "adaptive quadrature",
-            Self::DirectSampling => "Monte Carlo sampling of direct light",
-            Self::FinalGathering => "Monte Carlo final gathering",
             Self::Radiosity => "radiosity on adaptive elements",
             Self::PathTracing => "Monte Carlo path tracing",
             Self::RayTrees => "ray trees",
@@ -74,16 +77,18 @@ pub struct ReceiverMethod {
 /// Solver of a scene, with the choices that it takes from the plan.
 #[derive(Clone, Debug)]
 pub(crate) enum Solver {
-    /// The scene is solved as a whole, with this transport method at each tessellation level.
-    Radiosity(Vec<Gathering>),
+    /// The scene is solved as a whole.
+    Radiosity,
     /// Path tracing in this world, except for the kinds of receivers whose answers need no samples.
     Paths { world: Arc<World>, computable: Computable },
 }
 
 /// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
 /// in a vacuum, with numbers and maps of them, and with images only of flat surfaces with few
-/// faces.
-pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
+/// faces. `has_direct` tells whether direct light counts. For radiosity, the receiver of direct light
+/// along a ray is the surface that the ray meets; but what does not count then is the light straight
+/// from a light source to the eye.
+pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String> {
     let kind = |material: usize| &scene.materials[material].kind;
     let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
     if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
@@ -96,6 +101,14 @@ pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
     if let Some(medium) = ambient.filter(|medium| !medium.is_vacuum()) {
         return Some(format!("the medium `{}` fills the scene", medium.name));
     }
+    let is_view =
+        |receiver: &&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. } | ReceiverKind::Camera(_));
+    if let Some(receiver) = scene.receivers.iter().find(is_view).filter(|_| !has_direct) {
+        return Some(format!(
+            "light straight from light sources to the receiver `{}` does not count",
+            receiver.name
+        ));
+    }
     let is_image = |receiver: &&Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
     let image = scene.receivers.iter().find(is_image)?;
     if is_round(scene) {
@@ -105,57 +118,71 @@ pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
 }
 
 /// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by
-/// path tracing if there is a reason for it.
+/// path tracing if there is a reason for it, or if that is expected to cost far less.
 pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
-    match paths {
-        Some(reason) => {
-            let computable = Computable::of(scene, &Limits::of(effects));
-            let world = Arc::new(World::new(simulated.shared_scene()));
-            (Solver::Paths { world, computable }, of_paths(scene, computable, &reason))
-        }
+    let computable = || Computable::of(scene, &Limits::of(effects));
+    let world = || Arc::new(World::new(simulated.shared_scene()));
+    let chosen = match paths {
+        Some(reason) => Some((world(), computable(), reason)),
+        None if !may_be_by_paths(scene, effects) => None,
         None => {
-            // curved surfaces are tessellated several times
-            let finest = if is_round(scene) { FINEST } else { 0 };
-            let question = Question::of(scene, effects);
-            let transport = Gathering::at_each_level(scene, &question, effects.hiding, finest);
-            let methods = of_radiosity(scene, effects, &transport);
-            (Solver::Radiosity(transport), methods)
+            let radiosity = expected_cost(scene, &Question::of(scene, effects), effects.hiding);
+            (radiosity > SMALL).then(|| (world(), computable())).and_then(|(world, computable)| {
+                let reason = reason_by_cost(radiosity, || expected_rays(simulated.task(&world, computable)))?;
+                Some((world, computable, format!("{}; {reason}", reason_for_radiosity(effects))))
+            })
         }
+    };
+    match chosen {
+        Some((world, computable, reason)) => {
+            let methods = of_paths(scene, computable, &reason);
+            (Solver::Paths { world, computable }, methods)
+        }
+        None => (Solver::Radiosity, of_radiosity(scene, effects)),
     }
 }
 
-/// Returns the methods of a scene that is solved as a whole with these transport methods.
-fn of_radiosity(scene: &Scene, effects: &SimulatedEffects, transport: &[Gathering]) -> Vec<ReceiverMethod> {
-    let is_direct = effects.orders == Some(0);
-    let sampling = if is_direct { Method::DirectSampling } else { Method::FinalGathering };
-    let mut why = match is_direct {
-        true => "surfaces are diffuse, in a vacuum, and no reflection is simulated".to_owned(),
-        false => "surfaces are diffuse, in a vacuum, and reflect light".to_owned(),
-    };
-    let is_sampled = |gathering: &Gathering| matches!(gathering, Gathering::Rays { .. });
-    let is_sampled_only = |gathering: &Gathering| *gathering == Gathering::Rays { most: f64::INFINITY };
-    if transport.iter().any(is_sampled_only) {
-        why += "; exact visibility would need too many nodes";
-    } else if transport.iter().any(is_sampled) {
-        why += "; rays are expected to take less time than exact visibility, which follows if they do not";
+/// Whether a scene of diffuse surfaces in a vacuum may be solved by path tracing. Paths always
+/// account for occlusion: they are not traced where it is omitted. They are not needed where all
+/// light has closed forms.
+fn may_be_by_paths(scene: &Scene, effects: &SimulatedEffects) -> bool {
+    let is_image = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
+    match effects.hiding {
+        Hiding::LeftOut => false,
+        Hiding::Nothing if effects.orders == Some(0) => false,
+        Hiding::Nothing | Hiding::Simulated => !scene.receivers.iter().any(is_image),
     }
+}
+
+/// Returns the reason for path tracing if it is expected to cost far less than this cost of
+/// radiosity.
+fn reason_by_cost(radiosity: f64, paths: impl FnOnce() -> f64) -> Option<&'static str> {
+    if radiosity.is_infinite() {
+        return Some("exact visibility would need too many elements");
+    }
+    (radiosity > WORTHWHILE * paths()).then_some("paths are expected to take less time than exact visibility")
+}
+
+fn reason_for_radiosity(effects: &SimulatedEffects) -> &'static str {
+    match effects.orders {
+        Some(0) => "surfaces are diffuse, in a vacuum, and no reflection is simulated",
+        _ => "surfaces are diffuse, in a vacuum, and reflect light",
+    }
+}
+
+/// Returns the methods of a scene that is solved as a whole.
+fn of_radiosity(scene: &Scene, effects: &SimulatedEffects) -> Vec<ReceiverMethod> {
     let of_receiver = |receiver: &Receiver| {
-        let exact = match receiver.kind {
-            _ if !is_direct => Method::Radiosity,
+        let method = match receiver.kind {
+            _ if effects.orders != Some(0) => Method::Radiosity,
             ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => Method::ClosedFormIntegrals,
             ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } | ReceiverKind::Ray { .. } => {
                 Method::ClosedForms
             }
         };
-        let of_level = |gathering: &Gathering| match gathering {
-            Gathering::Pieces => vec![exact],
-            gathering if is_sampled_only(gathering) => vec![sampling],
-            Gathering::Rays { .. } => vec![sampling, exact],
-        };
-        let mut methods = Vec::new();
-        transport.iter().flat_map(of_level).for_each(|method| add(&mut methods, method));
-        ReceiverMethod { receiver: receiver.name.clone(), methods, why: why.clone() }
+        let why = reason_for_radiosity(effects).to_owned();
+        ReceiverMethod { receiver: receiver.name.clone(), methods: vec![method], why }
     };
     scene.receivers.iter().map(of_receiver).collect()
 }
@@ -209,13 +236,69 @@ mod tests {
         material, point_receiver, polygon, surface, surface_receiver, tolerance,
     };
 
+    fn methods(text: &str) -> Vec<Method> {
+        let scene = crate::scene::read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+        plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])).methods()
+    }
+
     fn of(rest: &str) -> Vec<Method> {
         let square = |z: f64| polygon(&[[0.0, 0.0, z], [1.0, 0.0, z], [1.0, 1.0, z], [0.0, 1.0, z]]);
         let lamp = polygon(&[[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
         let lamp = surface("lamp", "wall", &lamp) + "radiance = 1\n";
-        let text = [&material("wall", 0.5), &surface("floor", "wall", &square(0.0)), &lamp, rest].concat();
-        let scene = crate::scene::read(&text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
-        plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0])).methods()
+        methods(&[&material("wall", 0.5), &surface("floor", "wall", &square(0.0)), &lamp, rest].concat())
+    }
+
+    /// Returns a point that a sphere lights from inside, with black slats in between.
+    fn sphere(slats: usize, rest: &str) -> String {
+        let shape = "sphere = { center = [0, 0, 0], radius = 1, inward = true }\nexitance = 1";
+        let slat = |index: usize| {
+            let x = index as f64 / slats as f64 - 0.5;
+            let corners = [[x, -0.1, 0.5], [x + 0.01, -0.1, 0.5], [x + 0.01, 0.1, 0.5], [x, 0.1, 0.5]];
+            surface(&format!("slat {index}"), "black", &polygon(&corners))
+        };
+        let slats: String = (0..slats).map(slat).collect();
+        [
+            &material("wall", 0.6),
+            &material("black", 0.0),
+            &surface("shell", "wall", shape),
+            &slats[..],
+            &point_receiver("point", [0.0, 0.0, 0.2], [0.0, 0.0, 1.0]),
+            rest,
+        ]
+        .concat()
+    }
+
+    /// Returns a ray to the floor below a lamp.
+    fn ray_in_room(rest: &str) -> String {
+        let floor = polygon(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+        let lamp = polygon(&[[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
+        let ray = "[[receiver]]\nname = \"ray\"\nkind = \"ray\"\norigin = [0.5, 0.5, 0.5]\ndirection = [0, 0, -1]\n";
+        let surfaces = surface("floor", "wall", &floor) + &surface("lamp", "wall", &lamp);
+        [&material("wall", 0.5), &surfaces[..], "radiance = 1\n", ray, rest].concat()
+    }
+
+    #[test]
+    fn paths_are_traced_where_radiosity_would_cost_far_more() {
+        let effects = |effects: &str| format!("{}effects = {{ {effects} }}\n", tolerance(1e-2));
+        for (name, text, expected) in [
+            ("a sphere of many faces", sphere(0, &tolerance(1e-2)), Method::PathTracing),
+            ("occluders in a sphere", sphere(9, &tolerance(1e-2)), Method::PathTracing),
+            ("occlusion is left out", sphere(9, &effects("occlusion = \"off\"")), Method::Radiosity),
+            ("direct light", sphere(0, &effects("interreflection = \"off\"")), Method::ClosedForms),
+            ("no direct light along a ray", ray_in_room(&effects("direct = \"off\"")), Method::PathTracing),
+            ("all light along a ray", ray_in_room(&tolerance(1e-2)), Method::Radiosity),
+        ] {
+            assert_eq!(methods(&text)[0], expected, "{name}");
+        }
+    }
+
+    #[test]
+    fn the_method_does_not_depend_on_the_seed() {
+        for asked in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5] {
+            let of_seed = |seed: u32| methods(&sphere(9, &format!("{}seed = {seed}\n", tolerance(asked))));
+            let first = of_seed(1);
+            (2..6).for_each(|seed| assert_eq!(of_seed(seed), first, "{asked:e}, seed {seed}"));
+        }
     }
 
     #[test]

@@ -48,7 +48,7 @@ impl SimulatedScene {
     }
 
     /// Returns the same scene, for a solver that keeps it.
-    pub(super) fn shared_scene(&self) -> Arc<Scene> {
+    pub(crate) fn shared_scene(&self) -> Arc<Scene> {
         Arc::clone(&self.scene)
     }
 

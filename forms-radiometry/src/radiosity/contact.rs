@@ -41,6 +41,7 @@ pub(super) struct ConvexPiece {
 
 impl ConvexPiece {
     /// Returns a whole face as one piece, without regard to its contacts.
+    #[cfg(test)]
     pub(super) fn whole(face: &Face) -> Self {
         Self { outline: face.vertices.clone(), creases: vec![false; face.vertices.len()] }
     }

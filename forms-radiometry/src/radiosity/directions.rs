@@ -1,24 +1,9 @@
-//! Directions: points of the unit square become directions distributed like the weight of the
-//! receiver, by the library's warps.
+//! Directions: points of the unit square become directions above a plane, by a warp of the library.
 
-use super::measure::Measure;
 use super::transport::Transport;
 use crate::geometry::Vector;
 use crate::sampling::{Frame, Net};
-use forms_kernels::{cosine_hemisphere_sample, uniform_sphere_sample};
-
-/// Returns a direction for a point of the square, and the weight of the light from there. The mean
-/// of radiosity times this weight over uniform points is the measure of all arriving light, over π.
-pub(super) fn towards(measure: Measure, [u, v]: [f64; 2]) -> (Vector, f64) {
-    match measure {
-        Measure::Plane(normal) => (above(normal, [u, v]), 1.0),
-        Measure::Sphere | Measure::Flow(_) => {
-            let [x, y, z] = uniform_sphere_sample(u, v);
-            let direction = Vector::new(x, y, z);
-            (direction, Measure::Sphere.whole() * measure.factor(direction))
-        }
-    }
-}
+use forms_kernels::cosine_hemisphere_sample;
 
 /// Returns a direction above a plane, with a density proportional to its cosine with the unit
 /// normal.
@@ -45,17 +30,6 @@ impl Transport {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_mean_over_directions_is_the_measure_of_a_uniform_radiosity() {
-        let axis = Vector::new(2.0, -3.0, 6.0).unit().expect("a direction");
-        let net = Net::new(5);
-        for measure in [Measure::Plane(axis), Measure::Plane(-axis), Measure::Sphere, Measure::Flow(axis)] {
-            let sum: f64 = (0..1024).map(|index| towards(measure, net.point(index)).1).sum();
-            let off = sum / 1024.0 - measure.whole();
-            assert!(off.abs() < 5e-3, "{measure:?}: {off}");
-        }
-    }
 
     #[test]
     fn directions_above_a_plane_have_the_mean_cosine_of_lambert() {

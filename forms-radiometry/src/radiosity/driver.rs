@@ -17,12 +17,11 @@ mod maps;
 mod precision;
 pub(crate) mod readings;
 mod rounds;
-mod sampled;
 pub(crate) mod scales;
 mod tessellation;
 
 use super::question::asks_for_rays;
-use super::{FinalGathering, Gathering, Lights, Question, Radiosity, Transport};
+use super::{Lights, Question, Radiosity, Transport};
 use crate::answer::{Answer, Moment, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
@@ -52,25 +51,19 @@ pub(crate) const FINEST: usize = 4;
 /// Largest number of times that maps and images are computed: again only where their means are less
 /// than the watched cells indicated.
 const ATTEMPTS: usize = 2;
-/// Solves a scene as a whole, in working units, with the transport method at each tessellation
-/// level; the last one is also that of finer levels.
-pub(crate) fn solved(
-    gathering: &[Gathering],
-    (scene, effects): (&Scene, SimulatedEffects),
-    progress: &Progress<'_>,
-) -> Simulation {
-    Work::new(scene, effects, gathering, progress).run()
+/// Solves a scene as a whole, in working units.
+pub(crate) fn solved(scene: &Scene, effects: SimulatedEffects, progress: &Progress<'_>) -> Simulation {
+    Work::new(scene, effects, progress).run()
 }
 
-/// Returns the faces that occlude light or that rays meet. The rays are those of receivers, or
-/// those that gather light. Where disks and spheres may be seen as whole shapes, occluders are
+/// Returns the faces that occlude light or that the rays of receivers meet. Where disks and spheres may be seen as whole shapes, occluders are
 /// needed in any case: an occluder that hides nothing of the tessellated faces may hide some of
 /// the rest of the shape.
-fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face], gathering: Gathering) -> Screens {
-    let may_be_whole = effects.orders == Some(0) && gathering == Gathering::Pieces && is_round(scene);
+fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face]) -> Screens {
+    let may_be_whole = effects.orders == Some(0) && is_round(scene);
     if effects.has(Effect::Occlusion) || may_be_whole {
         Screens::of(faces)
-    } else if asks_for_rays(scene) || gathering != Gathering::Pieces {
+    } else if asks_for_rays(scene) {
         Screens::met_by_rays(faces)
     } else {
         Screens::none(faces)
@@ -81,8 +74,6 @@ fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face], gathering:
 pub(crate) struct Work<'s> {
     pub(crate) scene: &'s Scene,
     effects: SimulatedEffects,
-    /// Transport method at each tessellation level.
-    gathering: &'s [Gathering],
     pub(crate) watch: &'s dyn Watch,
     pub(crate) progress: &'s Progress<'s>,
     pub(crate) times: Times,
@@ -98,26 +89,14 @@ pub(crate) struct Work<'s> {
     pub(crate) known_scales: Vec<Option<Vec<f64>>>,
 }
 
-/// Solution that readings and maps are evaluated from.
-enum Solution<'t> {
-    Elements(Box<Radiosity<'t>>),
-    FinalGathering(Box<FinalGathering<'t>>),
-}
-
 impl<'s> Work<'s> {
-    fn new(
-        scene: &'s Scene,
-        effects: SimulatedEffects,
-        gathering: &'s [Gathering],
-        progress: &'s Progress<'s>,
-    ) -> Self {
+    fn new(scene: &'s Scene, effects: SimulatedEffects, progress: &'s Progress<'s>) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
         Self {
             scene,
             effects,
-            gathering,
             watch: progress,
             progress,
             times: Times::new(scene.receivers.len()),
@@ -161,26 +140,23 @@ impl<'s> Work<'s> {
         let is_round_anywhere = shapes.are_round();
         self.progress.begin(Outlook::Unknown);
         let faces = faces(self.scene, fineness);
-        let gathering = self.gathering[fineness.min(self.gathering.len() - 1)];
-        let transport = self.transport(faces, gathering);
+        let transport = self.transport(faces);
         let lights = Lights::of(self.scene, &transport);
         let grids = self.grids(&transport);
         let own_sight = self.sight(&transport);
         let sight = own_sight.as_ref().unwrap_or(&transport);
         if fineness == 0 {
-            let is_watched = is_round_anywhere || !self.is_straight(gathering);
+            let is_watched = is_round_anywhere || !self.is_straight();
             self.watch_some(if is_watched { &grids } else { &[] }, sight);
         }
-        let parallelism = self.parallelism(gathering, &lights, &transport, &grids);
+        let parallelism = self.parallelism(&lights, &transport, &grids);
         parallelism.enter(|| {
             let straight = || self.straight(&grids, &lights, &transport);
-            // these are the last faces, and maps are not sampled: the direct light of cells waits
-            // for no solution
-            let is_known_before = !is_round_anywhere && gathering == Gathering::Pieces;
-            let ((solution, mut found), known) = self.both(
+            // these are the last faces: the direct light of cells waits for no solution
+            let ((radiosity, mut found), known) = self.both(
                 parallelism,
-                || self.solved(gathering, &transport, &lights, history),
-                || is_known_before.then(straight),
+                || self.refined(&transport, &lights, history),
+                || (!is_round_anywhere).then(straight),
             );
             let is_compared = self.compare(shapes, &mut found);
             // includes readings that were settled, and the error by tessellation
@@ -195,15 +171,9 @@ impl<'s> Work<'s> {
                 || self.watch.is_stopped()
                 || fineness == FINEST
                 || (is_compared && self.is_enough(&found));
-            let pictures = is_last.then(|| match &solution {
-                Solution::Elements(radiosity) => {
-                    let grids = (&grids[..], known.unwrap_or_else(straight));
-                    self.pictures(radiosity, grids, sight, &found)
-                }
-                Solution::FinalGathering(paths) => {
-                    self.progress.begin(Outlook::Stages(grids.len()));
-                    Pictures::sampled(self.sampled_maps(paths, &grids, &found))
-                }
+            let pictures = is_last.then(|| {
+                let grids = (&grids[..], known.unwrap_or_else(straight));
+                self.pictures(&radiosity, grids, sight, &found)
             });
             (found, pictures)
         })
@@ -223,7 +193,7 @@ impl<'s> Work<'s> {
         let maps = self.maps(radiosity, grids, found);
         self.progress.begin(Outlook::Stages(cameras));
         let images = self.images(radiosity, sight, found);
-        Pictures { maps, images, is_sampled: false }
+        Pictures { maps, images }
     }
 
     /// Returns the results of two tasks that do not depend on each other. Where they run at the
@@ -252,19 +222,13 @@ impl<'s> Work<'s> {
     }
 
     /// Whether all light at points is direct light, in closed forms.
-    fn is_straight(&self, gathering: Gathering) -> bool {
-        self.effects.orders == Some(0) && gathering == Gathering::Pieces
+    fn is_straight(&self) -> bool {
+        self.effects.orders == Some(0)
     }
 
     /// Returns whether the loops over readings and cells are worth more than one thread.
-    fn parallelism(
-        &self,
-        gathering: Gathering,
-        lights: &Lights,
-        transport: &Transport,
-        grids: &[(usize, Grid)],
-    ) -> Parallelism {
-        if !self.is_straight(gathering) {
+    fn parallelism(&self, lights: &Lights, transport: &Transport, grids: &[(usize, Grid)]) -> Parallelism {
+        if !self.is_straight() {
             return Parallelism::Shared;
         }
         if self.cameras().next().is_some() {
@@ -274,34 +238,11 @@ impl<'s> Work<'s> {
         Parallelism::of(lights.operations(self.readings.len() + cells, transport))
     }
 
-    fn transport(&self, faces: Vec<Face>, gathering: Gathering) -> Transport {
-        let screens = screens(self.scene, &self.effects, &faces, gathering);
+    fn transport(&self, faces: Vec<Face>) -> Transport {
+        let screens = screens(self.scene, &self.effects, &faces);
         let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
         Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), accuracy }
-    }
-
-    /// Returns a solution and the readings by the cheaper method; by exact visibility where rays
-    /// were not enough.
-    fn solved<'t>(
-        &self,
-        gathering: Gathering,
-        transport: &'t Transport,
-        lights: &'t Lights<'t>,
-        history: &mut Vec<Moment>,
-    ) -> (Solution<'t>, Vec<Found>)
-    where
-        's: 't,
-    {
-        if let Gathering::Rays { most } = gathering {
-            let paths = FinalGathering::new(self.scene, transport, lights, self.question(), self.watch);
-            let found = self.sampled(&paths, is_round(self.scene), most, history);
-            if most.is_infinite() || self.watch.is_stopped() || self.is_enough(&found) {
-                return (Solution::FinalGathering(Box::new(paths)), found);
-            }
-        }
-        let (radiosity, found) = self.refined(transport, lights, history);
-        (Solution::Elements(Box::new(radiosity)), found)
     }
 
     pub(crate) fn question(&self) -> Question {
@@ -310,7 +251,7 @@ impl<'s> Work<'s> {
 
     /// Returns the results, in the order of the receivers.
     fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
-        let Pictures { mut maps, images, .. } = pictures;
+        let Pictures { mut maps, images } = pictures;
         let mut answers = self.answered(found);
         for Image { receiver, map, means } in images {
             answers.extend(means.into_iter().map(|mean| (receiver, mean)));

@@ -176,56 +176,11 @@ impl Element {
         ]
     }
 
-    /// Returns the n² equal parts when each side is cut into n, with constants on them, row by row.
-    /// Along a row of a triangle, each part with the orientation of the whole is followed by its
-    /// neighbour with the opposite orientation.
-    pub(super) fn parts(&self, n: usize) -> Vec<Self> {
-        let size = 1.0 / n as f64;
-        let [along, across] = [size * self.along, size * self.across];
-        let mut parts = Vec::with_capacity(n * n);
-        let mut add = |[i, j]: [usize; 2], [along, across]: [Vector; 2]| {
-            let corner = self.corner + (i as f64 * size) * self.along + (j as f64 * size) * self.across;
-            parts.push(Self {
-                order: 1,
-                ..Self::new(self.face, self.shape, self.normal, [corner, along, across])
-            });
-        };
-        for j in 0..n {
-            let columns = if self.shape == Shape::Square { n } else { n - j };
-            for i in 0..columns {
-                add([i, j], [along, across]);
-                if self.shape == Shape::Triangle && i + 1 < columns {
-                    add([i + 1, j + 1], [-along, -across]);
-                }
-            }
-        }
-        parts
-    }
-
-    /// Returns the index of the one of the n² parts that contains a point of the element.
-    pub(super) fn part_of(&self, n: usize, point: Vector) -> usize {
-        let [u, v] = self.coordinates(point).map(|x| n as f64 * x);
-        let cell = |x: f64, count: usize| (x.max(0.0) as usize).min(count - 1);
-        let j = cell(v, n);
-        match self.shape {
-            Shape::Square => j * n + cell(u, n),
-            Shape::Triangle => {
-                let i = cell(u, n - j);
-                let is_turned = i + j + 1 < n && (u - i as f64) + (v - j as f64) > 1.0;
-                j * (2 * n - j) + 2 * i + usize::from(is_turned)
-            }
-        }
-    }
-
     /// Returns the image of a point of the unit square on the element; the map preserves area
     /// ratios.
     pub(super) fn image(&self, [u, v]: [f64; 2]) -> Vector {
         let [u, v] = if self.shape == Shape::Triangle { uniform_triangle_sample(u, v) } else { [u, v] };
         self.corner + u * self.along + v * self.across
-    }
-
-    pub(super) fn is_triangle(&self) -> bool {
-        self.shape == Shape::Triangle
     }
 
     pub(super) fn reference(&self) -> &'static Reference {
@@ -245,12 +200,6 @@ impl Element {
     /// Returns the positions of the nodes.
     pub(super) fn nodes(&self) -> impl Iterator<Item = Vector> {
         self.reference().nodes.iter().map(|&[u, v]| self.corner + u * self.along + v * self.across)
-    }
-
-    /// Returns the centre, which is the node of a constant.
-    pub(super) fn centre(&self) -> Vector {
-        let part = if self.shape == Shape::Triangle { 1.0 / 3.0 } else { 0.5 };
-        self.corner + part * (self.along + self.across)
     }
 
     /// Returns the area of each node.

@@ -7,10 +7,7 @@
 //! If a kernel has effects, its specialisation without the effects that the scene does not need is
 //! used, as [`arriving`](super::gathered_light) selects it.
 
-use super::contact::ConvexPiece;
 use super::direct::kinds;
-use super::element::Element;
-use super::method::Gathering;
 use super::question::Question;
 use super::reflectance::is_reflecting;
 use crate::scene::{ReceiverKind, Scene, Shape, Surface};
@@ -18,9 +15,8 @@ use crate::used_kernel::UsedKernel;
 use crate::visibility::Face;
 use forms_kernels::gathered_light::Effects as LightKinds;
 use forms_kernels::{
-    cosine_hemisphere_sample, edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk,
-    form_factor_point_disk, form_factor_point_sphere, irradiance, solid_angle_disk, solid_angle_sphere,
-    solid_angle_triangle, uniform_sphere_sample, uniform_triangle_sample,
+    edge_form_factor, edge_potential, exchange_density, form_factor_beside_disk, form_factor_point_disk,
+    form_factor_point_sphere, irradiance, solid_angle_disk, solid_angle_sphere, solid_angle_triangle,
 };
 
 /// Computations that a scene requires.
@@ -40,26 +36,12 @@ struct Computed {
     whole: [bool; 2],
     /// Whether the light of faces is integrated over surfaces.
     exchange: bool,
-    /// Whether light is traced along rays.
-    rays: bool,
-    /// Whether paths begin on triangles.
-    triangles: bool,
 }
 
 impl Computed {
-    fn of(
-        scene: &Scene,
-        faces: &[Face],
-        question: &Question,
-        (transport, is_precise): (Gathering, bool),
-    ) -> Self {
+    fn of(scene: &Scene, faces: &[Face], question: &Question, is_precise: bool) -> Self {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
-        // if rays take too long, pieces follow
-        let (rays, pieces) = match transport {
-            Gathering::Pieces => (false, true),
-            Gathering::Rays { most } => (true, most.is_finite()),
-        };
         let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|receiver| is(&receiver.kind));
         let asks_points =
             asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
@@ -68,17 +50,12 @@ impl Computed {
             ReceiverKind::Surface { grid, .. } => grid.is_some(),
             ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => true,
         });
-        let at_points = asks_points || asks_elsewhere;
         // the closed forms for points add up light in double-double, without the kernel
         let gathers = asks_elsewhere || (asks_points && !is_precise);
         let on_surfaces = question.receives.contains(&true);
-        let has_points = on_surfaces || reflected || (rays && at_points);
+        let has_points = on_surfaces || reflected;
         let from_faces = straight.luminaires || (straight.surroundings && !faces.is_empty());
-        let received = |(index, face): (usize, &Face)| {
-            let receives = question.receives[face.surface] && !face.is_back;
-            receives && Element::of(index, face, &ConvexPiece::whole(face)).iter().any(Element::is_triangle)
-        };
-        let is_straight = pieces && question.orders == Some(0);
+        let is_straight = question.orders == Some(0);
         let is_seen = |surface: &Surface| straight.surroundings || surface.emits();
         let shines = |is: fn(&Shape) -> bool| {
             scene.surfaces.iter().any(|surface| is(&surface.shape) && is_seen(surface))
@@ -89,29 +66,26 @@ impl Computed {
                 is_whole(|shape| matches!(shape, Shape::Sphere(_))),
                 is_whole(|shape| matches!(shape, Shape::Disk(_))),
             ],
-            gathered: (pieces && gathers).then(|| question.kinds(straight)),
+            gathered: gathers.then(|| question.kinds(straight)),
             straight: has_points.then_some(straight),
             views: reflected || (from_faces && (question.direct || has_points)),
             spheres: asks(|kind| matches!(kind, ReceiverKind::Sphere { .. })),
-            reflections: pieces && reflected,
-            exchange: pieces && on_surfaces && from_faces && !straight.surroundings && !straight.beams,
-            rays,
-            triangles: rays && faces.iter().enumerate().any(received),
+            reflections: reflected,
+            exchange: on_surfaces && from_faces && !straight.surroundings && !straight.beams,
         }
     }
 }
 
-/// Returns the kernels that the simulation of a scene with these faces runs. They depend on the
-/// transport method, and on whether direct light at points [is computed to the last
-/// digit](super::is_precise).
+/// Returns the kernels that the simulation of a scene with these faces runs. They depend on whether
+/// direct light at points [is computed to the last digit](super::is_precise).
 pub(crate) fn kernels(
     scene: &Scene,
     faces: &[Face],
     question: &Question,
-    (transport, is_precise): (Gathering, bool),
+    is_precise: bool,
 ) -> Vec<UsedKernel> {
-    let Computed { gathered, straight, views, spheres, reflections, whole, exchange, rays, triangles } =
-        Computed::of(scene, faces, question, (transport, is_precise));
+    let Computed { gathered, straight, views, spheres, reflections, whole, exchange } =
+        Computed::of(scene, faces, question, is_precise);
     let [whole_spheres, whole_disks] = whole;
     let all_light = gathered.map(|kinds| member(kinds, "light gathered by a receiver"));
     let is_another = straight.filter(|straight| Some(*straight) != gathered);
@@ -133,10 +107,7 @@ pub(crate) fn kernels(
         row!(whole_disks && spheres, solid_angle_disk, "solid angle of a whole disk"),
         row!(reflections || exchange, exchange_density, "light exchanged between points of two surfaces"),
         row!(exchange, edge_potential, "light from surface to surface, edge by edge"),
-        row!(exchange || rays, irradiance, "irradiance from an emitter by its form factor"),
-        row!(rays, cosine_hemisphere_sample, "rays from surfaces"),
-        row!(rays && spheres, uniform_sphere_sample, "rays in all directions"),
-        row!(triangles, uniform_triangle_sample, "starting points of paths on triangles"),
+        row!(exchange, irradiance, "irradiance from an emitter by its form factor"),
     ];
     table.into_iter().flatten().collect()
 }

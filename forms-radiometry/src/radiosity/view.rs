@@ -158,9 +158,7 @@ impl Radiosity<'_> {
     fn gather_on(&self, element: usize, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let bands = self.scene.band_count();
         gathered.fill(0.0);
-        if self.question.direct {
-            self.lights.gather(group, self.transport, scratch, gathered);
-        }
+        self.lights.gather(group, self.transport, scratch, gathered);
         for (&point, of_point) in group.points.iter().zip(gathered.chunks_exact_mut(bands)) {
             self.add_reflected_on(element, point, of_point);
         }

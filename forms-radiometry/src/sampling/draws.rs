@@ -23,6 +23,8 @@ pub(crate) struct Draws {
     pub(crate) chance: Random,
     /// For each band, the largest contribution that a luminaire would have made without occlusion.
     pub(crate) hidden: [f64; SHARED],
+    /// Number of segments of the path.
+    pub(crate) segments: u64,
 }
 
 impl Draws {
@@ -33,6 +35,7 @@ impl Draws {
             light: Samples::new(key(of, 1), index),
             chance: Random::new(key(key(of, 2), u64::from(index))),
             hidden: [0.0; SHARED],
+            segments: 0,
         }
     }
 }

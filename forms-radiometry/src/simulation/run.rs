@@ -16,7 +16,6 @@ use crate::plan::Plan;
 use crate::plan::method::Solver;
 use crate::plan::working_scene::SimulatedScene;
 use crate::progress::Progress;
-use crate::radiosity::Gathering;
 use crate::radiosity::driver::solved;
 use crate::watch::{Unwatched, Watch};
 
@@ -35,7 +34,7 @@ pub fn simulate_job(plan: &Plan, job: Job<'_>, watch: &dyn Watch) -> Result<Simu
     let simulated = &plan.simulated;
     let found = match &plan.solver {
         Solver::Paths { world, computable } => by_paths(simulated.task(world, *computable), job, &progress)?,
-        Solver::Radiosity(gathering) => in_one_piece(simulated, gathering, job, &progress)?,
+        Solver::Radiosity => in_one_piece(simulated, job, &progress)?,
     };
     Ok(simulated.finished(found))
 }
@@ -53,7 +52,7 @@ pub fn merge(plan: &Plan, budget: Option<Budget>, parts: Vec<(Share, State)>) ->
             let division = Division { budget, share: Share::WHOLE };
             driver::merge(simulated.task(world, *computable), division, parts, &Progress::new(&Unwatched))?
         }
-        Solver::Radiosity(_) => {
+        Solver::Radiosity => {
             let piece = parts.into_iter().map(|(share, state)| piece(share, state));
             let piece = piece.collect::<Result<Vec<_>, _>>()?;
             piece.into_iter().flatten().next().ok_or(Misfit)?
@@ -79,16 +78,12 @@ const PIECE: usize = 0;
 /// end, and only there.
 fn in_one_piece(
     simulated: &SimulatedScene,
-    gathering: &[Gathering],
     job: Job<'_>,
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
-        None => {
-            let scene = (simulated.scene(), simulated.effects);
-            job.share.has(PIECE).then(|| solved(gathering, scene, progress))
-        }
+        None => job.share.has(PIECE).then(|| solved(simulated.scene(), simulated.effects, progress)),
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);
     if let Some(keeper) = job.keeper.filter(|_| is_done) {

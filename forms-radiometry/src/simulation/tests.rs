@@ -1,10 +1,12 @@
-//! Light gathered by rays and light gathered by exact visibility are the same.
+//! Path tracing and radiosity find the same light.
 
-use super::{Answer, Unwatched, plan};
-use crate::effects::Hiding;
+use super::{Answer, Quantity, Unwatched, plan};
+use crate::job::Share;
+use crate::paths::driver::{Computable, Division, simulate};
+use crate::paths::{Limits, World};
+use crate::plan::Plan;
 use crate::progress::Progress;
 use crate::radiosity::driver::solved;
-use crate::radiosity::{Gathering, Question};
 use crate::scene::read;
 use forms_testing::scene_text::{
     CUBE, material, point_receiver, polygon, surface, surface_receiver, tolerance as asked,
@@ -79,20 +81,45 @@ kind = "ray"
 origin = [2.5, 0.3, 1.5]
 direction = [-1, 1.4, -1]
 [[receiver]]
+name = "ray to the lamp"
+kind = "ray"
+origin = [1.5, 1.5, 1.0]
+direction = [0, 0, 1]
+[[receiver]]
 name = "surface"
 kind = "surface"
 surface = "floor"
 "#;
 
-fn by(gathering: Gathering, text: &str) -> Vec<Answer> {
+/// Number of standard errors that hardly any answer is off by.
+const HARDLY_EXCEEDED: f64 = 5.0;
+
+fn plan_of(text: &str) -> Plan {
     let scene = read(text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
-    let scene = (plan.simulated.scene(), plan.simulated.effects);
-    plan.simulated.finished(solved(&[gathering], scene, &Progress::new(&Unwatched))).answers
+    plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]))
 }
 
-fn by_rays(text: &str) -> Vec<Answer> {
-    by(Gathering::Rays { most: f64::INFINITY }, text)
+fn by_radiosity(text: &str) -> Vec<Answer> {
+    let simulated = plan_of(text).simulated;
+    let found = solved(simulated.scene(), simulated.effects, &Progress::new(&Unwatched));
+    simulated.finished(found).answers
+}
+
+fn by_paths(text: &str) -> Vec<Answer> {
+    let simulated = plan_of(text).simulated;
+    let world = World::new(simulated.shared_scene());
+    let computable = Computable::of(simulated.scene(), &Limits::of(&simulated.effects));
+    let division = Division { share: Share::WHOLE, budget: None };
+    let (task, progress) = (simulated.task(&world, computable), Progress::new(&Unwatched));
+    let found = simulate(task, division, (None, None), &progress).expect("there is no state");
+    simulated.finished(found).answers
+}
+
+/// Asserts that two answers differ by no more than their errors explain.
+fn assert_same(name: &str, exact: &Answer, sampled: &Answer) {
+    let off = (exact.value - sampled.value).abs();
+    let allowed = exact.error + HARDLY_EXCEEDED * sampled.error;
+    assert!(off <= allowed, "{name}: {exact:?} and {sampled:?}");
 }
 
 fn closed_room() -> String {
@@ -101,7 +128,7 @@ fn closed_room() -> String {
 }
 
 #[test]
-fn rays_and_exact_pieces_find_the_same_light() {
+fn paths_and_radiosity_find_the_same_light() {
     let all = [
         ("a lamp", LAMP.to_string(), ""),
         ("a point", POINT.to_string(), ""),
@@ -113,70 +140,75 @@ fn rays_and_exact_pieces_find_the_same_light() {
         ("the sky", SKY.to_string(), ""),
         ("all of them", [LAMP, POINT, SUN, SKY].concat(), ""),
     ];
-    let (count, tolerances) = if IS_OPTIMISED { (all.len(), [1e-2, 3e-2]) } else { (3, [5e-2, 1e-1]) };
+    let (count, tolerances) =
+        if IS_OPTIMISED { (all.len(), [1e-2, 1e-2]) } else { (all.len(), [1e-1, 3e-2]) };
     for (name, lights, effects) in &all[..count] {
-        let [pieces, rays] = tolerances.map(|tolerance| {
+        let [finely, roughly] = tolerances.map(|tolerance| {
             let solve = format!("[solve]\ntolerance = {tolerance}\neffects = {{ {effects} }}\n");
             format!("{}{RECEIVERS}{lights}{solve}", closed_room())
         });
-        for (a, b) in by(Gathering::Pieces, &pieces).iter().zip(by_rays(&rays)) {
-            let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
-            let what = format!("{name}: {} {:?}", a.receiver, a.quantity);
-            assert!(off <= allowed, "{what}: {} ± {:e} and {} ± {:e}", a.value, a.error, b.value, b.error);
+        // without direct light, plans leave rays to path tracing
+        let is_for_both =
+            |answer: &Answer| answer.quantity != Quantity::Radiance || !effects.contains("direct");
+        let pairs = by_radiosity(&finely).into_iter().zip(by_paths(&roughly));
+        for (exact, sampled) in pairs.filter(|(exact, _)| is_for_both(exact)) {
+            assert_same(name, &exact, &sampled);
         }
     }
 }
 
-/// A closed room without occluders: nothing is hidden, so rays meet all surfaces that exact
+/// A closed room without occluders: nothing is hidden, so paths meet all surfaces that exact
 /// visibility sees.
 #[test]
-fn where_nothing_is_hidden_rays_and_exact_pieces_find_the_same_light_too() {
+fn where_nothing_is_hidden_paths_and_radiosity_find_the_same_light_too() {
     let faces = CUBE.map(|(name, corners)| surface(name, "wall", &polygon(&corners)));
     let receivers = point_receiver("point", [0.3, 0.4, 0.2], [0.1, 0.3, 1.0]) + &surface_receiver("back");
     let light = "[[light]]\nkind = \"point\"\nposition = [0.6, 0.5, 0.8]\nintensity = 2\n";
     let room =
         |tolerance| [&material("wall", 0.6), &faces.concat(), &receivers, light, &asked(tolerance)].concat();
-    let rays = by_rays(&room(5e-2));
-    for (a, b) in by(Gathering::Pieces, &room(1e-2)).iter().zip(&rays) {
-        let (off, allowed) = ((a.value - b.value).abs(), a.error + b.error);
-        assert!(off <= allowed, "{} {:?}: {} and {}, {allowed:e}", a.receiver, a.quantity, a.value, b.value);
+    for (exact, sampled) in by_radiosity(&room(1e-2)).iter().zip(&by_paths(&room(5e-2))) {
+        assert_same("a cube", exact, sampled);
     }
 }
 
-/// Many faces and one number at low accuracy: rays are chosen, unless they would meet occluders
-/// that the file omits.
 #[test]
-fn what_is_left_out_is_not_met_by_rays() {
-    let sphere = "sphere = { center = [0, 0, 0], radius = 1, inward = true }";
-    let wall = material("wall", 0.6) + &surface("shell", "wall", &format!("{sphere}\nexitance = 1"));
-    let receiver = point_receiver("point", [0.0, 0.0, 0.2], [0.0, 0.0, 1.0]);
-    let scene = read(&(wall + &receiver + &asked(0.1)), "test.toml").expect("the scene is right");
-    let question = |orders| Question { orders, receives: vec![false], direct: true, is_seen: false };
-    let gathering = |orders, hiding| Gathering::at_each_level(&scene, &question(orders), hiding, 0)[0];
-    assert!(matches!(gathering(None, Hiding::Simulated), Gathering::Rays { .. }));
-    assert!(matches!(gathering(None, Hiding::Nothing), Gathering::Rays { .. }));
-    assert_eq!(gathering(None, Hiding::LeftOut), Gathering::Pieces);
-    assert_eq!(gathering(Some(0), Hiding::Nothing), Gathering::Pieces);
+fn in_front_of_round_lamps_paths_and_radiosity_find_the_same_light_too() {
+    let faces = CUBE.map(|(name, corners)| surface(name, "wall", &polygon(&corners)));
+    let lamp = |shape: &str| surface("lamp", "wall", shape) + "radiance = 2\n";
+    let receivers = point_receiver("point", [0.3, 0.4, 0.2], [0.1, 0.3, 1.0]) + &surface_receiver("floor");
+    let [finely, roughly] = if IS_OPTIMISED { [1e-2, 1e-2] } else { [1e-1, 2e-2] };
+    for (name, shape) in [
+        (
+            "a disk on the ceiling",
+            "disk = { center = [0.4, 0.5, 1], normal = [0, 0, -1], radius = 0.2 }\non = \"ceiling\"",
+        ),
+        ("a disk in the room", "disk = { center = [0.4, 0.5, 0.8], normal = [0, 0, -1], radius = 0.2 }"),
+        ("a ball", "sphere = { center = [0.6, 0.5, 0.7], radius = 0.2 }"),
+    ] {
+        let room = |tolerance| {
+            [&material("wall", 0.6), &faces.concat(), &lamp(shape), &receivers[..], &asked(tolerance)]
+                .concat()
+        };
+        for (exact, sampled) in by_radiosity(&room(finely)).iter().zip(&by_paths(&room(roughly))) {
+            assert_same(name, exact, sampled);
+        }
+    }
 }
 
-/// Many receivers with the same question: each gets rays of its own.
+/// Many receivers with the same question: each gets paths of its own.
 #[test]
-fn answers_to_one_question_differ_less_than_their_errors_and_not_much_less() {
+fn answers_to_one_question_differ_by_their_standard_errors() {
     const COPIES: usize = 40;
     let all = [("the sky", SKY), ("a lamp", LAMP), ("a point", POINT)];
     let (count, tolerance) = if IS_OPTIMISED { (all.len(), 2e-2) } else { (1, 1e-1) };
     for (name, lights) in &all[..count] {
         let receiver = |index: usize| point_receiver(&index.to_string(), [1.2, 1.7, 0.4], [0.1, 0.3, 1.0]);
         let receivers: String = (0..COPIES).map(receiver).collect();
-        let found = by_rays(&[&closed_room(), &receivers, *lights, &asked(tolerance)].concat());
+        let found = by_paths(&[&closed_room(), &receivers, *lights, &asked(tolerance)].concat());
         let mean = found.iter().map(|answer| answer.value).sum::<f64>() / COPIES as f64;
         let squares =
             |of: fn(&Answer, f64) -> f64| found.iter().map(|answer| of(answer, mean).powi(2)).sum::<f64>();
-        let exceeded = found.iter().filter(|answer| (answer.value - mean).abs() > answer.error).count();
-        assert_eq!(exceeded, 0, "{name}");
-        // by Student's quantile and the distrusted doubling, errors are some four standard
-        // deviations
         let ratio = (squares(|answer, _| answer.error) / squares(|answer, mean| answer.value - mean)).sqrt();
-        assert!((2.5..15.0).contains(&ratio), "{name}: errors are {ratio} deviations");
+        assert!((0.7..2.0).contains(&ratio), "{name}: errors are {ratio} deviations");
     }
 }

@@ -156,7 +156,6 @@ fn promises(kind: ErrorKind) -> &'static [(f64, f64)] {
     match kind {
         ErrorKind::Bound => &[(1.0, 0.0)],
         ErrorKind::Estimate => &[(1.0, 0.02), (3.0, 0.0)],
-        ErrorKind::Confidence => &[(1.0, 1.0 - ErrorKind::LEVEL)],
         // 68.27 % of a normal distribution lie within one standard error; light found by few of the
         // paths, as through mirrors, makes the tail longer
         ErrorKind::Sigma => &[(1.0, 0.3173), (3.0, 0.05)],

@@ -6,7 +6,7 @@ use crate::layout::{columns, seconds};
 use crate::palette::Palette;
 use forms::core::diagnostic::counted;
 use forms_radiometry::output::{measured, rough};
-use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Simulation};
+use forms_radiometry::simulation::{Answer, ErrorParts, Simulation};
 use std::io::{self, Write};
 
 /// JSON record of a number.
@@ -21,8 +21,6 @@ struct Record<'a> {
     value: f64,
     error: f64,
     kind: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<f64>,
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     missed: bool,
     seconds: f64,
@@ -59,7 +57,6 @@ pub(super) fn lines(
             value: *value,
             error: *error,
             kind: kind.name(),
-            level: (*kind == ErrorKind::Confidence).then_some(ErrorKind::LEVEL),
             missed: missed.has(place, answer),
             seconds: *seconds,
         };

@@ -252,7 +252,7 @@ impl Request {
     }
 
     /// Returns the number of first samples of each replicate.
-    fn first(&self) -> u32 {
+    pub(super) fn first(&self) -> u32 {
         let several = if self.seen.surface.is_err() { FIRST_OF_SEVERAL } else { 1 };
         self.share_of_first.map_or(FIRST, |share| share.max(several))
     }

@@ -88,9 +88,7 @@ impl Estimate {
     /// no more than estimates.
     pub(crate) fn kind(&self, has_pieces: bool) -> ErrorKind {
         let parts = self.parts();
-        if parts.sampling > 0.0 {
-            ErrorKind::Confidence
-        } else if self.is_exact() && !has_pieces && parts.quadrature == 0.0 && parts.orders == 0.0 {
+        if self.is_exact() && !has_pieces && parts.quadrature == 0.0 && parts.orders == 0.0 {
             ErrorKind::Bound
         } else {
             ErrorKind::Estimate

@@ -136,23 +136,14 @@ impl Work<'_> {
         };
         let errors = values.iter().enumerate().map(errors).collect();
         let kind = if watched.is_some() { ErrorKind::Estimate } else { ErrorKind::Bound };
-        self.finished_map(receiver, (grid, values, errors), kind)
-    }
-
-    /// Assembles a map of irradiance from its cells. An emitter is visible in none of them.
-    pub(crate) fn finished_map(
-        &self,
-        receiver: usize,
-        (grid, values, errors): (&Grid, Vec<Vec<f64>>, Vec<Vec<f64>>),
-        kind: ErrorKind,
-    ) -> Map {
-        let cells =
+        // an emitter is visible in no cell
+        let scale =
             |values: &Vec<f64>| mean_scale(values.iter().filter(|v| !v.is_nan()).map(|&v| (v, false)));
         Map {
             receiver: self.scene.receivers[receiver].name.clone(),
             quantity: Quantity::Irradiance,
             size: grid.size(),
-            scales: values.iter().map(cells).collect(),
+            scales: values.iter().map(scale).collect(),
             values,
             errors,
             kind,

@@ -73,15 +73,9 @@ impl Watched {
 pub(crate) struct Pictures {
     pub(crate) maps: Vec<(usize, Map)>,
     pub(crate) images: Vec<Image>,
-    /// Whether cells are sampled, each until it is accurate enough.
-    pub(crate) is_sampled: bool,
 }
 
 impl Pictures {
-    pub(crate) fn sampled(maps: Vec<(usize, Map)>) -> Self {
-        Self { maps, images: Vec::new(), is_sampled: true }
-    }
-
     fn all(&self) -> impl Iterator<Item = (usize, &Map)> {
         let images = self.images.iter().map(|image| (image.receiver, &image.map));
         self.maps.iter().map(|(receiver, map)| (*receiver, map)).chain(images)
@@ -159,7 +153,7 @@ impl Work<'_> {
     /// Stores the scales of finished maps and images where they are so much less than the watched
     /// cells indicated that errors miss the tolerance. Returns whether there are any.
     pub(crate) fn rescale(&mut self, pictures: &Pictures, found: &[Found]) -> bool {
-        if pictures.is_sampled || self.watch.is_stopped() {
+        if self.watch.is_stopped() {
             return false;
         }
         let mut is_any = false;

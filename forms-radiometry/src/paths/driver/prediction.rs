@@ -1,0 +1,62 @@
+//! Expected cost of path tracing: a few paths of some estimands tell how many rays meet the
+//! tolerance.
+//!
+//! ```text
+//! n paths: relative error σ ─▶ n (σ/ε)² paths for the tolerance ε
+//! rays = paths × vertices of a path × (1 + light sources sampled at a vertex)
+//! ```
+//! The plan compares this number with the expected cost of radiosity. It does not depend on the
+//! seed, so that the method of a scene does not either.
+
+use super::analytic::Computing;
+use super::request::{Request, requests};
+use super::scale::{Scales, known};
+use super::{Task, samplers};
+use crate::job::{MOST_SAMPLES, REPLICATES};
+use crate::paths::{Limits, Replicates};
+use crate::sampling::key;
+use rayon::prelude::*;
+
+/// Number of samples of each replicate.
+const SAMPLES: u32 = 8;
+/// Maximum number of estimands for which paths are traced.
+const MOST_TRACED: usize = 64;
+/// Maximum number of reflections of a path. Where more of them matter, the prediction is too low.
+const MOST_REFLECTIONS: u32 = 256;
+/// Key of the random numbers.
+const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
+
+/// Returns the number of rays that path tracing is expected to need for a scene.
+pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
+    let Task { world, metres, effects, .. } = task;
+    let limits = Limits::of(effects);
+    let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
+    let samplers = samplers(task, Limits { reflections: Some(reflections), ..limits });
+    let (scene, bands) = (&*world.scene, world.scene.band_count());
+    let mut requests = requests(world, metres, &Computing::nothing());
+    let step = requests.len().div_ceil(MOST_TRACED).max(1);
+    let trace = |(index, request): (usize, &mut Request)| {
+        request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
+        request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true)
+    };
+    let segments: Vec<u64> = requests.par_iter_mut().step_by(step).enumerate().map(trace).collect();
+    let scales = known(&requests, scene.receivers.len(), bands);
+    let of_one = |(request, segments): (&Request, u64)| {
+        expected_paths(request, &scales, bands, scene.solve.tolerance) * segments as f64
+            / request.replicates.count()
+    };
+    let all: f64 = requests.iter().step_by(step).zip(segments).map(of_one).sum();
+    step as f64 * world.rays_of_a_vertex() * all
+}
+
+/// Returns the number of paths after which the error of an estimand is expected to meet the
+/// tolerance.
+fn expected_paths(request: &Request, scales: &Scales, bands: usize, tolerance: f64) -> f64 {
+    let scales = match request.cell {
+        Some(_) => scales[request.receiver].clone(),
+        None => request.largest(bands),
+    };
+    let paths = request.replicates.count() * (request.error(&scales) / tolerance).powi(2);
+    let [first, most] = [request.first(), MOST_SAMPLES].map(|samples| REPLICATES as f64 * f64::from(samples));
+    paths.clamp(first, most)
+}
