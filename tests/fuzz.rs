@@ -8,6 +8,7 @@
 use forms::core::decide::decide;
 use forms::core::resolve::resolve;
 use forms::core::syntax::{Source, lex, read};
+use forms_testing::SplitMix;
 use std::path::Path;
 
 /// Default number of cases.
@@ -69,23 +70,10 @@ fn words(text: &str) -> Vec<String> {
     spans.map(|span| text[span].to_string()).collect()
 }
 
-/// SplitMix64 generator.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
-    }
-}
-
 /// Returns a statement with one to three random edits after its name. Most edits replace a name by
 /// a name, a number by a number or an operator by an operator, so that many of the results are
 /// valid statements.
-fn damaged(seed: &Seed, random: &mut Random) -> String {
+fn damaged(seed: &Seed, random: &mut SplitMix) -> String {
     let mut statement = seed.statement.clone();
     for _ in 0..=random.below(3) {
         let body = HEAD..statement.len() - 1;
@@ -177,7 +165,7 @@ fn damaged_theories_end_in_errors_or_verdicts() {
 }
 
 fn survives_case(seeds: &[Seed], case: u64) -> bool {
-    let mut random = Random(case);
+    let mut random = SplitMix(case);
     let seed = &seeds[random.below(seeds.len())];
     survives(&seed.name, &damaged(seed, &mut random))
 }

@@ -1,30 +1,20 @@
 //! Arguments at which the kernels are compared: random, from a fixed seed, over ranges that occur
 //! in scenes.
 
-/// splitmix64 (G. Steele, D. Lea, C. Flood, 2014).
-struct Random(u64);
+use forms_testing::SplitMix;
+
+/// Random points and directions.
+struct Random(SplitMix);
 
 impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// Returns a number uniform between both limits.
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
     /// Returns a uniform point of the cube from −size to size.
     fn point(&mut self, size: f64) -> [f64; 3] {
-        [(); 3].map(|()| self.between(-size, size))
+        [(); 3].map(|()| self.0.between([-size, size]))
     }
 
     /// Returns a uniform direction by Archimedes' theorem: its height is uniform.
     fn direction(&mut self) -> [f64; 3] {
-        let (height, azimuth) = (self.between(-1.0, 1.0), self.between(0.0, std::f64::consts::TAU));
+        let (height, azimuth) = (self.0.between([-1.0, 1.0]), self.0.between([0.0, std::f64::consts::TAU]));
         let radius = (1.0 - height * height).sqrt();
         [radius * azimuth.cos(), radius * azimuth.sin(), height]
     }
@@ -60,7 +50,7 @@ impl Domain {
         match self {
             Domain::Patch => {
                 let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
-                let square = [random.between(0.0, 1.0), random.between(0.0, 1.0)];
+                let square = [random.0.between([0.0, 1.0]), random.0.between([0.0, 1.0])];
                 let moved = corners.map(|[x, y]| {
                     let [dx, dy, dz] = random.point(0.5);
                     [x + dx, y + dy, 3.0 + dz]
@@ -75,13 +65,13 @@ impl Domain {
                     [0.2 * x, 0.2 * y, 1.0 + 0.2 * z]
                 })
             }),
-            Domain::Phase => vec![random.between(-0.95, 0.95), random.between(-1.0, 1.0)],
-            Domain::PhaseSample => vec![random.between(-0.95, 0.95), random.between(0.0, 1.0)],
+            Domain::Phase => vec![random.0.between([-0.95, 0.95]), random.0.between([-1.0, 1.0])],
+            Domain::PhaseSample => vec![random.0.between([-0.95, 0.95]), random.0.between([0.0, 1.0])],
             Domain::Microfacets => {
                 let (way, normal) = (upper(random.direction()), upper(random.direction()));
-                [&[random.between(0.05, 1.0)][..], &way, &normal].concat()
+                [&[random.0.between([0.05, 1.0])][..], &way, &normal].concat()
             }
-            Domain::Medium => [10.0, 2.0, 10.0, 5.0].map(|limit| random.between(0.01, limit)).to_vec(),
+            Domain::Medium => [10.0, 2.0, 10.0, 5.0].map(|limit| random.0.between([0.01, limit])).to_vec(),
             Domain::TwoPoints => {
                 [random.point(2.0), random.direction(), random.point(2.0), random.direction()].concat()
             }
@@ -98,13 +88,13 @@ fn rectangle(random: &mut Random, observer: impl Fn(&mut Random) -> ([f64; 3], [
     let (point, normal) = observer(random);
     let (a, b) = (random.direction(), random.direction());
     let across = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let sides = [random.between(0.5, 2.0), random.between(0.5, 2.0)];
+    let sides = [random.0.between([0.5, 2.0]), random.0.between([0.5, 2.0])];
     [point, normal, random.point(1.0), a.map(|x| sides[0] * x), across.map(|x| sides[1] * x)].concat()
 }
 
 /// Returns `count` random arguments, one column per argument.
 pub fn columns(domain: Domain, count: usize) -> Vec<Vec<f64>> {
-    let mut random = Random(0x5eed);
+    let mut random = Random(SplitMix(0x5eed));
     let rows: Vec<Vec<f64>> = (0..count).map(|_| domain.arguments(&mut random)).collect();
     (0..rows[0].len()).map(|column| rows.iter().map(|row| row[column]).collect()).collect()
 }

@@ -52,7 +52,10 @@ pub struct CompiledKernel {
     generated: Generated,
 }
 
-/// Compiles a text.
+/// Stack size of the thread that compiles: recursion walks trees as deep as the parser admits.
+const STACK_BYTES: usize = 256 << 20;
+
+/// Compiles a text, on a thread with a stack of its own that is large enough for every text.
 ///
 /// ```
 /// use forms_core::compile::{Options, compile};
@@ -63,6 +66,18 @@ pub struct CompiledKernel {
 /// assert_eq!(compiled.statements[0].1.name(), "proved");
 /// ```
 pub fn compile(text: &str, options: &Options<'_>) -> Compiled {
+    std::thread::scope(|scope| {
+        let own = std::thread::Builder::new().stack_size(STACK_BYTES);
+        match own.spawn_scoped(scope, || compile_here(text, options)) {
+            Ok(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            // no thread can be started: the stack of the caller is enough for nearly every text
+            Err(_) => compile_here(text, options),
+        }
+    })
+}
+
+/// Compiles a text on the present thread.
+fn compile_here(text: &str, options: &Options<'_>) -> Compiled {
     let (mut theory, mut diagnostics) = read_theory(text);
     if let Some(choices) = options.choices {
         match Choices::read(choices) {
@@ -161,6 +176,27 @@ impl CompiledKernel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::syntax::MAXIMUM_NESTING;
+
+    #[test]
+    fn a_text_of_any_depth_is_compiled_or_refused() {
+        for [open, close] in [["(", ")"], ["-(", ")"], ["abs(", ")"], ["(1 + ", ")"], ["1/(2 + ", ")"]] {
+            // a sign is a level of its own
+            let levels = if open == "-(" { 2 } else { 1 };
+            for depth in [100, MAXIMUM_NESTING / levels - 1, MAXIMUM_NESTING + 1] {
+                let nested = open.repeat(depth) + "x" + &close.repeat(depth);
+                let text = format!("kernel deep(x) = {nested} where 1 <= x <= 2;");
+                let compiled = compile(&text, &Options::default());
+                let is_too_deep = depth > MAXIMUM_NESTING;
+                assert_eq!(
+                    compiled.diagnostics.is_empty(),
+                    !is_too_deep,
+                    "{open} {depth}: {:?}",
+                    compiled.diagnostics
+                );
+            }
+        }
+    }
 
     #[test]
     fn an_error_in_the_chosen_forms_is_told_with_its_own_place() {

@@ -52,7 +52,7 @@ mod view;
 mod weights;
 mod whole_elements;
 
-pub(crate) use brightest::{most_direct, most_reflected_of_beams};
+pub(crate) use brightest::{most_direct, most_reflected};
 pub(crate) use closed_form::{Straight, is_precise};
 pub(crate) use cost::expected_cost;
 pub(crate) use direct::Lights;

@@ -225,7 +225,10 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
             assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
         }
         let rays = parts::of_rays(&counts);
-        assert!(is_by_paths || looks || rays == 0, "{name}: {rays} instructions for rays without a use");
+        // occluders are found along rays, too
+        let hides = plan.effects().iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
+        let has_use = is_by_paths || hides || looks;
+        assert!(has_use || rays == 0, "{name}: {rays} instructions for rays without a use");
         let listed: BTreeSet<String> = plan.kernels().iter().map(|kernel| kernel.name.to_owned()).collect();
         let run = parts::kernels(&counts);
         assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");

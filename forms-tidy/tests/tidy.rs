@@ -51,7 +51,7 @@ const LAYERS: [(&str, &[&str]); 16] = [
     ("forms-testing", &[]),
     ("forms-core-testing", &["forms-core"]),
     ("forms-radiometry-testing", &["forms-kernels", "forms-radiometry", "forms-testing"]),
-    ("forms-competitors", &["forms"]),
+    ("forms-competitors", &["forms", "forms-testing"]),
     ("forms-tidy", &[]),
     ("forms-notebooks", &["forms", "forms-core", "forms-kernels", "forms-radiometry", "forms-book"]),
 ];

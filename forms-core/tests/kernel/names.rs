@@ -8,6 +8,7 @@ use forms_core::emission::{KernelDocs, Precision, Source, Target, emit};
 use forms_core::expression::{Expr, Relation};
 use forms_core::kernel::Program;
 use forms_core::syntax::words::{Word, reserved};
+use forms_testing::SplitMix;
 use std::collections::BTreeSet;
 
 /// Lists used by the emitter, and further names that it does not have.
@@ -27,24 +28,11 @@ const LISTS: [&str; 6] = [
      float4 threadIdx NULL M_PI M_PI_2 M_SQRT2 fn_ let_ type_ printf_ double_ Some_ self_ match_ r r_match raw_match",
 ];
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
-    }
-}
-
 /// Returns every name once, in random order.
 fn names() -> Vec<String> {
     let lines = LISTS.iter().flat_map(|list| list.lines()).filter(|line| !line.starts_with('#'));
     let mut names: BTreeSet<String> = lines.flat_map(str::split_whitespace).map(str::to_string).collect();
-    let mut random = Random(1);
+    let mut random = SplitMix(1);
     let known: Vec<String> = names.iter().cloned().collect();
     for _ in 0..500 {
         let mut name = known[random.below(known.len())].clone();

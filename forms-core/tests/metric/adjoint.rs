@@ -1,11 +1,11 @@
 //! The codifferential is the adjoint of d: ∫ ⟨da, b⟩ vol = ∫ ⟨a, δb⟩ vol over a box on whose boundary a vanishes.
 
-use super::random::Random;
 use super::theory::{assert_proved, is_refuted};
+use forms_testing::SplitMix;
 
 /// Returns a metric Σ ±θᵢ² with θ = dx + p dy, …: its determinant is ±1, so that everything stays
 /// polynomial.
-fn unimodular(random: &mut Random) -> String {
+fn unimodular(random: &mut SplitMix) -> String {
     let signs = [0, 1, 2].map(|_| ["", "-"][random.below(2)]);
     let slopes = [0, 1, 2].map(|_| ["0", "1", "x", "y*z", "2*y"][random.below(5)]);
     format!(
@@ -25,7 +25,7 @@ const PAIRS: [(&str, &str); 3] = [
 
 #[test]
 fn the_codifferential_is_the_adjoint_of_d_on_a_box() {
-    let mut random = Random(11);
+    let mut random = SplitMix(11);
     let mut seen = false;
     for _ in 0..4 {
         let preamble = unimodular(&mut random);

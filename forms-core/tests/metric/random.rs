@@ -1,22 +1,7 @@
 //! Random metrics as texts: the entries, some of them off the diagonal, are small polynomials and
 //! unknown functions.
 
-/// SplitMix64
-pub(crate) struct Random(pub(crate) u64);
-
-impl Random {
-    pub(crate) fn below(&mut self, bound: u64) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound) as usize
-    }
-
-    fn pick<'a>(&mut self, from: &[&'a str]) -> &'a str {
-        from[self.below(from.len() as u64)]
-    }
-}
+use forms_testing::SplitMix;
 
 pub(crate) const COORDINATES: [&str; 4] = ["x", "y", "z", "w"];
 
@@ -27,13 +12,13 @@ pub(crate) struct Metric {
 
 impl Metric {
     /// Draws a metric of some dimension and signature.
-    pub(crate) fn draw(random: &mut Random, dimension: usize) -> Self {
+    pub(crate) fn draw(random: &mut SplitMix, dimension: usize) -> Self {
         let mut lower: Vec<Vec<String>> = Vec::new();
         for size in 0..dimension {
             let mut row: Vec<String> =
-                (0..size).map(|_| random.pick(&["0", "0", "1", "x", "y", "f"]).to_string()).collect();
-            let sign = random.pick(&["", "", "-"]);
-            row.push(format!("{sign}{}", random.pick(&["1", "2", "(1 + x**2)", "(3 + x*x)", "f"])));
+                (0..size).map(|_| random.of(&["0", "0", "1", "x", "y", "f"]).to_string()).collect();
+            let sign = random.of(&["", "", "-"]);
+            row.push(format!("{sign}{}", random.of(&["1", "2", "(1 + x**2)", "(3 + x*x)", "f"])));
             lower.push(row);
         }
         let entry = |i: usize, j: usize| lower[i.max(j)][i.min(j)].clone();
@@ -68,7 +53,7 @@ impl Metric {
 
 /// Returns nondegenerate metrics of dimension 2 and 3, the same in every run.
 pub(crate) fn metrics(count: usize) -> Vec<Metric> {
-    let mut random = Random(7);
+    let mut random = SplitMix(7);
     let drawn = (0..).map(|number| Metric::draw(&mut random, 2 + number % 2));
     drawn.filter(|metric| !metric.is_degenerate()).take(count).collect()
 }

@@ -7,6 +7,7 @@
 
 use forms_core::check::read_theory;
 use forms_core::diagnostic::MOST_DIAGNOSTICS;
+use forms_testing::SplitMix;
 use std::fmt::Write;
 
 /// Default number of files.
@@ -73,23 +74,6 @@ fn every_statement_is_counted_or_the_file_is_an_error() {
     assert!(sound * 10 > cases && damaged * 10 > cases, "{sound} sound files and {damaged} others");
 }
 
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
-    }
-
-    fn of<'a>(&mut self, words: &[&'a str]) -> &'a str {
-        words[self.below(words.len())]
-    }
-}
-
 /// Kinds of declarations.
 const KINDS: [&str; 7] = ["let", "form", "field", "map", "metric", "fn", "chart"];
 
@@ -104,7 +88,7 @@ struct File {
 
 impl File {
     fn random(case: u64) -> File {
-        let mut random = Random(case);
+        let mut random = SplitMix(case);
         let text = "chart P(x, y); param c where c > 0;\n".to_string();
         let mut file = File { text, claims: 0, is_damaged: false, known: Default::default() };
         let is_prone = random.below(2) == 0;
@@ -121,7 +105,7 @@ impl File {
 
     /// Returns a name of a kind for use in the declaration of `own`: usually a name declared
     /// before, sometimes `own` or an undeclared name.
-    fn name(&mut self, kind: usize, own: &str, is_prone: bool, random: &mut Random) -> Option<String> {
+    fn name(&mut self, kind: usize, own: &str, is_prone: bool, random: &mut SplitMix) -> Option<String> {
         if is_prone && random.below(8) == 0 {
             self.is_damaged = true;
             return Some(if random.below(2) == 0 { own.to_string() } else { "nobody".to_string() });
@@ -130,7 +114,7 @@ impl File {
         (!known.is_empty()).then(|| known[random.below(known.len())].clone())
     }
 
-    fn declare(&mut self, kind: usize, number: usize, is_prone: bool, random: &mut Random) {
+    fn declare(&mut self, kind: usize, number: usize, is_prone: bool, random: &mut SplitMix) {
         let own = format!("n{number}");
         // the condition of a `fn` is allowed to mention the function itself
         let used = self.name(kind, &own, is_prone && kind != 5, random);
@@ -154,7 +138,7 @@ impl File {
         let _ = writeln!(self.text, "{text}");
     }
 
-    fn kernel_or_warp(&mut self, number: usize, is_prone: bool, random: &mut Random) {
+    fn kernel_or_warp(&mut self, number: usize, is_prone: bool, random: &mut SplitMix) {
         let own = format!("n{number}");
         let used = self.name(3, &own, is_prone, random).unwrap_or("x".to_string());
         let body = if used == "x" { "x*y".to_string() } else { format!("pullback({used}, x)") };
@@ -169,7 +153,7 @@ impl File {
         };
     }
 
-    fn claim(&mut self, number: usize, random: &mut Random) {
+    fn claim(&mut self, number: usize, random: &mut SplitMix) {
         let mut use_one = |kind: usize, otherwise: &str| match self.known[kind].last() {
             Some(name) if random.below(3) > 0 => name.clone(),
             _ => otherwise.to_string(),

@@ -2,6 +2,7 @@
 
 use crate::tree::{Angle, Fold, Point, Tree};
 use Tree::{Cos, Excess, Folded, Mean, Number, Plain, Sin, Turns};
+use forms_testing::SplitMix;
 use num_rational::Ratio;
 
 /// left ≤ right
@@ -15,20 +16,16 @@ pub(crate) struct Statement {
 }
 
 /// Pseudorandom numbers that depend only on the case.
-pub(crate) struct Dice(u64);
+pub(crate) struct Dice(SplitMix);
 
 impl Dice {
     pub(crate) fn of(case: u64) -> Self {
-        Dice(case.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678_9abc_def1)
+        Dice(SplitMix(case.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x1234_5678_9abc_def1))
     }
 
-    /// Returns a number from 0 up to a bound, by SplitMix64.
+    /// Returns a number from 0 up to a bound.
     pub(crate) fn below(&mut self, bound: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % bound
+        self.0.next() % bound
     }
 
     fn among<T: Clone>(&mut self, choices: &[T]) -> T {

@@ -69,7 +69,7 @@ pub(crate) fn simulate(
     let limits = Limits::of(task.effects);
     let samplers = samplers(task, limits);
     let computing = Computing::of(&world.scene, (task.computable, &limits), &samplers);
-    let mut work = Work::new(world, task.metres, (division, keeper), &computing, progress);
+    let mut work = Work::new(task, (division, keeper), &computing, progress);
     if let Some(state) = state {
         work.restore(state)?;
     }
@@ -91,7 +91,7 @@ pub(crate) fn merge(
     parts: Vec<(Share, OfPaths)>,
     progress: &Progress<'_>,
 ) -> Result<Simulation, Misfit> {
-    let mut work = Work::new(task.world, task.metres, (division, None), &Computing::nothing(), progress);
+    let mut work = Work::new(task, (division, None), &Computing::nothing(), progress);
     parts.into_iter().try_for_each(|(share, state)| work.take(share, state))?;
     if !work.requests.iter().all(Request::is_answered) {
         return Err(Misfit);
@@ -116,16 +116,15 @@ pub(crate) struct Work<'w> {
 
 impl<'w> Work<'w> {
     fn new(
-        world: &'w World,
-        metres: f64,
+        task: Task<'w>,
         (division, keeper): (Division, Option<&'w dyn Keeper>),
         computing: &Computing<'_>,
         progress: &'w Progress<'w>,
     ) -> Self {
         Self {
-            scene: &world.scene,
+            scene: &task.world.scene,
             division,
-            requests: requests(world, metres, computing),
+            requests: requests(task, computing),
             scales: None,
             keeper,
             progress,

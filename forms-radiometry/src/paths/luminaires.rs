@@ -168,8 +168,8 @@ impl Luminaires {
 
     /// Returns the number of light sources that are sampled from a point.
     pub(super) fn sampled(&self) -> usize {
-        let beams = if self.beams.len() <= FEW_BEAMS { self.beams.len() } else { 1 };
-        beams + usize::from(!self.walls.is_empty())
+        let beams = self.beams.len();
+        usize::from(self.are_met()) + if beams <= FEW_BEAMS { beams } else { 1 }
     }
 
     /// Whether the light sources of a wall are not sampled from a point.
@@ -177,8 +177,7 @@ impl Luminaires {
         self.near[wall].as_ref().is_some_and(|near| near.holds(from))
     }
 
-    /// Selects an emitting surface by a number from 0 to 1, in proportion to its power; `None` if there
-    /// is none.
+    /// Selects an emitting surface by a number from 0 to 1, in proportion to its power, if there is one.
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
         match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),

@@ -51,7 +51,7 @@ fn plan_of_paths(scene: &Scene, reason: String) -> Result<Plan, Vec<SceneError>>
     let is_pervious =
         |forced: &&ForcedEffect| forced.effect == Effect::Occlusion && forced.force == Force::Off;
     if let Some(forced) = scene.solve.forced.iter().find(is_pervious) {
-        let message = "path tracing cannot ignore occlusion";
+        let message = format!("path tracing, which is needed because {reason}, cannot ignore occlusion");
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
     let mut plan = Plan::new(scene, decided(scene, Survey::without_bounds(scene)), Some(reason));

@@ -121,26 +121,44 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
 /// path tracing if there is a reason for it, or if that is expected to cost far less.
 pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
-    let computable = || Computable::of(scene, &Limits::of(effects));
-    let world = || Arc::new(World::new(simulated.shared_scene()));
-    let chosen = match paths {
-        Some(reason) => Some((world(), computable(), reason)),
-        None if !may_be_by_paths(scene, effects) => None,
-        None => {
-            let radiosity = expected_cost(scene, &Question::of(scene, effects), effects.hiding);
-            (radiosity > SMALL).then(|| (world(), computable())).and_then(|(world, computable)| {
-                let reason = reason_by_cost(radiosity, || expected_rays(simulated.task(&world, computable)))?;
-                Some((world, computable, format!("{}; {reason}", reason_for_radiosity(effects))))
-            })
-        }
+    let computable = Computable::of(scene, &Limits::of(effects));
+    let by_paths = match paths {
+        Some(reason) => Some((world_of(simulated), reason)),
+        None => far_cheaper_paths(simulated, computable),
     };
-    match chosen {
-        Some((world, computable, reason)) => {
+    match by_paths {
+        Some((world, reason)) => {
             let methods = of_paths(scene, computable, &reason);
             (Solver::Paths { world, computable }, methods)
         }
         None => (Solver::Radiosity, of_radiosity(scene, effects)),
     }
+}
+
+fn world_of(simulated: &SimulatedScene) -> Arc<World> {
+    Arc::new(World::new(simulated.shared_scene()))
+}
+
+/// Returns the world in which paths are traced, and the reason, if path tracing is expected to cost
+/// far less than radiosity.
+fn far_cheaper_paths(simulated: &SimulatedScene, computable: Computable) -> Option<(Arc<World>, String)> {
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
+    if !may_be_by_paths(scene, effects) {
+        return None;
+    }
+    let radiosity = expected_cost(scene, &Question::of(scene, effects), effects.hiding);
+    if radiosity <= SMALL {
+        return None;
+    }
+    let world = world_of(simulated);
+    let reason = if radiosity.is_infinite() {
+        "exact visibility would need too many elements"
+    } else if radiosity > WORTHWHILE * expected_rays(simulated.task(&world, computable)) {
+        "paths are expected to take less time than exact visibility"
+    } else {
+        return None;
+    };
+    Some((world, format!("{}; {reason}", reason_for_radiosity(effects))))
 }
 
 /// Whether a scene of diffuse surfaces in a vacuum may be solved by path tracing. Paths always
@@ -153,15 +171,6 @@ fn may_be_by_paths(scene: &Scene, effects: &SimulatedEffects) -> bool {
         Hiding::Nothing if effects.orders == Some(0) => false,
         Hiding::Nothing | Hiding::Simulated => !scene.receivers.iter().any(is_image),
     }
-}
-
-/// Returns the reason for path tracing if it is expected to cost far less than this cost of
-/// radiosity.
-fn reason_by_cost(radiosity: f64, paths: impl FnOnce() -> f64) -> Option<&'static str> {
-    if radiosity.is_infinite() {
-        return Some("exact visibility would need too many elements");
-    }
-    (radiosity > WORTHWHILE * paths()).then_some("paths are expected to take less time than exact visibility")
 }
 
 fn reason_for_radiosity(effects: &SimulatedEffects) -> &'static str {

@@ -19,41 +19,60 @@ use crate::scene::{Light, LightKind, Scene};
 use crate::visibility::{Face, distance_of_boxes};
 use std::f64::consts::PI;
 
+/// Maximum number of pairs of reflecting and emitting faces whose distances are found.
+const MOST_PAIRS: usize = 1 << 20;
+
 /// Returns an upper bound on the direct irradiance on any face that reflects, in any band.
 pub(crate) fn most_direct(scene: &Scene, transport: &Transport) -> f64 {
+    let emitting: Vec<&Face> = transport.faces.iter().filter(|other| emits(scene, other)).collect();
     let on_face = |face: &Face| {
-        let mut most = most_of_beams(face, scene, transport);
-        for (most, radiance) in most.iter_mut().zip(&scene.ambient.radiance) {
-            *most += PI * radiance;
-        }
-        for other in transport.faces.iter().filter(|other| emits(scene, other)) {
-            let factor = PI * most_of_face((face, other), scene, transport);
-            let radiances = &scene.surfaces[other.surface].radiance;
-            most.iter_mut().zip(radiances).for_each(|(most, radiance)| *most += factor * radiance);
-        }
-        most.into_iter().fold(0.0, f64::max)
+        let both = most_of_beams(face, scene, transport).into_iter();
+        let both = both.zip(most_of_faces(face, &emitting, scene, transport));
+        let outside = scene.ambient.radiance.iter().chain(std::iter::repeat(&0.0));
+        both.zip(outside).map(|((beams, faces), outside)| beams + faces + PI * outside).fold(0.0, f64::max)
     };
     let reflecting = transport.faces.iter().filter(|face| is_reflecting(scene, face));
     reflecting.map(on_face).fold(0.0, f64::max)
 }
 
-/// Returns for each band the largest radiance that a face reflects of the direct light of point and
-/// distant lights.
-pub(crate) fn most_reflected_of_beams(scene: &Scene, transport: &Transport) -> Vec<f64> {
+/// Returns for each band the largest radiance that a face reflects of the direct light of surfaces,
+/// and of point and distant lights. If surfaces are many, only their radiance is looked at.
+pub(crate) fn most_reflected(scene: &Scene, transport: &Transport) -> Vec<f64> {
     let mut largest = vec![0.0_f64; scene.band_count()];
-    for face in transport.faces.iter().filter(|face| is_reflecting(scene, face)) {
-        let arriving = most_of_beams(face, scene, transport);
-        for ((largest, arriving), rho) in
-            largest.iter_mut().zip(arriving).zip(reflectance(scene, face.surface))
-        {
-            *largest = largest.max(rho * arriving / PI);
+    let emitting: Vec<&Face> = transport.faces.iter().filter(|other| emits(scene, other)).collect();
+    let reflecting: Vec<&Face> = transport.faces.iter().filter(|face| is_reflecting(scene, face)).collect();
+    let are_many = emitting.len() * reflecting.len() > MOST_PAIRS;
+    let brightest = |band: usize| {
+        let radiances = scene.surfaces.iter().filter_map(|surface| surface.radiance.get(band));
+        radiances.copied().fold(0.0, f64::max)
+    };
+    let of_all: Vec<f64> = (0..largest.len()).map(|band| PI * brightest(band)).collect();
+    for face in reflecting {
+        let of_beams = most_of_beams(face, scene, transport);
+        let of_faces =
+            if are_many { of_all.clone() } else { most_of_faces(face, &emitting, scene, transport) };
+        for (band, rho) in reflectance(scene, face.surface).iter().enumerate() {
+            // form factors add up to no more than 1
+            let arriving = of_beams[band] + of_faces[band].min(of_all[band]);
+            largest[band] = largest[band].max(rho * arriving / PI);
         }
     }
     largest
 }
 
+/// Returns for each band an upper bound on the irradiance of emitting faces on a face.
+fn most_of_faces(face: &Face, emitting: &[&Face], scene: &Scene, transport: &Transport) -> Vec<f64> {
+    let mut most = vec![0.0; scene.band_count()];
+    for other in emitting {
+        let factor = PI * most_of_face((face, other), scene, transport);
+        let radiances = &scene.surfaces[other.surface].radiance;
+        most.iter_mut().zip(radiances).for_each(|(most, radiance)| *most += factor * radiance);
+    }
+    most
+}
+
 /// Returns for each band an upper bound on the irradiance of point and distant lights on a face.
-pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -> Vec<f64> {
+fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -> Vec<f64> {
     let mut most = vec![0.0; scene.band_count()];
     for light in &scene.lights {
         let factor = most_of_light(face, light, scene, transport);
@@ -65,6 +84,19 @@ pub(super) fn most_of_beams(face: &Face, scene: &Scene, transport: &Transport) -
         }
     }
     most
+}
+
+/// Returns how far the irradiance of a point light on a face may exceed its mean there, as the
+/// largest ratio for any face that reflects; at least 1. A light that is near a face has a high and
+/// narrow peak below it, and sends the face no more than half of its power.
+pub(super) fn highest_peak(scene: &Scene, transport: &Transport) -> f64 {
+    let is_near = |light: &&Light| matches!(light.kind, LightKind::Point { .. });
+    let of_face = |face: &Face| {
+        let of_light = |light| face.area * most_of_light(face, light, scene, transport) / (2.0 * PI);
+        scene.lights.iter().filter(is_near).map(of_light).fold(1.0, f64::max)
+    };
+    let reflecting = transport.faces.iter().filter(|face| is_reflecting(scene, face));
+    reflecting.map(of_face).fold(1.0, f64::max)
 }
 
 /// Returns an upper bound on the form factor from a point of a face to another face.

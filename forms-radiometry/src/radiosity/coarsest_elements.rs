@@ -25,7 +25,7 @@ const ORDER_ON_ROUND: usize = 2;
 
 /// Returns the order of the elements before any is split, by the number of nodes that they have
 /// with each order.
-pub(super) fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
+fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
     let lower = |order, (lower, most)| if nodes(order) > most { lower } else { order };
     MOST_OF_ORDERS.into_iter().fold(HIGHEST_ORDER, lower)
 }

@@ -9,20 +9,25 @@
 //! 1, and errors fall with the third power of the size of elements. These are split along the
 //! borders of shadows only, so that their number grows with the inverse of their size: k =
 //! (1/ε)^(1/3) for the tolerance ε. Without occlusion, the polynomials of second degree have an
-//! error of 1/10 at first, which falls with the third power of the area: k = (1/10ε)^(1/3). Elements that occlude each other, and
+//! error of 1/10 at first, which falls with the third power of the area: k = (1/10ε)^(1/3). Below a
+//! near point light, the first error is larger by the height of the peak. Elements that occlude each other, and
 //! that cannot be split once within the maximum number of nodes, give no error estimate: their cost
 //! is infinite.
 
-use super::coarsest_elements::{MOST_NODES, first_order};
+use super::brightest::highest_peak;
+use super::coarsest_elements::{MOST_NODES, coarsest};
 use super::direct::{kinds, sources};
 use super::driver::{FINEST, readings::Reading};
+use super::element::Element;
 use super::question::Question;
-use super::reference::{Shape, reference};
 use super::reflectance::is_reflecting;
+use super::shadows::Shadows;
+use super::transport::Transport;
 use crate::effects::Hiding;
 use crate::faces::{faces, is_bright, is_round};
 use crate::scene::{ReceiverKind, Scene};
-use crate::visibility::Face;
+use crate::visibility::{Face, Screens};
+use crate::watch::Unwatched;
 
 /// Cost of an exact view of a face, and of the light exchanged by two faces, in rays.
 const VIEW: f64 = 16.0;
@@ -39,7 +44,7 @@ const SHAPE: f64 = 1e-2;
 /// too many nodes.
 pub(crate) fn expected_cost(scene: &Scene, question: &Question, hiding: Hiding) -> f64 {
     let finest = if is_round(scene) { finest(scene.solve.tolerance) } else { 0 };
-    (0..=finest).map(|fineness| of_faces(scene, &faces(scene, fineness), question, hiding)).sum()
+    (0..=finest).map(|fineness| of_faces(scene, faces(scene, fineness), question, hiding)).sum()
 }
 
 /// Returns the tessellation level at which curved shapes are expected to meet the tolerance.
@@ -49,34 +54,42 @@ fn finest(tolerance: f64) -> usize {
 }
 
 /// Returns the expected cost of the solution with these faces.
-fn of_faces(scene: &Scene, faces: &[Face], question: &Question, hiding: Hiding) -> f64 {
+fn of_faces(scene: &Scene, faces: Vec<Face>, question: &Question, hiding: Hiding) -> f64 {
     let is_hidden = hiding == Hiding::Simulated;
-    let is_reflected = question.orders != Some(0);
-    let kinds = kinds(scene, faces);
-    let receives = |face: &&Face| question.receives[face.surface] && !face.is_back;
+    let kinds = kinds(scene, &faces);
     let count = |is: &dyn Fn(&&Face) -> bool| faces.iter().filter(is).count();
-    let reflecting = if is_reflected { count(&|face| is_reflecting(scene, face)) } else { 0 };
-    let receiving = count(&receives);
-    let lit = sources(scene, faces, kinds).into_iter().filter(|&face| is_bright(scene, &faces[face])).count();
+    let reflecting = if question.orders == Some(0) { 0 } else { count(&|face| is_reflecting(scene, face)) };
+    let receiving = count(&|face| question.receives[face.surface] && !face.is_back);
+    let lit =
+        sources(scene, &faces, kinds).into_iter().filter(|&face| is_bright(scene, &faces[face])).count();
+    let is_beyond = |nodes: usize| is_hidden && PARTS * nodes as f64 > MOST_NODES as f64;
     // without light from outside, the direct light of a surface is an integral
-    let summed = if kinds.surroundings { receiving } else { 0 };
-    let nodes = coarsest_nodes(reflecting.max(summed)) as f64;
-    if is_hidden && PARTS * nodes > MOST_NODES as f64 {
+    if is_beyond(reflecting.max(if kinds.surroundings { receiving } else { 0 })) {
+        return f64::INFINITY;
+    }
+    let screens = if is_hidden { Screens::of(&faces) } else { Screens::none(&faces) };
+    let transport = Transport { faces, screens, occlusion: is_hidden, accuracy: 1.0 };
+    let nodes = coarsest_nodes(scene, &transport, question, !kinds.surroundings);
+    if is_beyond(nodes) {
         return f64::INFINITY;
     }
     let (points, cells) = requested_values(scene);
-    let first_error = if is_hidden { HIDDEN } else { FREE };
+    let [nodes, points, cells] = [nodes, points, cells].map(|count| count as f64);
+    let [reflecting, receiving, lit] = [reflecting, receiving, lit].map(|count| count as f64);
+    let first_error = if is_hidden { HIDDEN } else { FREE } * highest_peak(scene, &transport);
     let finer = (first_error / scene.solve.tolerance).cbrt().min(MOST_NODES as f64 / nodes).max(1.0);
-    let [points, cells, reflecting, lit] = [points, cells, reflecting, lit].map(|count| count as f64);
     let reflected = VIEW * reflecting * (nodes * (1.0 + finer * finer) + cells * finer);
-    let direct = lit * (VIEW * (points + cells + nodes * finer) + EXCHANGE * receiving as f64);
+    let direct = lit * (VIEW * (points + cells + nodes * finer) + EXCHANGE * receiving);
     reflected + direct
 }
 
-/// Returns the number of nodes that this many elements begin with.
-fn coarsest_nodes(elements: usize) -> usize {
-    let nodes = |order| elements * reference(Shape::Square, order).nodes.len();
-    nodes(first_order(nodes))
+/// Returns the number of nodes before any element is split. Faces are cut where others touch them
+/// and along shadow borders. `is_integral` tells whether the direct light of a surface is an
+/// integral.
+fn coarsest_nodes(scene: &Scene, transport: &Transport, question: &Question, is_integral: bool) -> usize {
+    let shadows = Shadows::on(scene, transport, question, &Unwatched);
+    let are_integrals = vec![is_integral; scene.surfaces.len()];
+    coarsest(scene, transport, question, &are_integrals, &shadows).iter().map(Element::count).sum()
 }
 
 /// Returns the number of readings at points that a scene asks for, and the number of cells of maps.

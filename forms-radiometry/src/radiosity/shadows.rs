@@ -8,6 +8,8 @@
 
 use super::contact::Contact;
 use super::point_lights::{measure, spectrum};
+use super::question::Question;
+use super::reflectance::is_reflecting;
 use super::transport::Transport;
 use crate::form_factor::double_double::Rounded;
 use crate::geometry::{Vector, edges};
@@ -26,6 +28,16 @@ pub(super) struct Shadows {
 }
 
 impl Shadows {
+    /// Computes the lit parts of the faces that receive light for a question, or reflect it; none if
+    /// the work is stopped.
+    pub(super) fn on(scene: &Scene, transport: &Transport, question: &Question, watch: &dyn Watch) -> Self {
+        let is_wanted = |face: &Face| {
+            let is_source = question.orders != Some(0) && is_reflecting(scene, face);
+            is_source || question.receives[face.surface] && !face.is_back
+        };
+        Self::of(scene, transport, is_wanted, watch)
+    }
+
     /// Computes the lit parts of the selected faces; none if the work is stopped.
     pub(super) fn of(
         scene: &Scene,

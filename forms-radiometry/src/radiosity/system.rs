@@ -11,7 +11,7 @@ use super::operator::{Operator, Row};
 use super::partial::OnElement;
 use super::question::Question;
 use super::received::{OfNodes, Received};
-use super::reflectance::{is_reflecting, reflectance, reflects};
+use super::reflectance::{reflectance, reflects};
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
@@ -20,7 +20,6 @@ use crate::form_factor::double_double::{Rounded, area};
 use crate::geometry::Vector;
 use crate::parallelism::Parallelism;
 use crate::scene::Scene;
-use crate::visibility::Face;
 use crate::watch::Watch;
 use forms::math::{DoubleDouble, Real};
 use forms_kernels::gathered_light::Effects as LightKinds;
@@ -84,11 +83,7 @@ impl<'t> Radiosity<'t> {
         watch: &'t dyn Watch,
     ) -> Self {
         let is_all = question.orders == Some(0);
-        let has_shadows = |face: &Face| {
-            let is_source = !is_all && is_reflecting(scene, face);
-            is_source || question.receives[face.surface] && !face.is_back
-        };
-        let shadows = Shadows::of(scene, transport, has_shadows, watch);
+        let shadows = Shadows::on(scene, transport, &question, watch);
         let flux = |_: &mut (), surface: usize| {
             let receives = question.receives[surface];
             receives.then(|| lights.flux((surface, is_all), transport, &shadows, watch))

@@ -11,9 +11,9 @@ use forms_radiometry::simulation::{
 };
 use forms_testing::SplitMix;
 use forms_testing::scene_text::elements::{
-    camera, distant_light, gas, point_light, sky, sphere, square, two_sided,
+    camera, disk, distant_light, gas, mirror_aside, point_light, sky, sphere, square, two_sided,
 };
-use forms_testing::scene_text::{material, polygon, surface};
+use forms_testing::scene_text::{material, point_receiver, polygon, surface};
 
 /// Number of samples of each pixel and cell that is enough to meet rare light.
 const MANY: u64 = 1 << 13;
@@ -116,4 +116,48 @@ fn pixels_and_cells_say_how_far_they_are_off_where_light_is_rare() {
         maps.flat_map(|(one, other)| deviations(one, other)).collect::<Vec<f64>>()
     });
     assert_honest(&off.collect::<Vec<f64>>());
+}
+
+/// Returns the irradiance at the height H above the centre of a disk that reflects the light of a
+/// point light of intensity 1 at the height h, 2ρ H² ∫ (H² + h² (1/c² − 1))⁻² dc, with c the cosine
+/// at the light, from that of the edge to 1.
+fn above_a_lit_disk([near, far]: [f64; 2], reflectance: f64, radius: f64) -> f64 {
+    const STEPS: u32 = 100_000;
+    let edge = near / near.hypot(radius);
+    let step = (1.0 - edge) / f64::from(STEPS);
+    let at = |index: u32| {
+        let cosine = edge + step * (f64::from(index) + 0.5);
+        (far * far + near * near * ((cosine * cosine).recip() - 1.0)).powi(-2)
+    };
+    2.0 * reflectance * far * far * step * (0..STEPS).map(at).sum::<f64>()
+}
+
+/// Few paths meet the spot below a light that is near a surface.
+#[test]
+fn light_that_a_bright_spot_reflects_is_not_missed() {
+    for (near, radius) in [(0.003, 1.0), (0.01, 2.0), (0.05, 1.0), (0.2, 1.0)] {
+        let right = above_a_lit_disk([near, 1.0], 0.5, radius);
+        let scene = |seed: u64| {
+            let mut scene = read_or_panic(&[
+                material("grey", 0.5),
+                surface("disk", "grey", &disk([0.0; 3], [0.0, 0.0, 1.0], radius)),
+                mirror_aside(),
+                point_light([0.0, 0.0, near], 1),
+                point_receiver("point", [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]),
+                "[solve]\neffects = { direct = \"off\" }\n".to_owned(),
+            ]);
+            scene.solve.seed = seed;
+            scene
+        };
+        let off = |seed: u64| {
+            let plan = plan(&scene(seed)).unwrap_or_else(|errors| panic!("{}", errors[0]));
+            let found = simulate(&plan, &Unwatched).answers.swap_remove(0);
+            assert_eq!(found.kind, ErrorKind::Sigma);
+            (found.value - right).abs() / found.error
+        };
+        let all: Vec<f64> = (0..40).map(off).collect();
+        assert!(all.iter().all(|&off| off < 5.0), "{near}: right is {right}, off by {all:?}");
+        let beyond = all.iter().filter(|&&off| off > 3.0).count();
+        assert!(20 * beyond <= all.len(), "{near}: {beyond} of {} are off by more than 3 errors", all.len());
+    }
 }

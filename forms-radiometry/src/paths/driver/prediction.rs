@@ -2,7 +2,7 @@
 //! tolerance.
 //!
 //! ```text
-//! n paths: relative error σ ─▶ n (σ/ε)² paths for the tolerance ε
+//! spread of n paths, what they may have missed ─▶ paths for the tolerance
 //! rays = paths × vertices of a path × (1 + light sources sampled at a vertex)
 //! ```
 //! The plan compares this number with the expected cost of radiosity. It does not depend on the
@@ -28,12 +28,12 @@ const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
 
 /// Returns the number of rays that path tracing is expected to need for a scene.
 pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
-    let Task { world, metres, effects, .. } = task;
+    let Task { world, effects, .. } = task;
     let limits = Limits::of(effects);
     let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
     let samplers = samplers(task, Limits { reflections: Some(reflections), ..limits });
     let (scene, bands) = (&*world.scene, world.scene.band_count());
-    let mut requests = requests(world, metres, &Computing::nothing());
+    let mut requests = requests(task, &Computing::nothing());
     let step = requests.len().div_ceil(MOST_TRACED).max(1);
     let trace = |(index, request): (usize, &mut Request)| {
         request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
@@ -56,7 +56,6 @@ fn expected_paths(request: &Request, scales: &Scales, bands: usize, tolerance: f
         Some(_) => scales[request.receiver].clone(),
         None => request.largest(bands),
     };
-    let paths = request.replicates.count() * (request.error(&scales) / tolerance).powi(2);
-    let [first, most] = [request.first(), MOST_SAMPLES].map(|samples| REPLICATES as f64 * f64::from(samples));
-    paths.clamp(first, most)
+    let [first, most] = [request.first(), MOST_SAMPLES].map(f64::from);
+    REPLICATES as f64 * request.needed(&scales, tolerance).clamp(first, most)
 }

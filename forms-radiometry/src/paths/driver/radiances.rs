@@ -23,17 +23,19 @@ pub(super) fn passed_on(scene: &Scene, effects: EffectSet) -> f64 {
 }
 
 /// Returns, for each band, the brightest radiance: this part of the radiance of surfaces, light
-/// from outside, or reflected light of beams.
-pub(super) fn brightest(scene: &Scene, of_beams: &[f64], outside: &[f64], part: f64) -> Vec<f64> {
-    let mut brightest = of_beams.to_vec();
+/// from outside, or their light that a surface reflects.
+pub(super) fn brightest(scene: &Scene, reflected: &[f64], outside: &[f64], part: f64) -> Vec<f64> {
+    let mut brightest = reflected.to_vec();
     add_brighter(&mut brightest, outside, 1.0);
     scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, part));
     brightest
 }
 
-/// Returns, for each band, the brightest radiance that is found only by chance.
-pub(super) fn by_chance(world: &World, outside: Vec<f64>) -> Vec<f64> {
-    let mut brightest = outside;
+/// Returns, for each band, the brightest radiance that is found only by chance: from outside, of
+/// surfaces via curved mirrors and glass, or this part of the light that a surface reflects.
+pub(super) fn by_chance(world: &World, outside: &[f64], (reflected, part): (&[f64], f64)) -> Vec<f64> {
+    let mut brightest = outside.to_vec();
+    add_brighter(&mut brightest, reflected, part);
     let turned = world.turned_by_chance();
     world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));
     brightest

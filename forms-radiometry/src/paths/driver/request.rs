@@ -1,19 +1,20 @@
 //! Estimands: receivers become questions, each with its replicates and their target number of
 //! samples.
 
+mod errors;
+
+use super::Task;
 use super::analytic::{Computed, Computing};
 use super::neighbours::Spread;
 use super::pixels::shown;
 use super::radiances::{brightest, by_chance, outside, passed_on};
-use crate::answer::{ErrorKind, ErrorParts};
 use crate::effects::EffectSet;
 use crate::faces::faces;
-use crate::job::{Budget, MOST_SAMPLES, REPLICATES, Share};
-use crate::paths::{Bins, Estimand, FirstHit, LEFT_OUT, PathSampler, Replicates, World};
+use crate::job::{Budget, REPLICATES, Share};
+use crate::paths::{Bins, Estimand, FirstHit, LEFT_OUT, PathSampler, Replicates};
 use crate::progress::times::scale;
-use crate::radiosity::driver::ROUNDING;
 use crate::radiosity::driver::grid::Grid;
-use crate::radiosity::{Transport, most_reflected_of_beams};
+use crate::radiosity::{Transport, most_reflected};
 use crate::sampling::key;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
 use crate::visibility::Screens;
@@ -28,12 +29,6 @@ const FIRST_OF_CELLS: usize = 1024;
 const FIRST_OF_SEVERAL: u32 = 8;
 /// Samples of a replicate between two checks for a pause.
 const STEP: u32 = 1 << 12;
-/// Samples of each replicate after which more are useless, if all of them found nothing.
-const NOTHING: u32 = 1 << 14;
-/// Difference between the values of samples by rounding, relative to their mean.
-const SAME: f64 = 1e-12;
-/// Rule of three: an event that none of n samples met is rarer than this over n, as a rule.
-const UNMET: f64 = 3.0;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -99,9 +94,9 @@ impl Division {
     }
 }
 
-/// Returns all questions of a scene. `metres` is the working unit of length; `computing` answers
-/// the questions that need no samples.
-pub(crate) fn requests(world: &World, metres: f64, computing: &Computing<'_>) -> Vec<Request> {
+/// Returns all questions of a task; `computing` answers those that need no samples.
+pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request> {
+    let Task { world, metres, .. } = task;
     let scene = &*world.scene;
     let effects = EffectSet::of_scene(scene);
     let has_images =
@@ -110,9 +105,10 @@ pub(crate) fn requests(world: &World, metres: f64, computing: &Computing<'_>) ->
     let mut all: Vec<Request> = Vec::new();
     let unhidden = unhidden(scene);
     let outside = outside(scene);
-    let of_beams = most_reflected_of_beams(scene, &unhidden);
-    let brightest = [1.0, passed_on(scene, effects)].map(|part| brightest(scene, &of_beams, &outside, part));
-    let by_chance = by_chance(world, outside);
+    let reflected = most_reflected(scene, &unhidden);
+    let passed_on = passed_on(scene, effects);
+    let brightest = [1.0, passed_on].map(|part| brightest(scene, &reflected, &outside, part));
+    let is_reflected = task.effects.orders != Some(0);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
@@ -126,6 +122,11 @@ pub(crate) fn requests(world: &World, metres: f64, computing: &Computing<'_>) ->
             // luminaires are sampled by next-event estimation, but from nowhere along the first ray
             // of an eye
             let is_looked_for = !matches!(estimand, Estimand::Sight { .. } | Estimand::Pixel { .. });
+            // a place that a near light source makes bright, or its reflection; for a cell or a pixel,
+            // those around it tell
+            let is_charged = is_reflected && cell.is_none();
+            let part = if is_looked_for { 1.0 } else { passed_on } * f64::from(u8::from(is_charged));
+            let by_chance = by_chance(world, &outside, (&reflected, part));
             let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
                 .map(|radiances| radiances.iter().map(|&radiance| estimand.largest(radiance)).collect());
             all.push(Request {
@@ -255,106 +256,6 @@ impl Request {
     pub(super) fn first(&self) -> u32 {
         let several = if self.seen.surface.is_err() { FIRST_OF_SEVERAL } else { 1 };
         self.share_of_first.map_or(FIRST, |share| share.max(several))
-    }
-
-    /// Returns the kind of its errors.
-    pub(crate) fn kind(&self) -> ErrorKind {
-        match &self.computed {
-            None => ErrorKind::Sigma,
-            Some(computed) if computed.iter().all(|one| one.parts.quadrature == 0.0) => ErrorKind::Bound,
-            Some(_) => ErrorKind::Estimate,
-        }
-    }
-
-    /// Returns a value and its error.
-    pub(crate) fn found(&self, place: usize) -> [f64; 2] {
-        let (value, parts) = self.found_in_parts(place);
-        [value, parts.error(self.kind())]
-    }
-
-    /// Returns a value and its error budget: truncated rays, path samples, omitted image sources,
-    /// and rounding.
-    pub(crate) fn found_in_parts(&self, place: usize) -> (f64, ErrorParts) {
-        let (value, own) = match &self.computed {
-            Some(computed) => (computed[place].value, computed[place].parts),
-            None => {
-                let [value, error] = self.replicates.found(place);
-                let is_nothing = self.is_nothing([value, error]);
-                // light of luminaires under next-event estimation that no random direction has met:
-                // its part is the square of their probability per sample
-                let unmet =
-                    if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
-                let told = self.spreads.get(place);
-                let error = told.map_or(error, |told| told.error(error, self.replicates.samples));
-                let sampling = error.hypot(self.unseen(place, is_nothing)).hypot(unmet);
-                (value, ErrorParts { sampling, ..ErrorParts::default() })
-            }
-        };
-        let [rounding, images] = [ROUNDING, self.left_out].map(|part| part * value.abs());
-        (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
-    }
-
-    /// Whether no sample found anything by chance: all samples have the same value, and it is not
-    /// the value of an emitter that a ray sees.
-    fn is_nothing(&self, [value, error]: [f64; 2]) -> bool {
-        error <= SAME * value.abs() && (value == 0.0 || !self.seen.is_emitter)
-    }
-
-    /// Returns the largest amount that one more sample could add to a value: a luminaire that was
-    /// hidden from all other samples, or light that is found only by chance. Where no sample found
-    /// anything, it is the brightest light, in the part of a pixel that may show any.
-    fn unseen(&self, place: usize, is_nothing: bool) -> f64 {
-        if self.replicates.samples == 0 {
-            return 0.0;
-        }
-        let rare = 1.0 / self.replicates.count();
-        let band = self.replicates.band(place);
-        let brightest = if is_nothing { self.brightest[band] * self.shown.min(rare) } else { 0.0 };
-        brightest.max(rare * self.by_chance[band].max(self.replicates.missed(place)))
-    }
-
-    /// Returns the largest number that any light of the scene causes.
-    pub(crate) fn brightest(&self) -> f64 {
-        self.brightest.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// Returns the largest value of each band.
-    pub(crate) fn largest(&self, bands: usize) -> Vec<f64> {
-        let mut largest = vec![0.0_f64; bands];
-        for place in 0..self.replicates.len() {
-            let band = self.replicates.band(place);
-            largest[band] = largest[band].max(self.found(place)[0].abs());
-        }
-        largest
-    }
-
-    /// Returns the largest error relative to the scales of bands; for a cell, at least to its own
-    /// value; where nothing was found, to the brightest light.
-    pub(crate) fn error(&self, scales: &[f64]) -> f64 {
-        let relative = |place: usize| {
-            let [value, error] = self.found(place);
-            let own = if self.cell.is_some() { value.abs() } else { 0.0 };
-            let scale = scales[self.replicates.band(place)].max(own);
-            if error == 0.0 { 0.0 } else { error / if scale > 0.0 { scale } else { self.brightest() } }
-        };
-        (0..self.replicates.len()).map(relative).fold(0.0, f64::max)
-    }
-
-    /// Predicts the samples of a replicate after which the error meets this tolerance with these
-    /// scales. The error falls as the inverse square root of the number of samples, which is
-    /// doubled until then.
-    pub(crate) fn foreseen(&self, scales: &[f64], tolerance: f64) -> f64 {
-        let (samples, most) = (f64::from(self.replicates.samples), f64::from(MOST_SAMPLES));
-        let doublings = (2.0 * (self.error(scales) / tolerance).log2()).ceil().max(0.0);
-        (samples * doublings.exp2()).min(most).max(f64::from(self.target))
-    }
-
-    pub(crate) fn may_go_on(&self) -> bool {
-        if self.computed.is_some() {
-            return false;
-        }
-        let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
-        self.replicates.samples < MOST_SAMPLES && !(self.replicates.samples >= NOTHING && is_nothing())
     }
 }
 
