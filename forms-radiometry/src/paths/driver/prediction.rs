@@ -9,9 +9,11 @@
 //! seed, so that the method of a scene does not either.
 
 use super::analytic::Computing;
+use super::radiances::passed_on;
 use super::request::{Request, requests};
 use super::scale::{Scales, known};
 use super::{Task, samplers};
+use crate::effects::EffectSet;
 use crate::job::{MOST_SAMPLES, REPLICATES};
 use crate::paths::{Limits, Replicates};
 use crate::sampling::key;
@@ -21,8 +23,11 @@ use rayon::prelude::*;
 const SAMPLES: u32 = 8;
 /// Maximum number of estimands for which paths are traced.
 const MOST_TRACED: usize = 64;
-/// Maximum number of reflections of a path. Where more of them matter, the prediction is too low.
+/// Maximum number of reflections of a path.
 const MOST_REFLECTIONS: u32 = 256;
+/// Mean number of reflections of a path among surfaces of the reflectance ρ, times 1 − ρ: Russian
+/// roulette begins after ln 10/(1 − ρ), and leaves 1/(1 − ρ) more.
+const LENGTH: f64 = 3.3;
 /// Key of the random numbers.
 const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
 
@@ -31,6 +36,12 @@ pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
     let Task { world, effects, .. } = task;
     let limits = Limits::of(effects);
     let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
+    // paths that reach the maximum would go on as between the brightest surfaces
+    let reflectance = passed_on(&world.scene, EffectSet::of_scene(&world.scene));
+    let longer = match limits.reflections {
+        Some(_) => 1.0,
+        None => 1.0 + LENGTH / (f64::from(MOST_REFLECTIONS) * (1.0 - reflectance)),
+    };
     let samplers = samplers(task, Limits { reflections: Some(reflections), ..limits });
     let (scene, bands) = (&*world.scene, world.scene.band_count());
     let mut requests = requests(task, &Computing::nothing());
@@ -46,7 +57,7 @@ pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
             / request.replicates.count()
     };
     let all: f64 = requests.iter().step_by(step).zip(segments).map(of_one).sum();
-    step as f64 * world.rays_of_a_vertex() * all
+    step as f64 * world.rays_of_a_vertex() * longer * all
 }
 
 /// Returns the number of paths after which the error of an estimand is expected to meet the

@@ -7,14 +7,14 @@ use super::Task;
 use super::analytic::{Computed, Computing};
 use super::neighbours::Spread;
 use super::pixels::shown;
-use super::radiances::{brightest, by_chance, outside, passed_on};
+use super::radiances::Radiances;
 use crate::effects::EffectSet;
 use crate::faces::faces;
 use crate::job::{Budget, REPLICATES, Share};
 use crate::paths::{Bins, Estimand, FirstHit, LEFT_OUT, PathSampler, Replicates};
 use crate::progress::times::scale;
+use crate::radiosity::Transport;
 use crate::radiosity::driver::grid::Grid;
-use crate::radiosity::{Transport, most_reflected};
 use crate::sampling::key;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
 use crate::visibility::Screens;
@@ -104,11 +104,7 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Request> = Vec::new();
     let unhidden = unhidden(scene);
-    let outside = outside(scene);
-    let reflected = most_reflected(scene, &unhidden);
-    let passed_on = passed_on(scene, effects);
-    let brightest = [1.0, passed_on].map(|part| brightest(scene, &reflected, &outside, part));
-    let is_reflected = task.effects.orders != Some(0);
+    let radiances = Radiances::of(task, &unhidden);
     for (index, receiver) in scene.receivers.iter().enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
@@ -119,16 +115,7 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
         for (cell, estimand) in estimands(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &estimand, scene.band_count(), bins);
-            // luminaires are sampled by next-event estimation, but from nowhere along the first ray
-            // of an eye
-            let is_looked_for = !matches!(estimand, Estimand::Sight { .. } | Estimand::Pixel { .. });
-            // a place that a near light source makes bright, or its reflection; for a cell or a pixel,
-            // those around it tell
-            let is_charged = is_reflected && cell.is_none();
-            let part = if is_looked_for { 1.0 } else { passed_on } * f64::from(u8::from(is_charged));
-            let by_chance = by_chance(world, &outside, (&reflected, part));
-            let [brightest, by_chance] = [&brightest[usize::from(is_looked_for)], &by_chance]
-                .map(|radiances| radiances.iter().map(|&radiance| estimand.largest(radiance)).collect());
+            let [brightest, by_chance] = radiances.largest(&estimand, cell.is_some());
             all.push(Request {
                 receiver: index,
                 cell,
