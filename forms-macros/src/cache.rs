@@ -1,4 +1,4 @@
-//! Cache of expansions: what this library has proved and emitted for a source is not proved again.
+//! Cache of expansions: code that this library has proved and emitted for a source is not proved again.
 //!
 //! ```text
 //! tokens · rest · file of this library ─▶ Key ─┬─ entry with this key ─▶ [Emitted]
@@ -57,7 +57,7 @@ impl Key {
         Some(Key { text, file: library.parent()?.parent()?.join(FOLDER).join(name) })
     }
 
-    /// Returns what was emitted for this key.
+    /// Returns the code emitted for this key.
     pub(crate) fn read(&self) -> Option<Vec<Emitted>> {
         let entry = fs::read_to_string(&self.file).ok()?;
         let (sum, content) = entry.split_once('\n')?;
@@ -71,7 +71,7 @@ impl Key {
         Some(emitted.chunks_exact(2).map(pair).collect())
     }
 
-    /// Stores what was emitted for this key. An entry that cannot be written costs the time of the
+    /// Stores the code emitted for this key. An entry that cannot be written costs the time of the
     /// next expansion and nothing else, so errors are ignored.
     pub(crate) fn write(&self, emitted: &[Emitted]) {
         let _ = self.try_write(emitted);
@@ -104,8 +104,8 @@ fn hash(text: &str) -> String {
     format!("{:016x}", hasher.finish())
 }
 
-/// Returns the tokens without the text of their documentation; nothing if one of them is not part
-/// of the language.
+/// Returns the tokens without the text of their documentation; nothing if the language lacks
+/// one.
 fn spelled(tokens: &[Token]) -> Option<String> {
     let mut text = String::new();
     let mut is_doc = false;

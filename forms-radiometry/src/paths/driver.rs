@@ -41,7 +41,7 @@ pub(crate) use prediction::expected_rays;
 use rayon::prelude::*;
 pub(crate) use request::{Division, all_estimands};
 use request::{Request, divide_time, requests};
-use scale::{Scales, known, settled};
+use scale::{Scales, known, of_request, settled};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
@@ -246,10 +246,7 @@ impl<'w> Work<'w> {
 
     /// Returns the scale of an estimand's tolerance in each band, given these scales of cells.
     fn scales_of(&self, request: &Request, scales: Option<&Scales>) -> Vec<f64> {
-        match (scales, request.cell) {
-            (Some(scales), Some(_)) => scales[request.receiver].clone(),
-            _ => request.largest(self.scene.band_count()),
-        }
+        of_request(request, scales, self.scene.band_count())
     }
 
     fn keep_if(&self, is_time: bool) {

@@ -102,15 +102,14 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
         return Some(format!("the medium `{}` fills the scene", medium.name));
     }
     let is_view =
-        |receiver: &&Receiver| matches!(receiver.kind, ReceiverKind::Ray { .. } | ReceiverKind::Camera(_));
+        |receiver: &&Receiver| is_image(receiver) || matches!(receiver.kind, ReceiverKind::Ray { .. });
     if let Some(receiver) = scene.receivers.iter().find(is_view).filter(|_| !has_direct) {
         return Some(format!(
             "light straight from light sources to the receiver `{}` does not count",
             receiver.name
         ));
     }
-    let is_image = |receiver: &&Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
-    let image = scene.receivers.iter().find(is_image)?;
+    let image = scene.receivers.iter().find(|receiver| is_image(receiver))?;
     if is_round(scene) {
         return Some(format!("the image `{}` is of curved surfaces", image.name));
     }
@@ -133,6 +132,10 @@ pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solv
         }
         None => (Solver::Radiosity, of_radiosity(scene, effects)),
     }
+}
+
+fn is_image(receiver: &Receiver) -> bool {
+    matches!(receiver.kind, ReceiverKind::Camera(_))
 }
 
 fn world_of(simulated: &SimulatedScene) -> Arc<World> {
@@ -165,7 +168,6 @@ fn far_cheaper_paths(simulated: &SimulatedScene, computable: Computable) -> Opti
 /// account for occlusion: they are not traced where it is omitted. They are not needed where all
 /// light has closed forms.
 fn may_be_by_paths(scene: &Scene, effects: &SimulatedEffects) -> bool {
-    let is_image = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
     match effects.hiding {
         Hiding::LeftOut => false,
         Hiding::Nothing if effects.orders == Some(0) => false,

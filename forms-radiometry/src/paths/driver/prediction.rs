@@ -11,7 +11,7 @@
 use super::analytic::Computing;
 use super::radiances::passed_on;
 use super::request::{Request, requests};
-use super::scale::{Scales, known};
+use super::scale::{Scales, known, of_request};
 use super::{Task, samplers};
 use crate::effects::EffectSet;
 use crate::job::{MOST_SAMPLES, REPLICATES};
@@ -63,10 +63,7 @@ pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
 /// Returns the number of paths after which the error of an estimand is expected to meet the
 /// tolerance.
 fn expected_paths(request: &Request, scales: &Scales, bands: usize, tolerance: f64) -> f64 {
-    let scales = match request.cell {
-        Some(_) => scales[request.receiver].clone(),
-        None => request.largest(bands),
-    };
+    let scales = of_request(request, Some(scales), bands);
     let [first, most] = [request.first(), MOST_SAMPLES].map(f64::from);
     REPLICATES as f64 * request.needed(&scales, tolerance).clamp(first, most)
 }

@@ -46,6 +46,14 @@ pub(super) fn known(requests: &[Request], receivers: usize, bands: usize) -> Sca
     scales(told(requests, receivers, bands))
 }
 
+/// Returns the scale of an estimand's tolerance in each band, given the scales of cells.
+pub(super) fn of_request(request: &Request, scales: Option<&Scales>, bands: usize) -> Vec<f64> {
+    match (scales, request.cell) {
+        (Some(scales), Some(_)) => scales[request.receiver].clone(),
+        _ => request.largest(bands),
+    }
+}
+
 fn scales(told: Vec<Vec<Told>>) -> Scales {
     told.into_iter().map(|bands| bands.into_iter().map(|told| told.scale).collect()).collect()
 }

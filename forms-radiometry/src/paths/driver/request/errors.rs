@@ -41,20 +41,26 @@ impl Request {
         let (value, own) = match &self.computed {
             Some(computed) => (computed[place].value, computed[place].parts),
             None => {
-                let [value, error] = self.replicates.found(place);
-                let is_nothing = self.is_nothing([value, error]);
-                // light of luminaires under next-event estimation that no random direction has met:
-                // its part is the square of their probability per sample
-                let unmet =
-                    if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
-                let told = self.spreads.get(place);
-                let error = told.map_or(error, |told| told.error(error, self.replicates.samples));
-                let sampling = error.hypot(self.unseen(place, is_nothing)).hypot(unmet);
+                let (value, [spread, unseen, unmet]) = self.sampled(place);
+                let sampling = spread.hypot(unseen).hypot(unmet);
                 (value, ErrorParts { sampling, ..ErrorParts::default() })
             }
         };
         let [rounding, images] = [ROUNDING, self.left_out].map(|part| part * value.abs());
         (value, own + ErrorParts { rounding, orders: images, ..ErrorParts::default() })
+    }
+
+    /// Returns the mean of the samples of a value, and the parts of its error: the spread of its
+    /// replicates, the light that samples may have missed, and the light of luminaires under
+    /// next-event estimation that no random direction has met. The part of the latter is the square
+    /// of their probability per sample.
+    fn sampled(&self, place: usize) -> (f64, [f64; 3]) {
+        let [value, error] = self.replicates.found(place);
+        let is_nothing = self.is_nothing([value, error]);
+        let unmet = if is_nothing { (UNMET / self.replicates.count()).powi(2) * value.abs() } else { 0.0 };
+        let told = self.spreads.get(place);
+        let spread = told.map_or(error, |told| told.error(error, self.replicates.samples));
+        (value, [spread, self.unseen(place, is_nothing), unmet])
     }
 
     /// Whether no sample found anything by chance: all samples have the same value, and it is not
@@ -113,10 +119,9 @@ impl Request {
     /// may have missed as the inverse of their number: σ²/x + u²/x² = ε² with x times the samples.
     pub(in crate::paths::driver) fn needed(&self, scales: &[f64], tolerance: f64) -> f64 {
         let times = |place: usize| {
-            let [value, error] = self.replicates.found(place);
+            let (value, [spread, unseen, unmet]) = self.sampled(place);
+            let [spread, unseen] = [spread, unseen.hypot(unmet)].map(|error| error * error);
             let goal = (tolerance * self.scale(place, value, scales)).powi(2);
-            let (spread, unseen) =
-                (error * error, self.unseen(place, self.is_nothing([value, error])).powi(2));
             if spread + unseen == 0.0 {
                 0.0
             } else {
