@@ -117,7 +117,8 @@ fn wrong_values_are_named_with_what_to_write() {
     assert_eq!((run.status, run.output.as_str()), (2, ""));
     assert!(
         run.errors.starts_with(
-            "error: --effects:1:21: path tracing, which is needed because the surface `wall` is not diffuse, cannot ignore occlusion"
+            "error: --effects:1:21: path tracing, which is needed because the surface `wall` is not diffuse, \
+             cannot ignore occlusion"
         ),
         "{}",
         run.errors
