@@ -6,7 +6,7 @@
 //!       ├─ scene ──┴─ damaged ───┴─ file ─ command, in this process ─▶ status, and no panic
 //!       └─ rows
 //! ```
-//! `FORMS_FUZZ=1000000` runs this number of cases of each command, valid and damaged. The operating
+//! `FORMS_COMMANDS=10000` runs this number of cases of each command, valid and damaged. The operating
 //! system bounds the memory. A case that takes longer than [`LONGEST`] is reported and ends the
 //! run; the work of a case itself is limited by step counts in the libraries. At the end of each
 //! command its slowest case is printed.
@@ -233,8 +233,8 @@ fn run_case(case: &Case, watched: &Watched) -> Duration {
 fn survives(make: Maker) {
     #[cfg(unix)]
     rlimit::setrlimit(rlimit::Resource::AS, MEMORY, MEMORY).expect("a limit of memory");
-    let wanted = std::env::var("FORMS_FUZZ").map_or(CASES, |count| count.parse().expect("a number of cases"));
-    let first = std::env::var("FORMS_FUZZ_FROM").map_or(0, |seed| seed.parse().expect("a seed"));
+    let wanted = std::env::var("FORMS_COMMANDS").map_or(CASES, |count| count.parse().expect("a number of cases"));
+    let first = std::env::var("FORMS_COMMANDS_FROM").map_or(0, |seed| seed.parse().expect("a seed"));
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
     let watched: Vec<Watched> = (0..threads).map(|_| Watched::default()).collect();
     let is_done = Arc::new(AtomicU64::new(0));
@@ -263,7 +263,7 @@ fn survives(make: Maker) {
     watcher.join().expect("the watcher ends");
     let slowest = results.expect("no case ends the command").into_iter().max();
     if let Some((time, case)) = slowest {
-        println!("the slowest of {wanted} cases took {time:.1?}: FORMS_FUZZ_FROM={case} FORMS_FUZZ=1");
+        println!("the slowest of {wanted} cases took {time:.1?}: FORMS_COMMANDS_FROM={case} FORMS_COMMANDS=1");
     }
 }
 

@@ -126,14 +126,18 @@ fn images_are_short(f: &Polynomial, g: &Polynomial, variables: &[u32]) -> bool {
 
 /// Computes the primitive remainder sequence in the variable of least degree, with contents
 /// separate. If remainders grow beyond the limit, only the contents are compared.
+///
+/// The last remainder divides both polynomials by Gauss's lemma if it is primitive. Its content is a
+/// gcd, which need not be the greatest, so the division is tried.
 fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
     let variables = f.variables();
     let degree = |&&variable: &&u32| f.degree(variable).min(g.degree(variable));
     let Some(&main) = variables.iter().min_by_key(degree) else { return Polynomial::one() };
     let (f_content, g_content) = (content_in(f, main), content_in(g, main));
     let content = f_content.gcd(&g_content);
-    let mut f = f.divide_exact(&f_content).expect("its own content divides");
-    let mut g = g.divide_exact(&g_content).expect("its own content divides");
+    let primitive = [(f, &f_content), (g, &g_content)]
+        .map(|(f, content)| f.divide_exact(content).expect("its own content divides"));
+    let [mut f, mut g] = primitive.clone();
     if f.degree(main) < g.degree(main) {
         std::mem::swap(&mut f, &mut g);
     }
@@ -143,7 +147,8 @@ fn gcd_by_remainders(f: &Polynomial, g: &Polynomial) -> Polynomial {
             return content.primitive_part();
         };
         if remainder.is_zero() {
-            return g.mul(&content).primitive_part();
+            let is_common = primitive.iter().all(|f| f.divide_exact(&g).is_some());
+            return if is_common { g.mul(&content).primitive_part() } else { content.primitive_part() };
         }
         if remainder.degree(main) == 0 {
             return content.primitive_part();
@@ -170,4 +175,42 @@ fn pseudo_remainder(f: &Polynomial, g: &Polynomial, main: u32, work: &mut u64) -
         rest = Polynomial::sum_of_products(&[(1, &leading, &rest), (-1, &shifted, g)]);
     }
     Some(rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use num_bigint::BigInt;
+
+    /// Returns a dense polynomial of these degrees with pseudorandom coefficients.
+    fn dense(seed: &mut u64, degrees: [u32; 3], largest: u64) -> Polynomial {
+        let mut terms = Vec::new();
+        for exponents in (0..=degrees[0]).flat_map(|i| (0..=degrees[1]).map(move |j| [i, j])) {
+            for k in 0..=degrees[2] {
+                *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                let monomial = vec![(0, exponents[0]), (1, exponents[1]), (2, k)];
+                terms.push((monomial, BigInt::from((*seed >> 2) % largest) + 1));
+            }
+        }
+        Polynomial::from_terms(terms)
+    }
+
+    /// Large coefficients of the gcd leave interpolation modulo p without a result.
+    #[test]
+    fn a_gcd_divides_whatever_the_steps() {
+        let mut seed = 1;
+        for _ in 0..12 {
+            let common = dense(&mut seed, [1, 1, 1], u64::MAX >> 2);
+            let [a, b] = [9, 9].map(|largest| dense(&mut seed, [2, 2, 1], largest));
+            let (f, g) = (common.mul(&a), common.mul(&b));
+            for power in 0..60 {
+                let steps = (1.5f64.powi(power) * 10.0) as u64;
+                let found = steps::limited(steps, || f.gcd(&g));
+                assert!(
+                    f.divide_exact(&found).is_some() && g.divide_exact(&found).is_some(),
+                    "{steps} steps"
+                );
+            }
+        }
+    }
 }
