@@ -12,6 +12,7 @@ mod light;
 mod material;
 mod medium;
 mod mesh_file;
+mod mesh_keys;
 mod mitsuba;
 mod model;
 mod overlaps;

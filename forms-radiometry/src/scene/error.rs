@@ -88,11 +88,23 @@ pub(super) struct Report {
     errors: Vec<(usize, SceneError)>,
     /// The number of further errors, which are only counted.
     more: usize,
+    /// What was read in another way than it is written.
+    notes: Vec<String>,
 }
 
 impl Report {
     pub(super) fn new(source: &Arc<Source>) -> Self {
-        Self { source: Arc::clone(source), errors: Vec::new(), more: 0 }
+        Self { source: Arc::clone(source), errors: Vec::new(), more: 0, notes: Vec::new() }
+    }
+
+    /// Records that something was read in another way than it is written.
+    pub(super) fn note(&mut self, note: String) {
+        self.notes.push(note);
+    }
+
+    /// Returns the notes so far, and forgets them.
+    pub(super) fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
     }
 
     /// Returns the place of a range of bytes of the text.

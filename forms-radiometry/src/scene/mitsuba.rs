@@ -209,6 +209,7 @@ impl<'a> Reader<'a, '_, '_> {
             receivers: self.receivers,
             ambient,
             solve,
+            notes: self.report.take_notes(),
         };
         (scene, surroundings)
     }

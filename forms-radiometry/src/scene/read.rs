@@ -127,9 +127,14 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
     let materials = each(report, root, "material", |report, element, names, index| {
         material::read(report, element, names, &mut known, index)
     });
-    let surfaces = each(report, root, "surface", |report, element, names, index| {
-        surface::read(report, element, names, &mut known, index, files)
+    // an invalid surface keeps its index
+    let mut next = 0;
+    let surfaces = each(report, root, "surface", |report, element, names, _| {
+        let surfaces = surface::read(report, element, names, &mut known, next, files);
+        next += surfaces.len().max(1);
+        Some(surfaces)
     });
+    let surfaces = surfaces.concat();
     let subsurfaces = subsurfaces::resolve(report, &known.on, &known.surfaces);
     let lights = each(report, root, "light", |report, element, names, _| {
         light::read(report, element, names, known.bands)
@@ -140,7 +145,9 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
     let ambient = ambient(report, root, &known);
     let solve = solve::read(report, root);
     let name = name.to_owned();
-    let scene = Scene { name, unit, bands, media, materials, surfaces, lights, receivers, ambient, solve };
+    let notes = report.take_notes();
+    let scene =
+        Scene { name, unit, bands, media, materials, surfaces, lights, receivers, ambient, solve, notes };
     (scene, subsurfaces)
 }
 

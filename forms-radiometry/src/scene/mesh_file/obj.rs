@@ -1,20 +1,50 @@
-//! Wavefront OBJ: reads the vertices and faces of the text. Normals, texture coordinates, groups
-//! and materials are ignored, since a surface of a scene is flat between its edges and has one
-//! material.
+//! Wavefront OBJ: reads the vertices, the faces and the names of their groups, or of their materials
+//! if the file has no groups. Normals and texture coordinates are ignored, since a surface of a scene
+//! is flat between its edges; so are lines and points, which have no area.
 
+use super::parts::Parts;
 use super::words::{Word, extent, lines, words};
-use super::{Fault, MeshFile, Parts};
+use super::{Fault, Read};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
 use crate::scene::value::values;
 
-/// Statements that do not affect the shape: texture coordinates, names, and display settings.
-const WITHOUT_SHAPE: &[&str] = &["vt", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod"];
+/// Statements that do not affect the shape: texture coordinates and parameters, weights of vertices
+/// and tags of subdivision, display settings, points, lines and curves.
+const WITHOUT_SHAPE: &[&str] = &[
+    "vt",
+    "vp",
+    "vw",
+    "t",
+    "s",
+    "mg",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "lod",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "shadow_obj",
+    "trace_obj",
+    "p",
+    "l",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "parm",
+    "curv",
+    "curv2",
+    "end",
+];
 
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>> {
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let text = String::from_utf8_lossy(bytes);
     let source = Source::new(file, text.strip_prefix('\u{feff}').unwrap_or(&text));
+    let names_groups = |line: &str| matches!(line.split_whitespace().next(), Some("g" | "o"));
+    let by_material = !source.text.lines().any(names_groups);
     let mut parts = Parts::default();
     let mut statement: Vec<Word> = Vec::new();
     for (start, line) in lines(&source.text, 0) {
@@ -25,35 +55,42 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>
         };
         statement.extend(words(start, line));
         if !continues {
-            parts.add(&statement);
+            parts.add(&statement, by_material);
             statement.clear();
         }
     }
-    parts.add(&statement);
+    parts.add(&statement, by_material);
     parts.mesh(&source)
 }
 
 impl Parts {
-    fn add(&mut self, statement: &[Word]) {
+    fn add(&mut self, statement: &[Word], by_material: bool) {
         let Some((keyword, arguments)) = statement.split_first() else { return };
         let added = match keyword.text {
             "v" => vertex(keyword, arguments).map(|vertex| self.vertices.push(vertex)),
-            "f" => face(arguments, self.vertices.len()).map(|face| {
-                self.faces.push(face);
-                self.face_places.push(extent(statement));
-            }),
+            "f" => face(arguments, self.vertices.len()).map(|face| self.face(face, extent(statement))),
             "vn" => {
                 self.has_normals = true;
                 Ok(())
             }
+            "g" | "o" => {
+                self.group(&name(arguments));
+                Ok(())
+            }
+            "usemtl" => {
+                if by_material {
+                    self.group(&name(arguments));
+                }
+                Ok(())
+            }
             word if WITHOUT_SHAPE.contains(&word) => Ok(()),
             word => {
-                let message = format!("the statement `{word}` is not supported");
-                Err(Fault::new(
-                    keyword.range.clone(),
-                    message,
-                    "`v` (vertex), `f` (face), or an ignored statement such as `vn` or `usemtl`",
-                ))
+                let message = match word {
+                    "surf" => "free-form surfaces are not supported".to_owned(),
+                    _ => format!("the statement `{word}` is not supported"),
+                };
+                let expected = "`v` (vertex), `f` (face), or an ignored statement such as `vn` or `l`";
+                Err(Fault::new(keyword.range.clone(), message, expected))
             }
         };
         if let Err(fault) = added {
@@ -62,17 +99,18 @@ impl Parts {
     }
 }
 
-/// Parses `v x y z`, optionally followed by a weight of one or a colour.
+/// Returns the name of a group, or of all groups to which the next faces belong.
+fn name(arguments: &[Word]) -> String {
+    arguments.iter().map(|word| word.text).collect::<Vec<_>>().join(" ")
+}
+
+/// Parses `v x y z`, optionally followed by a weight, a colour, or both. Weights matter only to
+/// free-form curves and surfaces.
 fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
     let number = |(place, word): (usize, &Word)| if place < 3 { word.coordinate() } else { word.float() };
     let numbers: Vec<f64> = arguments.iter().enumerate().map(number).collect::<Result<_, _>>()?;
     match numbers[..] {
-        [x, y, z] | [x, y, z, 1.0] | [x, y, z, _, _, _] => Ok(Vector::new(x, y, z)),
-        [_, _, _, _] => Err(Fault::new(
-            arguments[3].range.clone(),
-            "a vertex weight other than 1 is not supported",
-            "x y z",
-        )),
+        [x, y, z] | [x, y, z, _] | [x, y, z, _, _, _] | [x, y, z, _, _, _, _] => Ok(Vector::new(x, y, z)),
         _ => {
             let message = format!("a vertex has {}", values(numbers.len()));
             Err(Fault::new(keyword.range.clone(), message, "x y z"))

@@ -3,9 +3,8 @@
 use super::bsdf::{Bsdf, Law};
 use super::media::Index;
 use super::object::Object;
-use super::transform::Transform;
 use super::{Node, Reader};
-use crate::geometry::{Disk, Mesh, MeshError, Polygon, Sphere, Vector};
+use crate::geometry::{Affine, Disk, Mesh, MeshError, Polygon, Sphere, Vector};
 use crate::scene::mesh_file::MeshFile;
 use crate::scene::model::{MaterialKind, Shape, Surface};
 use crate::scene::value::{LENGTH, NOT_NEGATIVE};
@@ -39,6 +38,10 @@ impl<'a> Reader<'a, '_, '_> {
         let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
         self.finish(object, &PARTS);
         let Some(shape) = shape else { return };
+        if matches!(&shape, Shape::Mesh(mesh) if mesh.faces().len() == 0) {
+            self.report.note(format!("the shape `{name}` has no faces, and is left out"));
+            return;
+        }
         let place = self.report.place(place);
         let two_sided = bsdf.two_sided;
         self.surfaces.push(Surface { name, material, shape, radiance, exitance: None, two_sided, place });
@@ -115,7 +118,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Returns the square [−1, 1]² of the plane z = 0, seen from above. Its normal is transformed
     /// by the inverse transpose of the transform, so a reflection keeps its front on the same side.
-    fn rectangle(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn rectangle(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let mut vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
         if flipped != to_world.mirrors() {
@@ -126,7 +129,7 @@ impl<'a> Reader<'a, '_, '_> {
         polygon.ok().map(Shape::Polygon)
     }
 
-    fn sphere(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn sphere(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let center = self.vector(object, "center").unwrap_or_default();
         let radius = self.float(object, "radius", 1.0, &LENGTH);
         let Some(scale) = to_world.scale(3) else {
@@ -142,7 +145,7 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     /// Returns the unit disk of the plane z = 0, seen from above.
-    fn disk(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn disk(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let [u, v] =
             [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
         let (Some(radius), Some(normal)) = (to_world.scale(2), u.cross(v).unit()) else {
@@ -154,7 +157,7 @@ impl<'a> Reader<'a, '_, '_> {
         Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius }))
     }
 
-    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let node = object.node;
         let has_flat_faces = self.boolean(object, "face_normals", false, true);
         object.ignore(&["flip_tex_coords"]);
@@ -170,13 +173,13 @@ impl<'a> Reader<'a, '_, '_> {
             );
             return None;
         }
-        let MeshFile { mesh, has_normals } = self.files.file(self.report, place, &name)?;
+        let MeshFile { mesh, has_normals, .. } = self.files.file(self.report, place, &name)?;
         if !has_flat_faces && (has_normals || !is_flat_at_vertices(&mesh)) {
             let message =
                 format!("`{name}` would be shaded with interpolated normals, which are not supported");
             self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
         }
-        if *to_world == Transform::IDENTITY && !flipped {
+        if *to_world == Affine::IDENTITY && !flipped {
             return Some(Shape::Mesh(mesh));
         }
         self.moved(node, Ok((*mesh).clone()), to_world, flipped)
@@ -186,7 +189,7 @@ impl<'a> Reader<'a, '_, '_> {
         &mut self,
         node: Node<'a>,
         mesh: Result<Mesh, Vec<MeshError>>,
-        to_world: &Transform,
+        to_world: &Affine,
         flipped: bool,
     ) -> Option<Shape> {
         if to_world.mirrors() {
