@@ -27,6 +27,7 @@ mod sources;
 mod subsurfaces;
 mod surface;
 mod value;
+mod view3d;
 mod working_units;
 
 pub(crate) use bands::middle;

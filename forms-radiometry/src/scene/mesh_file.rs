@@ -15,7 +15,7 @@ mod ply_header;
 mod ply_rows;
 mod stl;
 mod vtk;
-mod words;
+pub(super) mod words;
 
 use super::SceneError;
 use super::error::Report;
@@ -127,14 +127,14 @@ type ReadMesh<'r> = dyn Fn(&str, &[u8]) -> Result<Read, Vec<SceneError>> + 'r;
 type Read = (MeshFile, Vec<String>);
 
 /// An error at a range of bytes of a mesh file.
-struct Fault {
-    range: Range<usize>,
-    message: String,
-    expected: String,
+pub(super) struct Fault {
+    pub(super) range: Range<usize>,
+    pub(super) message: String,
+    pub(super) expected: String,
 }
 
 impl Fault {
-    fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub(super) fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
         Self { range, message: message.into(), expected: expected.into() }
     }
 }

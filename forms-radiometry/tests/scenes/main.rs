@@ -14,6 +14,7 @@ mod mitsuba_media;
 mod overlaps;
 mod page;
 mod subsurfaces;
+mod view3d;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::io;
