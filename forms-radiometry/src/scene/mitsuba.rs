@@ -2,19 +2,21 @@
 //! express them.
 //!
 //! ```text
-//! text ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
-//!                             ├─ shape ─────────┼─ surfaces, media, receivers
-//!                             ├─ emitter ───────┤  lights, ambient
-//!                             └─ sensor, integrator: receivers, effects
+//! text, includes ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
+//!                                       ├─ shape ─────────┼─ surfaces, media, receivers
+//!                                       ├─ emitter ───────┤  lights, ambient
+//!                                       └─ sensor, integrator: receivers, effects
 //! ```
 //! Every property of an object that the translation does not use is reported as an error. After an
 //! error, parsing continues with a default value, since the scene is rejected anyway.
 
 mod bsdf;
+mod document;
 mod emitter;
 mod integrator;
 mod media;
 mod object;
+mod parameters;
 mod sensor;
 mod shape;
 mod surroundings;
@@ -28,6 +30,7 @@ use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, 
 use integrator::Integrator;
 use media::Media;
 use object::Object;
+use parameters::Parameters;
 use std::collections::HashMap;
 use std::ops::Range;
 pub(super) use surroundings::Surroundings;
@@ -43,7 +46,7 @@ struct Reader<'a, 'r, 'f> {
     report: &'r mut Report,
     files: &'r mut MeshFiles<'f>,
     /// Values of `<default>`, substituted for `$name`.
-    parameters: HashMap<String, String>,
+    parameters: Parameters,
     ids: HashMap<&'a str, Node<'a>>,
     /// The number of bands: three if a colour is given as red, green and blue, otherwise one.
     bands: usize,
@@ -65,15 +68,13 @@ struct Reader<'a, 'r, 'f> {
 
 /// Parses the scene. Also returns its declarations of surrounding media, which are later compared
 /// with the regions of the scene.
-pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
-    let document = match roxmltree::Document::parse(text) {
+pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
+    let text = document::whole_text(report, files)?;
+    let document = match roxmltree::Document::parse(&text) {
         Ok(document) => document,
+        // all files are valid by themselves, but an included element can use a namespace of its root
         Err(error) => {
-            let position = error.pos();
-            let byte = byte_at(text, position);
-            let message = error.to_string();
-            let message = message.strip_suffix(&format!(" at {position}")).unwrap_or(&message).to_owned();
-            report.error(byte..byte, message, "");
+            report.error(0..0, format!("an included file is not valid here: {error}"), "");
             return None;
         }
     };
@@ -82,7 +83,7 @@ pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Op
     let mut reader = Reader {
         report,
         files,
-        parameters: HashMap::new(),
+        parameters: Parameters::default(),
         ids: HashMap::new(),
         bands: if has_colours { 3 } else { 1 },
         names: Names::default(),
@@ -102,14 +103,6 @@ pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Op
     Some(reader.scene(has_colours))
 }
 
-/// Returns the byte of a row and a column, both counted from one.
-fn byte_at(text: &str, position: roxmltree::TextPos) -> usize {
-    let line = text.split_inclusive('\n').take((position.row as usize).saturating_sub(1));
-    let start: usize = line.map(str::len).sum();
-    let columns = text[start.min(text.len())..].chars().take((position.col as usize).saturating_sub(1));
-    start + columns.map(char::len_utf8).sum::<usize>()
-}
-
 impl<'a> Reader<'a, '_, '_> {
     fn root(&mut self, root: Node<'a>) {
         if !root.has_tag_name("scene") {
@@ -118,12 +111,12 @@ impl<'a> Reader<'a, '_, '_> {
         }
         self.attributes(root, &["version"]);
         let version = root.attribute("version").unwrap_or_default();
-        if version != "3" && !version.starts_with("3.") {
+        if !document::is_supported(version) {
             let place = root.attribute_node("version").map_or(root.range(), |version| version.range_value());
             self.report.error(
                 place,
                 format!("scene version `{version}` is not supported"),
-                "version=\"3.0.0\", or 3.x",
+                document::VERSIONS,
             );
         }
         self.parameters(root);
@@ -137,6 +130,7 @@ impl<'a> Reader<'a, '_, '_> {
     fn top(&mut self, node: Node<'a>) {
         match node.tag_name().name() {
             "default" => {}
+            "path" => self.path(node),
             "bsdf" => {
                 bsdf::Bsdf::read(self, node);
             }
@@ -148,7 +142,7 @@ impl<'a> Reader<'a, '_, '_> {
             "sensor" => self.sensor(node),
             "integrator" => self.integrator(node),
             other => {
-                let expected = "`default`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
+                let expected = "`default`, `path`, `include`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
                 self.error(node, format!("the element `{other}` is not supported in a scene"), expected);
             }
         }
@@ -157,13 +151,19 @@ impl<'a> Reader<'a, '_, '_> {
     fn parameters(&mut self, root: Node<'a>) {
         for node in root.children().filter(|child| child.has_tag_name("default")) {
             self.attributes(node, &["name", "value"]);
-            let name = node.attribute("name").unwrap_or_default();
-            if name.is_empty() || name.contains(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+            if Parameters::name(node).is_none() {
                 self.error(node, "this `default` has no valid `name`", "name=\"…\" of letters, digits and _");
-                continue;
             }
-            let value = self.attribute(node, "value").map_or(String::new(), |(value, _)| value);
-            self.parameters.entry(name.to_owned()).or_insert(value);
+            self.attribute(node, "value");
+            self.parameters.define(node);
+        }
+    }
+
+    /// Checks a search path, which was added when the files were read.
+    fn path(&mut self, node: Node<'a>) {
+        self.attributes(node, &["value"]);
+        if self.attribute(node, "value").is_none() && !node.has_attribute("value") {
+            self.error(node, "this path has no `value`", "value=\"…\", a folder");
         }
     }
 

@@ -62,7 +62,7 @@ pub fn read_with_files(
     let mut files = MeshFiles::new(file_name, files);
     let is_xml = Path::new(file_name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
     if is_xml {
-        let read = mitsuba::read(&mut report, &source.text, &mut files);
+        let read = mitsuba::read(&mut report, &mut files);
         return finished(report, read, |report, (mut scene, surroundings)| {
             overlaps::check(report, &scene, Format::Mitsuba);
             if !report.is_empty() {

@@ -10,6 +10,7 @@ mod mesh_formats;
 mod meshes;
 mod mitsuba;
 mod mitsuba_errors;
+mod mitsuba_files;
 mod mitsuba_media;
 mod overlaps;
 mod page;

@@ -7,7 +7,7 @@ const FILE: &str = "box.xml";
 
 /// Text that is replaced, its replacement, and the message that follows.
 const CASES: &[(&str, &str, &str)] = &[
-    ("version=\"3.5.0\"", "version=\"2.0.0\"", "scene version `2.0.0` is not supported"),
+    ("version=\"3.5.0\"", "version=\"0.6.0\"", "scene version `0.6.0` is not supported"),
     (
         "<default name=\"width\" value=\"8\"/>",
         "<default name=\"\" value=\"8\"/><default name=\"width\" value=\"8\"/>",

@@ -5,9 +5,6 @@ use super::{Node, Reader};
 use crate::scene::value::one_of;
 use std::ops::Range;
 
-/// The largest length of a value after substitution of parameters, which can refer to each other.
-const LONGEST_VALUE: usize = 10_000;
-
 /// An element such as `<shape type="sphere">`.
 pub(super) struct Object<'a> {
     pub(super) node: Node<'a>,
@@ -127,28 +124,13 @@ impl<'a> Reader<'a, '_, '_> {
     /// a parameter is missing.
     pub(super) fn attribute(&mut self, node: Node<'a>, name: &str) -> Option<(String, Range<usize>)> {
         let attribute = node.attribute_node(name)?;
-        let mut parts = attribute.value().split('$');
-        let mut value = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            let end = part.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(part.len());
-            let (parameter, rest) = part.split_at(end);
-            let Some(put_in) = self.parameters.get(parameter) else {
-                let message = format!("there is no parameter `{parameter}`");
-                let expected = format!("<default name=\"{parameter}\" value=\"…\"/>");
+        let value = match self.parameters.substitute(attribute.value()) {
+            Ok(value) => value,
+            Err((message, expected)) => {
                 self.report.error(attribute.range_value(), message, expected);
                 return None;
-            };
-            value = value + put_in + rest;
-            if value.len() > LONGEST_VALUE {
-                let expected = format!("at most {LONGEST_VALUE} characters");
-                self.report.error(
-                    attribute.range_value(),
-                    "the value is too long after substitution of parameters",
-                    expected,
-                );
-                return None;
             }
-        }
+        };
         Some((value, attribute.range_value()))
     }
 
