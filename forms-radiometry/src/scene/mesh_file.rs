@@ -20,7 +20,7 @@ mod words;
 
 use super::SceneError;
 use super::error::Report;
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, Vector};
 use search::SearchPath;
 use std::collections::HashMap;
 use std::io;
@@ -40,6 +40,16 @@ pub(super) struct MeshFile {
     pub(super) groups: Vec<Group>,
     /// Whether the file has vertex normals, which are discarded.
     pub(super) has_normals: bool,
+    /// Whether all of them are known to be the normals of the faces.
+    pub(super) has_normals_of_faces: bool,
+}
+
+/// Largest sine of the angle between normals that differ only by rounding.
+const SAME_NORMAL: f64 = 1e-6;
+
+/// Whether two unit vectors differ only by rounding.
+pub(super) fn is_same_normal(a: Vector, b: Vector) -> bool {
+    a.dot(b) > 0.0 && a.cross(b).length() <= SAME_NORMAL
 }
 
 /// A group of faces.

@@ -13,12 +13,15 @@
 mod bsdf;
 mod document;
 mod emitter;
+mod instance;
 mod integrator;
 mod media;
+mod normals;
 mod object;
 mod parameters;
 mod sensor;
 mod shape;
+mod spectrum;
 mod surroundings;
 mod transform;
 mod values;
@@ -27,11 +30,13 @@ use super::element::Names;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
+use instance::Instance;
 use integrator::Integrator;
 use media::Media;
+use normals::SmoothMesh;
 use object::Object;
 use parameters::Parameters;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 pub(super) use surroundings::Surroundings;
 
@@ -41,6 +46,9 @@ type Node<'a> = roxmltree::Node<'a, 'a>;
 const RGB: [Band; 3] =
     [Band { low: 600.0, high: 700.0 }, Band { low: 500.0, high: 600.0 }, Band { low: 400.0, high: 500.0 }];
 
+const SPECTRA_ARE_MEANS: &str =
+    "spectra over wavelength are replaced by their means in the bands 600–700, 500–600 and 400–500 nm";
+
 /// State of the parser: the parts of the scene so far.
 struct Reader<'a, 'r, 'f> {
     report: &'r mut Report,
@@ -48,11 +56,19 @@ struct Reader<'a, 'r, 'f> {
     /// Values of `<default>`, substituted for `$name`.
     parameters: Parameters,
     ids: HashMap<&'a str, Node<'a>>,
-    /// The number of bands: three if a colour is given as red, green and blue, otherwise one.
+    /// The number of bands: three if a colour is given as red, green and blue, or a spectrum over
+    /// wavelength; otherwise one.
     bands: usize,
+    /// Whether a spectrum over wavelength was replaced by its means in the bands.
+    has_tables: bool,
+    /// The kinds of objects that were reported as unsupported, each once.
+    refused: HashSet<String>,
     names: Names,
     media: Media,
     surroundings: Surroundings,
+    /// The instance whose shapes are being read.
+    instance: Option<Instance>,
+    smooth_meshes: Vec<SmoothMesh>,
     /// The parsed `<bsdf>` elements by their numbers in the document.
     bsdfs: HashMap<usize, bsdf::Bsdf>,
     materials: Vec<Material>,
@@ -79,16 +95,23 @@ pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene,
         }
     };
     let root: Node = document.root_element();
-    let has_colours = root.descendants().any(|node| node.has_tag_name("rgb"));
+    let mut parameters = Parameters::default();
+    root.children().filter(|child| child.has_tag_name("default")).for_each(|node| parameters.define(node));
+    let value = |text: &str| parameters.substitute(text).ok();
+    let has_colours = root.descendants().any(|node| spectrum::has_bands(node, value));
     let mut reader = Reader {
         report,
         files,
-        parameters: Parameters::default(),
+        parameters,
         ids: HashMap::new(),
-        bands: if has_colours { 3 } else { 1 },
+        bands: if has_colours { RGB.len() } else { 1 },
+        has_tables: false,
+        refused: HashSet::new(),
         names: Names::default(),
         media: Media::default(),
         surroundings: Surroundings::default(),
+        instance: None,
+        smooth_meshes: Vec::new(),
         bsdfs: HashMap::new(),
         materials: Vec::new(),
         known_materials: HashMap::new(),
@@ -137,12 +160,19 @@ impl<'a> Reader<'a, '_, '_> {
             "medium" => {
                 self.medium(node);
             }
-            "shape" => self.shape(node),
+            "shape" => self.top_shape(node),
             "emitter" => self.emitter(node),
+            "texture" => self.texture(node),
+            // these are read where other elements refer to them
+            "sampler" | "film" | "rfilter" => {}
+            "alias" => {
+                self.attributes(node, &["id", "as"]);
+            }
             "sensor" => self.sensor(node),
             "integrator" => self.integrator(node),
             other => {
-                let expected = "`default`, `path`, `include`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
+                let expected = "`default`, `path`, `include`, `alias`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` \
+                                or `integrator`";
                 self.error(node, format!("the element `{other}` is not supported in a scene"), expected);
             }
         }
@@ -155,7 +185,6 @@ impl<'a> Reader<'a, '_, '_> {
                 self.error(node, "this `default` has no valid `name`", "name=\"…\" of letters, digits and _");
             }
             self.attribute(node, "value");
-            self.parameters.define(node);
         }
     }
 
@@ -168,10 +197,31 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn collect_ids(&mut self, root: Node<'a>) {
-        let named = root.descendants().filter(|node| !node.has_tag_name("ref"));
+        let named = root.descendants().filter(|node| !matches!(node.tag_name().name(), "ref" | "alias"));
         for (node, id) in named.filter_map(|node| Some((node, node.attribute_node("id")?))) {
             self.names.give(self.report, "id", id.value(), id.range_value());
             self.ids.entry(id.value()).or_insert(node);
+        }
+        for alias in root.children().filter(|node| node.has_tag_name("alias")) {
+            self.alias(alias);
+        }
+    }
+
+    /// Gives an element another id.
+    fn alias(&mut self, node: Node<'a>) {
+        let (Some(id), Some(other)) = (node.attribute_node("id"), node.attribute_node("as")) else {
+            self.error(node, "this alias has no `id` or no `as`", "id=\"…\" as=\"…\"");
+            return;
+        };
+        self.names.give(self.report, "id", other.value(), other.range_value());
+        match self.ids.get(id.value()).copied() {
+            Some(element) => {
+                self.ids.entry(other.value()).or_insert(element);
+            }
+            None => {
+                let message = format!("no element has the id `{}`", id.value());
+                self.report.error(id.range_value(), message, "the id of an element of the scene");
+            }
         }
     }
 
@@ -189,7 +239,11 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn scene(mut self, has_colours: bool) -> (Scene, Surroundings) {
+        if self.has_tables {
+            self.report.note(SPECTRA_ARE_MEANS.to_owned());
+        }
         let solve = Solve { forced: self.forced(), ..Solve::default() };
+        self.check_normals();
         let medium = self.ambient_medium();
         let (media, elements) = self.all_media();
         let surroundings = self.all_surroundings(elements);

@@ -12,6 +12,8 @@ mod mitsuba;
 mod mitsuba_errors;
 mod mitsuba_files;
 mod mitsuba_media;
+mod mitsuba_objects;
+mod mitsuba_spectra;
 mod overlaps;
 mod page;
 mod subsurfaces;

@@ -123,7 +123,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
         return Law::Wrong;
     };
     let kind = inner.attribute("type").unwrap_or_default();
-    if !matches!(kind, "diffuse" | "conductor") {
+    if matches!(kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
         reader.error(inner, message, "`diffuse` or `conductor`");
         return Law::Wrong;

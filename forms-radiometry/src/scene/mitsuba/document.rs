@@ -35,6 +35,7 @@ pub(super) fn whole_text(report: &mut Report, files: &mut MeshFiles) -> Option<S
         spans: Vec::new(),
         parameters: Parameters::default(),
         open: Vec::new(),
+        bytes: source.text.len() as u64,
     };
     let is_complete = assembly.file(&source, Path::new(""));
     let Assembly { text, spans, .. } = assembly;
@@ -54,6 +55,9 @@ struct Assembly<'r, 'm, 'f> {
     parameters: Parameters,
     /// The paths of the files whose elements include this one.
     open: Vec<String>,
+    /// The number of bytes of all files so far. A file counts each time it is included, which
+    /// bounds the number of includes.
+    bytes: u64,
 }
 
 impl Assembly<'_, '_, '_> {
@@ -133,6 +137,7 @@ impl Assembly<'_, '_, '_> {
                 false
             }
             Ok((path, file)) => {
+                self.bytes += file.text.len() as u64;
                 let folder = Path::new(&path).parent().unwrap_or(Path::new("")).to_owned();
                 self.open.push(path);
                 let is_complete = self.file(&file, &folder);
@@ -156,7 +161,7 @@ impl Assembly<'_, '_, '_> {
             let expected = format!("at most {DEEPEST_INCLUDE} files that include each other");
             return Err((format!("the file `{name}` is included too deeply"), expected));
         }
-        if (self.text.len() + bytes.len()) as u64 > LARGEST_SCENE {
+        if self.bytes + bytes.len() as u64 > LARGEST_SCENE {
             let expected = format!("at most {} MiB", LARGEST_SCENE >> 20);
             return Err(("the scene is too large with its included files".to_owned(), expected));
         }

@@ -23,12 +23,6 @@ impl<'a> Object<'a> {
         self.left.iter().position(is_it).map(|place| self.left.remove(place))
     }
 
-    /// Takes the first child with this tag.
-    pub(super) fn take_tag(&mut self, tag: &str) -> Option<Node<'a>> {
-        let is_it = |node: &Node<'a>| node.has_tag_name(tag);
-        self.left.iter().position(is_it).map(|place| self.left.remove(place))
-    }
-
     /// Whether a property with this name has not been taken yet.
     pub(super) fn has(&self, name: &str) -> bool {
         self.left.iter().any(|node| node.attribute("name") == Some(name))
@@ -89,12 +83,25 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// Reports an unknown type. The contents of such an object are not checked.
+    /// Reports an unknown type, once for each type. The contents of such an object are not checked.
     pub(super) fn unknown(&mut self, object: &mut Object<'a>, known: &[&str]) {
         object.left.clear();
+        if !self.refused.insert(described(object.node, &object.kind)) {
+            return;
+        }
         let place = object.node.attribute_node("type").map_or(object.node.range(), |kind| kind.range_value());
         let message = format!("{} is not supported", described(object.node, &object.kind));
         self.report.error(place, message, one_of(known.iter().copied()));
+    }
+
+    /// Reports a texture: all values are uniform.
+    pub(super) fn texture(&mut self, node: Node<'a>) {
+        let object = self.object(node);
+        if self.refused.insert(described(node, &object.kind)) {
+            let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
+            let message = format!("{} is not supported", described(node, &object.kind));
+            self.report.error(place, message, "an `rgb`, `spectrum` or `float`");
+        }
     }
 
     /// Returns the children that are elements; text between them is an error.
