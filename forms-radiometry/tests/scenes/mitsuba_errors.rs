@@ -273,4 +273,7 @@ fn parameters_that_double_each_other_end_in_an_error() {
 fn references_in_a_circle_are_an_error() {
     let text = "<scene version=\"3.0.0\"><bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
     assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");
+    let text = "<scene version=\"3.0.0\"><default name=\"k\" value=\"twosided\"/>\
+                <bsdf type=\"$k\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
+    assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");
 }

@@ -125,6 +125,9 @@ fn integrators_of_further_quantities_are_read_as_the_one_they_contain() {
     let mirror = "<shape type=\"sphere\"><bsdf type=\"conductor\"/></shape>";
     let stokes = "<integrator type=\"stokes\"><integrator type=\"path\"/></integrator>";
     let circle = "<integrator type=\"moment\" id=\"a\"><ref id=\"a\"/></integrator>";
+    let named =
+        "<default name=\"k\" value=\"moment\"/><integrator type=\"$k\" id=\"a\"><ref id=\"a\"/></integrator>";
+    let deep = "integrators are only supported within each other up to three deep";
     let hidden = "<integrator type=\"path\"><boolean name=\"hide_emitters\" value=\"True\"/></integrator>";
     let cases = [
         (
@@ -132,7 +135,8 @@ fn integrators_of_further_quantities_are_read_as_the_one_they_contain() {
             "polarised light is only supported for diffuse surfaces, which depolarise it",
         ),
         ("<integrator type=\"moment\"/>".to_owned(), "this integrator contains no integrator"),
-        (circle.to_owned(), "this integrator refers to one that contains another"),
+        (circle.to_owned(), deep),
+        (named.to_owned(), deep),
         (
             format!("{hidden}<emitter type=\"constant\"/>"),
             "emitters hidden from the camera are not supported",

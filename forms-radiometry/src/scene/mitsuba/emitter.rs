@@ -9,7 +9,7 @@ use crate::scene::value::NOT_NEGATIVE;
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
-        if node.attribute("type") == Some("area") {
+        if self.kind(node) == "area" {
             self.shared_emitter(node);
             return;
         }

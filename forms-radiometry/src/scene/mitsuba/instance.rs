@@ -18,7 +18,7 @@ impl<'a> Reader<'a, '_, '_> {
         let to_world = self.transform(&mut object);
         let group = self.take_object(&mut object, "shape");
         self.finish(object, &["to_world", "shape"]);
-        let Some(group) = group.filter(|group| group.attribute("type") == Some("shapegroup")) else {
+        let Some(group) = group.filter(|&group| self.kind(group) == "shapegroup") else {
             self.error(
                 node,
                 "this instance refers to no group of shapes",
@@ -37,8 +37,8 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Reads a shape of a group. Like Mitsuba, it excludes groups in groups, emitters and sensors.
     fn grouped(&mut self, node: Node<'a>) {
-        let kind = node.attribute("type").unwrap_or_default();
-        if matches!(kind, "instance" | "shapegroup") {
+        let kind = self.kind(node);
+        if matches!(&*kind, "instance" | "shapegroup") {
             self.error(node, format!("a shape of type `{kind}` cannot be part of a group"), "other shapes");
             return;
         }

@@ -69,13 +69,13 @@ impl<'a> Reader<'a, '_, '_> {
     /// Reads the integrator within another one.
     fn wrapper(&mut self, mut object: Object<'a>) {
         let node = object.node;
+        let is_nested = node.parent().is_some_and(|parent| parent.has_tag_name("integrator"));
         match self.take_object(&mut object, "integrator") {
             // integrators that refer to each other could go round in circles
             Some(inner)
-                if inner.parent() != Some(node)
-                    && WRAPPERS.contains(&inner.attribute("type").unwrap_or_default()) =>
+                if WRAPPERS.contains(&&*self.kind(inner)) && (is_nested || inner.parent() != Some(node)) =>
             {
-                let message = "this integrator refers to one that contains another";
+                let message = "integrators are only supported within each other up to three deep";
                 self.error(node, message, "an integrator that traces paths");
             }
             Some(inner) => self.integrator(inner),

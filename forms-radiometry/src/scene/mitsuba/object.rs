@@ -53,6 +53,11 @@ impl<'a> Reader<'a, '_, '_> {
         Object { node, kind, left, asked: Vec::new() }
     }
 
+    /// Returns the type of an element after substitution of parameters; empty if it has no valid one.
+    pub(super) fn kind(&self, node: Node<'a>) -> String {
+        self.parameters.substitute(node.attribute("type").unwrap_or_default()).unwrap_or_default()
+    }
+
     /// Reports the remaining children of an object. `known` lists all allowed properties. A known
     /// property that was not requested because the object is invalid is not reported.
     pub(super) fn finish(&mut self, object: Object<'a>, known: &[&str]) {

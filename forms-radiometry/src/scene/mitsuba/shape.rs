@@ -18,9 +18,9 @@ const PARTS: [&str; 8] =
 impl<'a> Reader<'a, '_, '_> {
     /// Parses a top-level shape. The shapes of a group are read with its instances.
     pub(super) fn top_shape(&mut self, node: Node<'a>) {
-        match node.attribute("type") {
-            Some("shapegroup") => {}
-            Some("instance") => self.instance(node),
+        match &*self.kind(node) {
+            "shapegroup" => {}
+            "instance" => self.instance(node),
             _ => self.shape(node),
         }
     }
