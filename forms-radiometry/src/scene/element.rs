@@ -222,8 +222,8 @@ impl Names {
         place: Range<usize>,
     ) -> Option<String> {
         if let Some(&first) = self.given.get(name) {
-            let line = report.line(first);
-            let message = format!("the {kind} `{name}` is already defined in line {line}");
+            let line = report.line(first, place.start);
+            let message = format!("the {kind} `{name}` is already defined in {line}");
             report.error(place, message, "a unique name");
             return None;
         }

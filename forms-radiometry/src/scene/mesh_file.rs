@@ -13,13 +13,15 @@ mod parts;
 mod ply;
 mod ply_header;
 mod ply_rows;
+mod search;
 mod stl;
 mod vtk;
 pub(super) mod words;
 
 use super::SceneError;
 use super::error::Report;
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, Vector};
+use search::SearchPath;
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
@@ -38,6 +40,16 @@ pub(super) struct MeshFile {
     pub(super) groups: Vec<Group>,
     /// Whether the file has vertex normals, which are discarded.
     pub(super) has_normals: bool,
+    /// Whether all of them are known to be the normals of the faces.
+    pub(super) has_normals_of_faces: bool,
+}
+
+/// Largest sine of the angle between normals that differ only by rounding.
+const SAME_NORMAL: f64 = 1e-6;
+
+/// Whether two unit vectors differ only by rounding.
+pub(super) fn is_same_normal(a: Vector, b: Vector) -> bool {
+    a.dot(b) > 0.0 && a.cross(b).length() <= SAME_NORMAL
 }
 
 /// A group of faces.
@@ -52,13 +64,35 @@ pub(super) struct MeshFiles<'f> {
     /// The folder of the scene, for messages.
     folder: PathBuf,
     open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>,
+    search: SearchPath,
     read: HashMap<String, Option<MeshFile>>,
+}
+
+/// A file that was found: its path relative to the folder of the scene, and its contents.
+pub(super) struct Found {
+    pub(super) path: String,
+    pub(super) bytes: Vec<u8>,
 }
 
 impl<'f> MeshFiles<'f> {
     pub(super) fn new(scene_file: &str, open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>) -> Self {
         let folder = Path::new(scene_file).parent().unwrap_or(Path::new("")).to_owned();
-        Self { folder, open, read: HashMap::new() }
+        Self { folder, open, search: SearchPath::default(), read: HashMap::new() }
+    }
+
+    /// Adds a folder in which files are looked up, as a file in the folder `base` names it.
+    pub(super) fn add_folder(&mut self, base: &Path, folder: &str) {
+        self.search.add(self.open, base, folder);
+    }
+
+    /// Looks a file up. The error is a message and what was expected.
+    pub(super) fn find(&self, what: &str, name: &str) -> Result<Found, (String, String)> {
+        self.search.find(self.open, what, name)
+    }
+
+    /// Returns a path relative to the folder of the scene as messages show it.
+    pub(super) fn shown(&self, path: &str) -> String {
+        self.folder.join(path).to_string_lossy().into_owned()
     }
 
     /// Returns the contents of a mesh file that the scene names at this place.
@@ -91,22 +125,14 @@ impl<'f> MeshFiles<'f> {
                 return None;
             }
         };
-        let bytes = match (self.open)(name) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                report.error(
-                    place,
-                    format!("there is no file `{name}`"),
-                    "a path relative to the folder of the scene file",
-                );
-                return None;
-            }
-            Err(error) => {
-                report.error(place, format!("the mesh `{name}` cannot be read: {error}"), "");
+        let Found { path, bytes } = match self.find("mesh", name) {
+            Ok(found) => found,
+            Err((message, expected)) => {
+                report.error(place, message, expected);
                 return None;
             }
         };
-        let shown = self.folder.join(name).to_string_lossy().into_owned();
+        let shown = self.shown(&path);
         match read(&shown, &bytes) {
             Ok((file, notes)) => {
                 notes.into_iter().for_each(|note| report.note(format!("{shown}: {note}")));

@@ -64,7 +64,7 @@ pub fn read_with_files(
     let mut files = MeshFiles::new(file_name, files);
     let ending = Path::new(file_name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
     if ending.as_deref() == Some("xml") {
-        let read = mitsuba::read(&mut report, &source.text, &mut files);
+        let read = mitsuba::read(&mut report, &mut files);
         return finished(report, read, |report, (mut scene, surroundings)| {
             overlaps::check(report, &scene, Format::Mitsuba);
             if !report.is_empty() {

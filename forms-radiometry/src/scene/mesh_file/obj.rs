@@ -1,11 +1,12 @@
 //! Wavefront OBJ: reads the vertices, the faces and the names of their groups, or of their materials
-//! if the file has no groups. Normals and texture coordinates are ignored, since a surface of a scene
-//! is flat between its edges; so are lines and points, which have no area.
+//! if the file has no groups. A surface of a scene is flat between its edges, so normals are only
+//! compared with those of the faces. Texture coordinates are ignored, and so are lines and points,
+//! which have no area.
 
 use super::parts::Parts;
 use super::words::{Word, extent, lines, words};
-use super::{Fault, Read};
-use crate::geometry::Vector;
+use super::{Fault, Read, is_same_normal};
+use crate::geometry::{Polygon, Vector};
 use crate::scene::SceneError;
 use crate::scene::place::Source;
 use crate::scene::value::values;
@@ -68,9 +69,13 @@ impl Parts {
         let Some((keyword, arguments)) = statement.split_first() else { return };
         let added = match keyword.text {
             "v" => vertex(keyword, arguments).map(|vertex| self.vertices.push(vertex)),
-            "f" => face(arguments, self.vertices.len()).map(|face| self.face(face, extent(statement))),
+            "f" => face(arguments, self.vertices.len()).map(|face| {
+                self.faces_with_own_normal += usize::from(self.has_own_normal(&face, arguments));
+                self.face(face, extent(statement));
+            }),
             "vn" => {
                 self.has_normals = true;
+                self.normals.push(normal(arguments));
                 Ok(())
             }
             "g" | "o" => {
@@ -97,6 +102,32 @@ impl Parts {
             self.fault(fault);
         }
     }
+}
+
+impl Parts {
+    /// Whether all corners of a face are known to have the normal of the face, and the face is flat.
+    fn has_own_normal(&self, face: &[u32], arguments: &[Word]) -> bool {
+        if self.normals.is_empty() || !self.have_own_normals() {
+            return false;
+        }
+        let corner = |&index: &u32| self.vertices.get(index as usize).copied();
+        let Some(corners) = face.iter().map(corner).collect::<Option<Vec<Vector>>>() else { return false };
+        let Ok(polygon) = Polygon::new(corners) else { return false };
+        arguments.iter().all(|word| {
+            let number = word.text.split('/').nth(2).and_then(|number| number.parse::<i64>().ok());
+            let from_zero = number.map(|n| if n < 0 { self.normals.len() as i64 + n } else { n - 1 });
+            let index = from_zero.and_then(|index| usize::try_from(index).ok());
+            let own = index.and_then(|index| *self.normals.get(index)?);
+            own.is_some_and(|own| is_same_normal(own, polygon.normal()))
+        })
+    }
+}
+
+/// Parses `vn x y z` into a unit vector; an invalid normal is `None`.
+fn normal(arguments: &[Word]) -> Option<Vector> {
+    let numbers: Vec<f64> = arguments.iter().map(|word| word.float().ok()).collect::<Option<_>>()?;
+    let [x, y, z] = numbers[..] else { return None };
+    Vector::new(x, y, z).unit()
 }
 
 /// Returns the name of a group, or of all groups to which the next faces belong.

@@ -26,6 +26,10 @@ pub(super) struct Parts {
     current: Option<u32>,
     group_of: Vec<Option<u32>>,
     pub(super) has_normals: bool,
+    /// The normals so far to which faces refer; an invalid one is `None`.
+    pub(super) normals: Vec<Option<Vector>>,
+    /// The number of faces whose corners are known to have the normal of the face.
+    pub(super) faces_with_own_normal: usize,
     faults: Vec<Fault>,
     /// The number of further faults, which are only counted.
     more: usize,
@@ -46,6 +50,11 @@ impl Parts {
         self.faces.push(corners);
         self.places.push([place.start as u32, place.end as u32]);
         self.group_of.push(self.current);
+    }
+
+    /// Whether the corners of all faces so far are known to have the normals of their faces.
+    pub(super) fn have_own_normals(&self) -> bool {
+        self.faces_with_own_normal == self.faces.len()
     }
 
     /// Whether there are no faces.
@@ -89,8 +98,9 @@ impl Parts {
         if !self.faults.is_empty() {
             return Err(told(source, self.faults, self.more));
         }
-        let mesh = Mesh::of(self.vertices, list).expect("repaired faces are polygons");
-        Ok((MeshFile { mesh: Arc::new(mesh), groups, has_normals: self.has_normals }, self.notes))
+        let has_normals_of_faces = self.have_own_normals();
+        let mesh = Arc::new(Mesh::of(self.vertices, list).expect("repaired faces are polygons"));
+        Ok((MeshFile { mesh, groups, has_normals: self.has_normals, has_normals_of_faces }, self.notes))
     }
 
     /// Returns the polygons that the faces stand for, each with its group. Faces that stand for

@@ -35,7 +35,7 @@ impl<'a> Reader<'a, '_, '_> {
             "translate" => self.axes(node, 0.0, false).map(Affine::translation),
             "scale" => self.axes(node, 1.0, true).map(Affine::scaling),
             "rotate" => self.rotate(node),
-            "lookat" => self.look_at(node),
+            "lookat" | "lookAt" => self.look_at(node),
             "matrix" => self.matrix(node),
             other => {
                 let expected = "`translate`, `rotate`, `scale`, `matrix` or `lookat`";
