@@ -116,8 +116,8 @@ impl Reader<'_> {
         match self.row(role, element) {
             Ok(row) => {
                 if let Some(other) = self.rows.iter().find(|other| other.number == row.number) {
-                    let line = self.report.line(other.place.start);
-                    let message = format!("surface {} is already defined in line {line}", row.number);
+                    let line = self.report.line(other.place.start, row.place.start);
+                    let message = format!("surface {} is already defined in {line}", row.number);
                     self.report.error(row.place.clone(), message, "a number of its own");
                 }
                 self.rows.push(row);

@@ -34,8 +34,15 @@ fn surfaces_have_their_names_areas_and_emissivities() {
     let scene = scene(BOX);
     assert_eq!(scene.name, "A box / with a window");
     let found: Vec<(&str, f64)> = scene.surfaces.iter().map(|s| (&*s.name, area(&s.shape))).collect();
-    let expected =
-        [("floor", 2.0), ("ceiling", 2.0), ("front", 2.5), ("back", 3.0), ("left", 6.0), ("right", 6.0), ("window", 0.5)];
+    let expected = [
+        ("floor", 2.0),
+        ("ceiling", 2.0),
+        ("front", 2.5),
+        ("back", 3.0),
+        ("left", 6.0),
+        ("right", 6.0),
+        ("window", 0.5),
+    ];
     assert_eq!(found, expected);
     let reflectance = |index: usize| match &scene.materials[scene.surfaces[index].material].kind {
         MaterialKind::Diffuse { reflectance } => reflectance[0],
@@ -48,7 +55,12 @@ fn surfaces_have_their_names_areas_and_emissivities() {
 fn the_fronts_of_a_closed_box_see_each_other() {
     let factors = view_factors(&scene(BOX));
     for surface in 0..factors.names.len() {
-        assert!((factors.sum(surface) - 1.0).abs() < 1e-6, "{}: {}", factors.names[surface], factors.sum(surface));
+        assert!(
+            (factors.sum(surface) - 1.0).abs() < 1e-6,
+            "{}: {}",
+            factors.names[surface],
+            factors.sum(surface)
+        );
     }
     assert!(factors.reciprocity_residual() < 1e-9);
 }
@@ -70,7 +82,10 @@ fn planes_are_turned_by_azimuth_and_tilt() {
     }
     let areas: Vec<f64> = scene.surfaces.iter().map(|surface| area(&surface.shape)).collect();
     assert_eq!(areas, [2.0, 3.0, 1.5, 0.125]);
-    assert_eq!(scene.notes, ["obstructions and null surfaces are black surfaces here, with rows of their own"]);
+    assert_eq!(
+        scene.notes,
+        ["obstructions and null surfaces are black surfaces here, with rows of their own"]
+    );
 }
 
 /// Text that is replaced in the box, its replacement, the place of the error, and the message.
@@ -81,14 +96,34 @@ const ERRORS: &[(&str, &str, (usize, usize), &str)] = &[
     ("V 2 1 0 0", "V 2 1 0", (6, 1), "the line ends before a coordinate"),
     ("V 2 1 0 0", "V -2 1 0 0", (6, 3), "the number is out of range"),
     ("S 2  5 8 7 6", "S 2  5 8 7 99", (20, 12), "there is no vertex 99"),
-    ("S 2  5 8 7 6", "S 2  5 8 7 1", (20, 1), "the polygon is not planar: vertex 1 is 6.396e-1 away from its plane (tolerance: 3.0e-6)"),
+    (
+        "S 2  5 8 7 6",
+        "S 2  5 8 7 1",
+        (20, 1),
+        "the polygon is not planar: vertex 4 is 4.286e-1 away from its plane (tolerance: 3.0e-6)",
+    ),
     ("S 2  5", "S 1  5", (20, 1), "surface 1 is already defined in line 19"),
-    ("S 2  5", "M 2  5", (20, 1), "masking surfaces are not supported: they face their base without a distance"),
+    (
+        "S 2  5",
+        "M 2  5",
+        (20, 1),
+        "masking surfaces are not supported: they face their base without a distance",
+    ),
     ("S 2  5", "Q 2  5", (20, 1), "`Q` is no element of a View3D file"),
-    ("0 0 0.8", "0 0 1.8", (20, 21), "the emissivity is out of range"),
+    ("0 0 0.8", "0 0 1.8", (20, 20), "the emissivity is out of range"),
     ("3 0 1.0 window", "33 0 1.0 window", (25, 1), "there is no surface 33 for surface 7 to lie on"),
-    ("0 1 0.9 floor-b", "0 8 0.9 floor-b", (26, 1), "surface 8 is combined with surface 8, which is not a first one"),
-    ("0 1 0.9 floor-b", "0 1 0.8 floor-b", (26, 1), "surface 8 has another emissivity than surface 1, with which it is combined"),
+    (
+        "0 1 0.9 floor-b",
+        "0 8 0.9 floor-b",
+        (26, 1),
+        "surface 8 is combined with surface 8, which is not a first one",
+    ),
+    (
+        "0 1 0.9 floor-b",
+        "0 1 0.8 floor-b",
+        (26, 1),
+        "surface 8 has another emissivity than surface 1, with which it is combined",
+    ),
 ];
 
 #[test]
