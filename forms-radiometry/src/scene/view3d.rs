@@ -76,15 +76,10 @@ impl Reader<'_> {
         match element.keyword {
             'T' => self.name = element.rest().to_owned(),
             'C' | 'X' => {}
-            'F' => {
-                self.format = element.word("the format").and_then(Format::of).map_or_else(
-                    |fault| {
-                        self.fault(fault);
-                        None
-                    },
-                    Some,
-                )
-            }
+            'F' => match element.word("the format").and_then(Format::of) {
+                Ok(format) => self.format = Some(format),
+                Err(fault) => self.fault(fault),
+            },
             'V' => {
                 let read = element.number().and_then(|number| Ok((number, element.point()?)));
                 match read {

@@ -36,8 +36,8 @@ impl Elements {
 }
 
 impl<'t> Element<'t> {
-    fn new(start: usize, line: &'t str, words: Vec<Word<'t>>) -> Self {
-        let first = words[0].clone();
+    fn new(start: usize, line: &'t str, mut words: Vec<Word<'t>>) -> Self {
+        let first = words.remove(0);
         let letter = first.text.chars().next().unwrap_or(' ');
         let offset = first.range.start - start;
         Self {
@@ -45,7 +45,7 @@ impl<'t> Element<'t> {
             place: first.range.start..start + line.len(),
             // what follows the letter
             text: &line[offset + letter.len_utf8()..],
-            words: words[1..].to_vec().into_iter(),
+            words: words.into_iter(),
         }
     }
 
