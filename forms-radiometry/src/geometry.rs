@@ -2,13 +2,16 @@
 //! polygon; polygons are clipped, intersected and divided into triangles. Nothing here occludes
 //! anything.
 
+mod affine;
 pub(crate) mod bounds;
 pub(crate) mod clip;
 pub(crate) mod edges;
+mod face_list;
 mod mesh;
 mod overlap;
 pub(crate) mod plane;
 mod polygon;
+mod repair;
 pub(crate) mod round;
 pub(crate) mod scale;
 pub(crate) mod sides;
@@ -17,13 +20,16 @@ mod triangulation;
 mod vector;
 mod weld;
 
+pub(crate) use affine::Affine;
 pub(crate) use clip::split;
 pub(crate) use edges::{Edges, fill};
+pub(crate) use face_list::FaceList;
 pub use mesh::{FaceError, Mesh, MeshError};
 pub(crate) use overlap::{Flat, common_area, off_plane, overlap, resolution};
 pub(crate) use plane::{Plane, closeness};
 pub use polygon::{Polygon, PolygonError};
 pub(crate) use polygon::{area, edges, intersection};
+pub(crate) use repair::{Repaired, repaired};
 pub(crate) use round::Round;
 pub use round::{Disk, Sphere};
 pub(crate) use tessellation_gap::bulge;

@@ -12,6 +12,7 @@ mod light;
 mod material;
 mod medium;
 mod mesh_file;
+mod mesh_keys;
 mod mitsuba;
 mod model;
 mod overlaps;
@@ -26,6 +27,7 @@ mod sources;
 mod subsurfaces;
 mod surface;
 mod value;
+mod view3d;
 mod working_units;
 
 pub(crate) use bands::middle;

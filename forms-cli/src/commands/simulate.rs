@@ -107,6 +107,7 @@ fn planned(arguments: &SimulateArguments) -> Result<Planned, Vec<String>> {
     let file = &arguments.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
     let (mut scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
+    show_notes(&scene);
     arguments.solve.overrides().apply(&mut scene);
     if scene.receivers.is_empty() {
         return Err(vec![nothing_asked(file)]);
@@ -114,6 +115,11 @@ fn planned(arguments: &SimulateArguments) -> Result<Planned, Vec<String>> {
     arguments.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
     let plan = simulation::plan(&scene).map_err(messages)?;
     Ok(Planned { scene, sources, plan })
+}
+
+/// Prints what was read in another way than the files say.
+pub(super) fn show_notes(scene: &Scene) {
+    scene.notes.iter().for_each(|note| tell!("note: {note}"));
 }
 
 /// Resources of a run: output folder, checkpoint and part, initial state, and progress.

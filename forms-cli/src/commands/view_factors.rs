@@ -1,5 +1,6 @@
 //! `forms view-factors`: the matrix of a scene, as CSV with row sums and areas or as JSON.
 
+use super::simulate::show_notes;
 use crate::json::write_record;
 use crate::status::Status;
 use crate::streams::tell;
@@ -17,6 +18,7 @@ pub(crate) fn view_factors(
 ) -> io::Result<Status> {
     let scene = scene::open(Path::new(file));
     let found = scene.and_then(|mut scene| {
+        show_notes(&scene);
         Overrides { tolerance, ..Overrides::default() }.apply(&mut scene);
         let found = factors(&scene);
         let errors = found.contradictions(&scene);

@@ -2,21 +2,18 @@
 //! polygons.
 
 use super::scale::{lengths, of_all};
-use super::{Polygon, PolygonError, Vector};
+use super::{FaceList, Polygon, PolygonError, Vector};
+use std::collections::HashMap;
 use std::fmt;
 
 /// A surface of planar polygons that share their vertices.
 ///
 /// A face can have any number of vertices, but it must be a [`Polygon`]: planar, with non-zero
-/// area, without self-intersections. A face that is not planar has several triangulations, each of
-/// them a different surface. Such a face is rejected instead of triangulated.
+/// area, without self-intersections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     vertices: Vec<Vector>,
-    /// The vertices of all faces, one face after the other.
-    corners: Vec<u32>,
-    /// The end of each face in the list of corners.
-    ends: Vec<usize>,
+    faces: FaceList,
     /// Scale factor of the coordinates: a power of two.
     factor: f64,
 }
@@ -55,18 +52,17 @@ impl Mesh {
     /// Creates the mesh of these faces, each a list of vertex indices, counter-clockwise seen from
     /// its front. Returns all invalid faces if there are any.
     pub fn new(vertices: Vec<Vector>, faces: &[Vec<u32>]) -> Result<Self, Vec<MeshError>> {
+        let mut list = FaceList::default();
+        faces.iter().for_each(|face| list.push(face.iter().copied()));
+        Self::of(vertices, list)
+    }
+
+    /// Creates the mesh of a list of faces.
+    pub(crate) fn of(vertices: Vec<Vector>, faces: FaceList) -> Result<Self, Vec<MeshError>> {
         let error =
             |(face, indices)| polygon(&vertices, indices).err().map(|reason| MeshError { face, reason });
-        let errors: Vec<MeshError> = faces.iter().map(Vec::as_slice).enumerate().filter_map(error).collect();
-        if !errors.is_empty() {
-            return Err(errors);
-        }
-        let ends = faces.iter().scan(0, |end, face| {
-            *end += face.len();
-            Some(*end)
-        });
-        let ends = ends.collect();
-        Ok(Self { vertices, corners: faces.concat(), ends, factor: 1.0 })
+        let errors: Vec<MeshError> = faces.iter().enumerate().filter_map(error).collect();
+        if errors.is_empty() { Ok(Self { vertices, faces, factor: 1.0 }) } else { Err(errors) }
     }
 
     /// Returns the vertices, to which faces refer by index.
@@ -76,27 +72,22 @@ impl Mesh {
 
     /// Returns the vertex indices of each face, counter-clockwise seen from its front.
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.ends.len()).map(|face| self.face(face))
-    }
-
-    fn face(&self, face: usize) -> &[u32] {
-        let start = if face == 0 { 0 } else { self.ends[face - 1] };
-        &self.corners[start..self.ends[face]]
+        self.faces.iter()
     }
 
     /// Returns the vertices of a face.
     pub(crate) fn corners(&self, face: usize) -> impl Iterator<Item = Vector> {
-        self.face(face).iter().map(|&index| self.factor * self.vertices[index as usize])
+        self.faces.get(face).iter().map(|&index| self.factor * self.vertices[index as usize])
     }
 
     /// Returns the faces as polygons.
     pub fn polygons(&self) -> impl Iterator<Item = Polygon> {
-        (0..self.ends.len()).map(|face| self.polygon(face))
+        (0..self.faces.len()).map(|face| self.polygon(face))
     }
 
     /// Returns a face as a polygon.
     pub(crate) fn polygon(&self, face: usize) -> Polygon {
-        let polygon = polygon(&self.vertices, self.face(face));
+        let polygon = polygon(&self.vertices, self.faces.get(face));
         polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
     }
 
@@ -116,15 +107,27 @@ impl Mesh {
     /// polygons after that are errors. With `reversed`, front and back of every face are swapped.
     pub fn moved(&self, reversed: bool, image: impl Fn(Vector) -> Vector) -> Result<Self, Vec<MeshError>> {
         let vertices = self.vertices.iter().map(|&v| image(v)).collect();
-        let turned = |face: &[u32]| {
-            let mut face = face.to_vec();
-            if reversed {
-                face.reverse();
-            }
-            face
-        };
-        let faces: Vec<Vec<u32>> = self.faces().map(turned).collect();
-        Self::new(vertices, &faces)
+        let mut faces = FaceList::default();
+        for face in self.faces() {
+            let corners = face.iter().copied();
+            if reversed { faces.push(corners.rev()) } else { faces.push(corners) }
+        }
+        Self::of(vertices, faces)
+    }
+
+    /// Returns the mesh of some of the faces, with the vertices that they use.
+    pub(crate) fn part(&self, faces: &[u32]) -> Self {
+        let (mut vertices, mut numbers) = (Vec::new(), HashMap::new());
+        let mut list = FaceList::default();
+        for &face in faces {
+            list.push(self.faces.get(face as usize).iter().map(|&old| {
+                *numbers.entry(old).or_insert_with(|| {
+                    vertices.push(self.vertices[old as usize]);
+                    vertices.len() as u32 - 1
+                })
+            }));
+        }
+        Self { vertices, faces: list, factor: self.factor }
     }
 }
 

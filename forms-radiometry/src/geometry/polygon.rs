@@ -89,17 +89,15 @@ impl Polygon {
             return Err(PolygonError::RepeatedVertex(i + 1));
         }
         let normal = checked_normal(&vertices)?;
-        // products of lengths near 1 neither overflow nor underflow
-        let unit = power_of_two(vertices.iter().fold(0.0, |m: f64, v| m.max(v.largest())));
-        let near: Vec<Vector> = vertices.iter().map(|&v| unit.recip() * v).collect();
+        let near = near_one(&vertices);
         if let Some((i, j)) = crossing_edges(&near, normal) {
             return Err(PolygonError::Crossing(i + 1, j + 1));
         }
         let pieces = if is_convex(&near, normal) {
             vec![vertices.clone()]
         } else {
-            let back = |triangle: Vec<Vector>| triangle.into_iter().map(|v| unit * v).collect();
-            triangulate(&near, normal).into_iter().map(back).collect()
+            let triangle = |corners: [usize; 3]| corners.map(|i| vertices[i]).to_vec();
+            triangulate(&near, normal).into_iter().map(triangle).collect()
         };
         Ok(Self {
             vertices,
@@ -187,6 +185,13 @@ pub(crate) fn area(outline: &[Vector], normal: Vector) -> f64 {
     0.5 * outline.windows(2).map(corner).map(|twice| normal.dot(twice)).sum::<f64>()
 }
 
+/// Returns the vertices multiplied by a power of two, so that the largest coordinate is near 1:
+/// products of such lengths neither overflow nor underflow.
+pub(super) fn near_one(vertices: &[Vector]) -> Vec<Vector> {
+    let unit = power_of_two(vertices.iter().fold(0.0, |m: f64, v| m.max(v.largest())));
+    vertices.iter().map(|&v| unit.recip() * v).collect()
+}
+
 /// Computes Newell's normal N = ½ Σ vᵢ × vᵢ₊₁ about the first vertex, whose length is the area, and
 /// checks that the vertices are planar.
 fn checked_normal(vertices: &[Vector]) -> Result<Vector, PolygonError> {
@@ -224,7 +229,7 @@ fn is_convex(vertices: &[Vector], normal: Vector) -> bool {
 }
 
 /// Finds two edges that are not adjacent and have a point in common.
-fn crossing_edges(vertices: &[Vector], normal: Vector) -> Option<(usize, usize)> {
+pub(super) fn crossing_edges(vertices: &[Vector], normal: Vector) -> Option<(usize, usize)> {
     let count = vertices.len();
     let edge = |i: usize| (vertices[i], vertices[(i + 1) % count]);
     for i in 0..count {

@@ -12,29 +12,31 @@ pub(super) fn turn(a: Vector, b: Vector, c: Vector, normal: Vector) -> f64 {
 /// collinear points with rounding.
 const LINE: f64 = 1e-14;
 
-/// Triangulates a simple polygon; the triangles are counter-clockwise like the polygon.
+/// Triangulates a simple polygon. Returns the numbers of the corners of each triangle,
+/// counter-clockwise like the polygon.
 ///
 /// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one
 /// (Meisters 1975). If rounding hides it, the widest corner is cut, so that the loop always ends.
-pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<Vec<Vector>> {
-    let mut rest = vertices.to_vec();
+pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<[usize; 3]> {
+    let mut rest: Vec<usize> = (0..vertices.len()).collect();
     let mut triangles = Vec::with_capacity(rest.len());
     while rest.len() >= 3 {
-        let ear =
-            (0..rest.len()).find(|&i| is_ear(&rest, i, normal)).unwrap_or_else(|| widest(&rest, normal));
-        let [a, b, c] = corner(&rest, ear);
+        let outline: Vec<Vector> = rest.iter().map(|&i| vertices[i]).collect();
+        let ears = (0..rest.len()).find(|&i| is_ear(&outline, i, normal));
+        let ear = ears.unwrap_or_else(|| widest(&outline, normal));
+        let [a, b, c] = corner(&outline, ear);
         let squared = [b - a, c - b, a - c].map(|side| side.dot(side)).into_iter().fold(0.0, f64::max);
         if turn(a, b, c, normal) > LINE * squared {
-            triangles.push(vec![a, b, c]);
+            triangles.push(corner(&rest, ear));
         }
         rest.remove(ear);
     }
     triangles
 }
 
-fn corner(vertices: &[Vector], i: usize) -> [Vector; 3] {
-    let count = vertices.len();
-    [vertices[(i + count - 1) % count], vertices[i], vertices[(i + 1) % count]]
+fn corner<T: Copy>(outline: &[T], i: usize) -> [T; 3] {
+    let count = outline.len();
+    [outline[(i + count - 1) % count], outline[i], outline[(i + 1) % count]]
 }
 
 fn is_ear(vertices: &[Vector], i: usize, normal: Vector) -> bool {
@@ -75,7 +77,8 @@ mod tests {
             });
             let normal = Vector::new(1.0, 2e-16, -2e-16);
             let triangles = triangulate(&vertices, normal);
-            let areas: Vec<f64> = triangles.iter().map(|t| 0.5 * turn(t[0], t[1], t[2], normal)).collect();
+            let half_turn = |[a, b, c]: [Vector; 3]| 0.5 * turn(a, b, c, normal);
+            let areas: Vec<f64> = triangles.iter().map(|t| half_turn(t.map(|i| vertices[i]))).collect();
             let sum: f64 = areas.iter().sum();
             assert!((sum - 3.0 * scale * scale).abs() < 1e-11 * scale * scale, "{off}: {areas:?}");
             assert!(areas.iter().all(|area| *area > 0.9 * scale * scale), "{off}: {areas:?}");

@@ -29,7 +29,7 @@ mod tests {
     fn the_running_sums_of_shares_end_at_one() {
         assert_eq!(shares(&[1.0, 0.0, 3.0]), [vec![0.25, 0.0, 0.75], vec![0.25, 0.25, 1.0]]);
         assert_eq!(shares(&[0.0, 0.0]), [vec![0.0, 0.0], vec![0.0, 0.0]]);
-        assert_eq!(shares(&[]), [vec![], vec![]]);
+        assert_eq!(shares(&[]), [[0.0; 0]; 2]);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 use super::error::Report;
 use super::value::{Domain, Value, direction, number, one_of, spectrum, text, vector};
 use crate::geometry::Vector;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use toml::de::DeTable;
 
@@ -148,6 +148,8 @@ impl<'a, 't> Element<'a, 't> {
 #[derive(Default)]
 pub(super) struct Indices {
     indices: HashMap<String, usize>,
+    /// The elements that are left out of the scene.
+    left_out: HashSet<String>,
 }
 
 impl Indices {
@@ -160,8 +162,18 @@ impl Indices {
         index: usize,
     ) -> Option<String> {
         let name = names.name(report, element)?;
-        self.indices.insert(name.clone(), index);
+        self.insert(name.clone(), index);
         Some(name)
+    }
+
+    /// Registers a name with this index.
+    pub(super) fn insert(&mut self, name: String, index: usize) {
+        self.indices.insert(name, index);
+    }
+
+    /// Registers the name of an element without faces, which is left out of the scene.
+    pub(super) fn leave_out(&mut self, name: &str) {
+        self.left_out.insert(name.to_owned());
     }
 
     /// Returns the index of a name. An unknown name is reported.
@@ -173,7 +185,9 @@ impl Indices {
         name: &str,
     ) -> Option<usize> {
         let index = self.indices.get(name).copied();
-        if index.is_none() {
+        if self.left_out.contains(name) {
+            report.error(place, format!("the {what} `{name}` has no faces, and is left out"), "");
+        } else if index.is_none() {
             let mut known: Vec<&str> = self.indices.keys().map(String::as_str).collect();
             known.sort_unstable();
             let expected = match known[..] {
@@ -208,8 +222,8 @@ impl Names {
         place: Range<usize>,
     ) -> Option<String> {
         if let Some(&first) = self.given.get(name) {
-            let line = report.line(first);
-            let message = format!("the {kind} `{name}` is already defined in line {line}");
+            let line = report.line(first, place.start);
+            let message = format!("the {kind} `{name}` is already defined in {line}");
             report.error(place, message, "a unique name");
             return None;
         }

@@ -23,6 +23,15 @@ pub struct SceneError {
     quoted: Box<Excerpt>,
 }
 
+/// A part of a text that was put together from several files: from this byte to the start of the
+/// next part.
+pub(super) struct Span {
+    pub(super) start: usize,
+    /// The file of the part, and the byte in it at which the part starts.
+    pub(super) source: Arc<Source>,
+    pub(super) offset: usize,
+}
+
 /// The largest number of errors that are shown for a scene and its meshes.
 const MOST_ERRORS: usize = MOST_DIAGNOSTICS;
 
@@ -81,23 +90,53 @@ fn cut(text: String) -> String {
     }
 }
 
-/// The errors found so far in one text, and in the files that it names.
+/// The errors found so far in one text, and in the files that it names. The text can be put together
+/// from the texts of several files.
 pub(super) struct Report {
     source: Arc<Source>,
+    /// The origins of the text, in its order; a single one for the text of one file.
+    spans: Vec<Span>,
     /// Each error with the byte of the text that caused it.
     errors: Vec<(usize, SceneError)>,
     /// The number of further errors, which are only counted.
     more: usize,
+    /// What was read in another way than it is written.
+    notes: Vec<String>,
 }
 
 impl Report {
     pub(super) fn new(source: &Arc<Source>) -> Self {
-        Self { source: Arc::clone(source), errors: Vec::new(), more: 0 }
+        let spans = vec![Span { start: 0, source: Arc::clone(source), offset: 0 }];
+        Self { source: Arc::clone(source), spans, errors: Vec::new(), more: 0, notes: Vec::new() }
+    }
+
+    /// Returns the text of the file that the errors are about.
+    pub(super) fn source(&self) -> Arc<Source> {
+        Arc::clone(&self.source)
+    }
+
+    /// Sets the origins of a text that was put together from several files.
+    pub(super) fn set_spans(&mut self, spans: Vec<Span>) {
+        self.spans = spans;
+    }
+
+    /// Records that something was read in another way than it is written.
+    pub(super) fn note(&mut self, note: String) {
+        self.notes.push(note);
+    }
+
+    /// Returns the notes so far, and forgets them.
+    pub(super) fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
     }
 
     /// Returns the place of a range of bytes of the text.
     pub(super) fn place(&self, range: Range<usize>) -> Place {
-        Place::new(&self.source, range)
+        let next = self.spans.partition_point(|span| span.start <= range.start);
+        let Some(span) = self.spans.get(next.saturating_sub(1)) else { return Place::default() };
+        let limit = self.spans.get(next).map_or(usize::MAX, |next| next.start);
+        let moved = |byte: usize| byte.min(limit).saturating_sub(span.start) + span.offset;
+        Place::new(&span.source, moved(range.start)..moved(range.end)).in_text_at(range.start)
     }
 
     /// Records an error at a range of bytes of the text.
@@ -119,7 +158,7 @@ impl Report {
         expected: impl Into<String>,
     ) {
         if self.errors.len() < MOST_ERRORS {
-            self.errors.push((place.start(), SceneError::new(place, message, expected)));
+            self.errors.push((place.order(), SceneError::new(place, message, expected)));
         } else {
             self.more += 1;
         }
@@ -132,9 +171,16 @@ impl Report {
         self.errors.extend(errors.into_iter().take(room).map(|error| (byte, error)));
     }
 
-    /// Returns the line of a byte of the text, counted from one.
-    pub(super) fn line(&self, byte: usize) -> usize {
-        self.place(byte..byte).located().line
+    /// Names the line of a byte of the text, counted from one, and its file unless it is the file
+    /// of another byte.
+    pub(super) fn line(&self, byte: usize, seen_from: usize) -> String {
+        let [place, other] = [byte, seen_from].map(|byte| self.place(byte..byte));
+        let (located, other) = (place.located(), other.located());
+        if located.file == other.file {
+            format!("line {}", located.line)
+        } else {
+            format!("line {} of `{}`", located.line, located.file)
+        }
     }
 
     pub(super) fn is_empty(&self) -> bool {

@@ -1,32 +1,62 @@
-//! Mesh files: parses the bytes of an OBJ or PLY file into a [`Mesh`], or a list of errors with
-//! their places in that file.
+//! Mesh files: parses the bytes of a file into a [`Mesh`], or a list of errors with their places in
+//! that file.
+//!
+//! ```text
+//! OBJ, PLY, STL, gmsh, VTK, glTF ─ parts: vertices, faces, groups ─ faces repaired ─▶ mesh, notes
+//! ```
 
+mod gltf;
+mod gmsh;
+mod numbers;
 mod obj;
+mod parts;
 mod ply;
 mod ply_header;
 mod ply_rows;
-mod words;
+mod search;
+mod stl;
+mod vtk;
+pub(super) mod words;
 
 use super::SceneError;
 use super::error::Report;
-use super::place::{Place, Source};
-use crate::geometry::{FaceError, Mesh, MeshError, PolygonError, Vector};
-use forms::core::diagnostic::counted;
+use crate::geometry::{Mesh, Vector};
+use search::SearchPath;
 use std::collections::HashMap;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The largest number of errors that are reported for one file.
-const TOLD: usize = 20;
+/// Endings of mesh files.
+const ENDINGS: &str = "a file with the extension .obj, .ply, .stl, .msh, .vtk, .vtu, .vtp, .gltf or .glb";
 
 /// A parsed mesh file.
 #[derive(Clone)]
 pub(super) struct MeshFile {
     pub(super) mesh: Arc<Mesh>,
+    /// The groups of its faces that the file names, in the order of their first faces; empty if it
+    /// names none.
+    pub(super) groups: Vec<Group>,
     /// Whether the file has vertex normals, which are discarded.
     pub(super) has_normals: bool,
+    /// Whether all of them are known to be the normals of the faces.
+    pub(super) has_normals_of_faces: bool,
+}
+
+/// Largest sine of the angle between normals that differ only by rounding.
+const SAME_NORMAL: f64 = 1e-6;
+
+/// Whether two unit vectors differ only by rounding.
+pub(super) fn is_same_normal(a: Vector, b: Vector) -> bool {
+    a.dot(b) > 0.0 && a.cross(b).length() <= SAME_NORMAL
+}
+
+/// A group of faces.
+#[derive(Clone)]
+pub(super) struct Group {
+    pub(super) name: String,
+    pub(super) faces: Vec<u32>,
 }
 
 /// The mesh files of a scene. Each is read once, regardless of how many surfaces name it.
@@ -34,21 +64,38 @@ pub(super) struct MeshFiles<'f> {
     /// The folder of the scene, for messages.
     folder: PathBuf,
     open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>,
+    search: SearchPath,
     read: HashMap<String, Option<MeshFile>>,
+}
+
+/// A file that was found: its path relative to the folder of the scene, and its contents.
+pub(super) struct Found {
+    pub(super) path: String,
+    pub(super) bytes: Vec<u8>,
 }
 
 impl<'f> MeshFiles<'f> {
     pub(super) fn new(scene_file: &str, open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>) -> Self {
         let folder = Path::new(scene_file).parent().unwrap_or(Path::new("")).to_owned();
-        Self { folder, open, read: HashMap::new() }
+        Self { folder, open, search: SearchPath::default(), read: HashMap::new() }
     }
 
-    /// Returns the mesh in a file that the scene names at this place.
-    pub(super) fn mesh(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<Arc<Mesh>> {
-        self.file(report, place, name).map(|file| file.mesh)
+    /// Adds a folder in which files are looked up, as a file in the folder `base` names it.
+    pub(super) fn add_folder(&mut self, base: &Path, folder: &str) {
+        self.search.add(self.open, base, folder);
     }
 
-    /// Returns the mesh, and whether the file has vertex normals.
+    /// Looks a file up. The error is a message and what was expected.
+    pub(super) fn find(&self, what: &str, name: &str) -> Result<Found, (String, String)> {
+        self.search.find(self.open, what, name)
+    }
+
+    /// Returns a path relative to the folder of the scene as messages show it.
+    pub(super) fn shown(&self, path: &str) -> String {
+        self.folder.join(path).to_string_lossy().into_owned()
+    }
+
+    /// Returns the contents of a mesh file that the scene names at this place.
     pub(super) fn file(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
         if let Some(known) = self.read.get(name) {
             return known.clone();
@@ -60,113 +107,60 @@ impl<'f> MeshFiles<'f> {
 
     fn first(&self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
         let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let read: fn(&str, &[u8]) -> Result<MeshFile, Vec<SceneError>> = match ending.as_deref() {
-            Some("obj") => obj::read,
-            Some("ply") => ply::read,
+        let read: &ReadMesh = match ending.as_deref() {
+            Some("obj") => &obj::read,
+            Some("ply") => &ply::read,
+            Some("stl") => &stl::read,
+            Some("msh") => &gmsh::read,
+            Some("vtk") => &vtk::read_legacy,
+            Some("vtu" | "vtp") => &vtk::read_xml,
+            Some("gltf" | "glb") => {
+                let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+                let open = |uri: &str| (self.open)(&folder.join(uri).to_string_lossy());
+                &move |file: &str, bytes: &[u8]| gltf::read(file, bytes, &open)
+            }
             _ => {
                 let message = format!("`{name}` is not a supported mesh file");
-                report.error(place, message, "a file with the extension .obj or .ply");
+                report.error(place, message, ENDINGS);
                 return None;
             }
         };
-        let bytes = match (self.open)(name) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                report.error(
-                    place,
-                    format!("there is no file `{name}`"),
-                    "a path relative to the folder of the scene file",
-                );
-                return None;
-            }
-            Err(error) => {
-                report.error(place, format!("the mesh `{name}` cannot be read: {error}"), "");
+        let Found { path, bytes } = match self.find("mesh", name) {
+            Ok(found) => found,
+            Err((message, expected)) => {
+                report.error(place, message, expected);
                 return None;
             }
         };
-        let shown = self.folder.join(name).to_string_lossy().into_owned();
-        read(&shown, &bytes).map_err(|errors| report.include(place.start, errors)).ok()
+        let shown = self.shown(&path);
+        match read(&shown, &bytes) {
+            Ok((file, notes)) => {
+                notes.into_iter().for_each(|note| report.note(format!("{shown}: {note}")));
+                Some(file)
+            }
+            Err(errors) => {
+                report.include(place.start, errors);
+                None
+            }
+        }
     }
 }
 
+/// Parses the bytes of a file with this name.
+type ReadMesh<'r> = dyn Fn(&str, &[u8]) -> Result<Read, Vec<SceneError>> + 'r;
+
+/// A file, and notes on what was read in another way than it is written.
+type Read = (MeshFile, Vec<String>);
+
 /// An error at a range of bytes of a mesh file.
-struct Fault {
-    range: Range<usize>,
-    message: String,
-    expected: String,
+pub(super) struct Fault {
+    pub(super) range: Range<usize>,
+    pub(super) message: String,
+    pub(super) expected: String,
 }
 
 impl Fault {
-    fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
+    pub(super) fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
         Self { range, message: message.into(), expected: expected.into() }
     }
-}
-
-/// The contents of a mesh file.
-#[derive(Default)]
-struct Parts {
-    vertices: Vec<Vector>,
-    faces: Vec<Vec<u32>>,
-    /// The place of each face in the file.
-    face_places: Vec<Range<usize>>,
-    has_normals: bool,
-    faults: Vec<Fault>,
-    /// The number of further faults, which are only counted.
-    more: usize,
-}
-
-impl Parts {
-    /// Returns the mesh, if there were no faults so far and its faces are valid polygons.
-    fn mesh(mut self, source: &Arc<Source>) -> Result<MeshFile, Vec<SceneError>> {
-        if self.faults.is_empty() && self.faces.is_empty() {
-            let expected = "faces with at least three vertices each";
-            self.fault(Fault::new(0..0, "the mesh has no faces", expected));
-        }
-        if self.faults.is_empty() {
-            let vertices = self.vertices.len();
-            match Mesh::new(std::mem::take(&mut self.vertices), &self.faces) {
-                Ok(mesh) => return Ok(MeshFile { mesh: Arc::new(mesh), has_normals: self.has_normals }),
-                Err(errors) => {
-                    for MeshError { face, reason } in errors {
-                        let place = self.face_places[face].clone();
-                        let expected = expected(&reason, vertices);
-                        self.fault(Fault::new(place, MeshError { face, reason }.to_string(), expected));
-                    }
-                }
-            }
-        }
-        Err(told(source, self.faults, self.more))
-    }
-
-    /// Records a fault. Faults beyond the limit are only counted.
-    fn fault(&mut self, fault: Fault) {
-        if self.faults.len() < TOLD {
-            self.faults.push(fault);
-        } else {
-            self.more += 1;
-        }
-    }
-}
-
-/// Describes the face that was expected.
-fn expected(reason: &FaceError, vertices: usize) -> String {
-    match reason {
-        FaceError::NoVertex(_) => format!("one of the {vertices} vertices"),
-        FaceError::Polygon(PolygonError::NotPlanar { .. }) => {
-            "a planar polygon, or triangles in its place".to_owned()
-        }
-        FaceError::Polygon(_) => "a simple planar polygon".to_owned(),
-    }
-}
-
-/// Converts faults to errors, with the number of further ones.
-fn told(source: &Arc<Source>, faults: Vec<Fault>, more: usize) -> Vec<SceneError> {
-    let error =
-        |fault: Fault| SceneError::new(&Place::new(source, fault.range), fault.message, fault.expected);
-    let mut errors: Vec<SceneError> = faults.into_iter().map(error).collect();
-    if more > 0 {
-        let rest = counted(more, "more error");
-        errors.push(SceneError::of_file(&source.file, rest));
-    }
-    errors
 }

@@ -2,21 +2,26 @@
 //! express them.
 //!
 //! ```text
-//! text ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
-//!                             ├─ shape ─────────┼─ surfaces, media, receivers
-//!                             ├─ emitter ───────┤  lights, ambient
-//!                             └─ sensor, integrator: receivers, effects
+//! text, includes ─ roxmltree ─ objects ─┬─ bsdf, medium ──┐
+//!                                       ├─ shape ─────────┼─ surfaces, media, receivers
+//!                                       ├─ emitter ───────┤  lights, ambient
+//!                                       └─ sensor, integrator: receivers, effects
 //! ```
 //! Every property of an object that the translation does not use is reported as an error. After an
 //! error, parsing continues with a default value, since the scene is rejected anyway.
 
 mod bsdf;
+mod document;
 mod emitter;
+mod instance;
 mod integrator;
 mod media;
+mod normals;
 mod object;
+mod parameters;
 mod sensor;
 mod shape;
+mod spectrum;
 mod surroundings;
 mod transform;
 mod values;
@@ -25,10 +30,13 @@ use super::element::Names;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
+use instance::Instance;
 use integrator::Integrator;
 use media::Media;
+use normals::SmoothMesh;
 use object::Object;
-use std::collections::HashMap;
+use parameters::Parameters;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 pub(super) use surroundings::Surroundings;
 
@@ -38,18 +46,29 @@ type Node<'a> = roxmltree::Node<'a, 'a>;
 const RGB: [Band; 3] =
     [Band { low: 600.0, high: 700.0 }, Band { low: 500.0, high: 600.0 }, Band { low: 400.0, high: 500.0 }];
 
+const SPECTRA_ARE_MEANS: &str =
+    "spectra over wavelength are replaced by their means in the bands 600–700, 500–600 and 400–500 nm";
+
 /// State of the parser: the parts of the scene so far.
 struct Reader<'a, 'r, 'f> {
     report: &'r mut Report,
     files: &'r mut MeshFiles<'f>,
     /// Values of `<default>`, substituted for `$name`.
-    parameters: HashMap<String, String>,
+    parameters: Parameters,
     ids: HashMap<&'a str, Node<'a>>,
-    /// The number of bands: three if a colour is given as red, green and blue, otherwise one.
+    /// The number of bands: three if a colour is given as red, green and blue, or a spectrum over
+    /// wavelength; otherwise one.
     bands: usize,
+    /// Whether a spectrum over wavelength was replaced by its means in the bands.
+    has_tables: bool,
+    /// The kinds of objects that were reported as unsupported, each once.
+    refused: HashSet<String>,
     names: Names,
     media: Media,
     surroundings: Surroundings,
+    /// The instance whose shapes are being read.
+    instance: Option<Instance>,
+    smooth_meshes: Vec<SmoothMesh>,
     /// The parsed `<bsdf>` elements by their numbers in the document.
     bsdfs: HashMap<usize, bsdf::Bsdf>,
     materials: Vec<Material>,
@@ -65,29 +84,34 @@ struct Reader<'a, 'r, 'f> {
 
 /// Parses the scene. Also returns its declarations of surrounding media, which are later compared
 /// with the regions of the scene.
-pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
-    let document = match roxmltree::Document::parse(text) {
+pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene, Surroundings)> {
+    let text = document::whole_text(report, files)?;
+    let document = match roxmltree::Document::parse(&text) {
         Ok(document) => document,
+        // all files are valid by themselves, but an included element can use a namespace of its root
         Err(error) => {
-            let position = error.pos();
-            let byte = byte_at(text, position);
-            let message = error.to_string();
-            let message = message.strip_suffix(&format!(" at {position}")).unwrap_or(&message).to_owned();
-            report.error(byte..byte, message, "");
+            report.error(0..0, format!("an included file is not valid here: {error}"), "");
             return None;
         }
     };
     let root: Node = document.root_element();
-    let has_colours = root.descendants().any(|node| node.has_tag_name("rgb"));
+    let mut parameters = Parameters::default();
+    root.children().filter(|child| child.has_tag_name("default")).for_each(|node| parameters.define(node));
+    let value = |text: &str| parameters.substitute(text).ok();
+    let has_colours = root.descendants().any(|node| spectrum::has_bands(node, value));
     let mut reader = Reader {
         report,
         files,
-        parameters: HashMap::new(),
+        parameters,
         ids: HashMap::new(),
-        bands: if has_colours { 3 } else { 1 },
+        bands: if has_colours { RGB.len() } else { 1 },
+        has_tables: false,
+        refused: HashSet::new(),
         names: Names::default(),
         media: Media::default(),
         surroundings: Surroundings::default(),
+        instance: None,
+        smooth_meshes: Vec::new(),
         bsdfs: HashMap::new(),
         materials: Vec::new(),
         known_materials: HashMap::new(),
@@ -102,14 +126,6 @@ pub(super) fn read(report: &mut Report, text: &str, files: &mut MeshFiles) -> Op
     Some(reader.scene(has_colours))
 }
 
-/// Returns the byte of a row and a column, both counted from one.
-fn byte_at(text: &str, position: roxmltree::TextPos) -> usize {
-    let line = text.split_inclusive('\n').take((position.row as usize).saturating_sub(1));
-    let start: usize = line.map(str::len).sum();
-    let columns = text[start.min(text.len())..].chars().take((position.col as usize).saturating_sub(1));
-    start + columns.map(char::len_utf8).sum::<usize>()
-}
-
 impl<'a> Reader<'a, '_, '_> {
     fn root(&mut self, root: Node<'a>) {
         if !root.has_tag_name("scene") {
@@ -118,12 +134,12 @@ impl<'a> Reader<'a, '_, '_> {
         }
         self.attributes(root, &["version"]);
         let version = root.attribute("version").unwrap_or_default();
-        if version != "3" && !version.starts_with("3.") {
+        if !document::is_supported(version) {
             let place = root.attribute_node("version").map_or(root.range(), |version| version.range_value());
             self.report.error(
                 place,
                 format!("scene version `{version}` is not supported"),
-                "version=\"3.0.0\", or 3.x",
+                document::VERSIONS,
             );
         }
         self.parameters(root);
@@ -137,18 +153,26 @@ impl<'a> Reader<'a, '_, '_> {
     fn top(&mut self, node: Node<'a>) {
         match node.tag_name().name() {
             "default" => {}
+            "path" => self.path(node),
             "bsdf" => {
                 bsdf::Bsdf::read(self, node);
             }
             "medium" => {
                 self.medium(node);
             }
-            "shape" => self.shape(node),
+            "shape" => self.top_shape(node),
             "emitter" => self.emitter(node),
+            "texture" => self.texture(node),
+            // these are read where other elements refer to them
+            "sampler" | "film" | "rfilter" => {}
+            "alias" => {
+                self.attributes(node, &["id", "as"]);
+            }
             "sensor" => self.sensor(node),
             "integrator" => self.integrator(node),
             other => {
-                let expected = "`default`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` or `integrator`";
+                let expected = "`default`, `path`, `include`, `alias`, `bsdf`, `medium`, `shape`, `emitter`, `sensor` \
+                                or `integrator`";
                 self.error(node, format!("the element `{other}` is not supported in a scene"), expected);
             }
         }
@@ -157,21 +181,47 @@ impl<'a> Reader<'a, '_, '_> {
     fn parameters(&mut self, root: Node<'a>) {
         for node in root.children().filter(|child| child.has_tag_name("default")) {
             self.attributes(node, &["name", "value"]);
-            let name = node.attribute("name").unwrap_or_default();
-            if name.is_empty() || name.contains(|c: char| !c.is_ascii_alphanumeric() && c != '_') {
+            if Parameters::name(node).is_none() {
                 self.error(node, "this `default` has no valid `name`", "name=\"…\" of letters, digits and _");
-                continue;
             }
-            let value = self.attribute(node, "value").map_or(String::new(), |(value, _)| value);
-            self.parameters.entry(name.to_owned()).or_insert(value);
+            self.attribute(node, "value");
+        }
+    }
+
+    /// Checks a search path, which was added when the files were read.
+    fn path(&mut self, node: Node<'a>) {
+        self.attributes(node, &["value"]);
+        if self.attribute(node, "value").is_none() && !node.has_attribute("value") {
+            self.error(node, "this path has no `value`", "value=\"…\", a folder");
         }
     }
 
     fn collect_ids(&mut self, root: Node<'a>) {
-        let named = root.descendants().filter(|node| !node.has_tag_name("ref"));
+        let named = root.descendants().filter(|node| !matches!(node.tag_name().name(), "ref" | "alias"));
         for (node, id) in named.filter_map(|node| Some((node, node.attribute_node("id")?))) {
             self.names.give(self.report, "id", id.value(), id.range_value());
             self.ids.entry(id.value()).or_insert(node);
+        }
+        for alias in root.children().filter(|node| node.has_tag_name("alias")) {
+            self.alias(alias);
+        }
+    }
+
+    /// Gives an element another id.
+    fn alias(&mut self, node: Node<'a>) {
+        let (Some(id), Some(other)) = (node.attribute_node("id"), node.attribute_node("as")) else {
+            self.error(node, "this alias has no `id` or no `as`", "id=\"…\" as=\"…\"");
+            return;
+        };
+        self.names.give(self.report, "id", other.value(), other.range_value());
+        match self.ids.get(id.value()).copied() {
+            Some(element) => {
+                self.ids.entry(other.value()).or_insert(element);
+            }
+            None => {
+                let message = format!("no element has the id `{}`", id.value());
+                self.report.error(id.range_value(), message, "the id of an element of the scene");
+            }
         }
     }
 
@@ -189,7 +239,11 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn scene(mut self, has_colours: bool) -> (Scene, Surroundings) {
+        if self.has_tables {
+            self.report.note(SPECTRA_ARE_MEANS.to_owned());
+        }
         let solve = Solve { forced: self.forced(), ..Solve::default() };
+        self.check_normals();
         let medium = self.ambient_medium();
         let (media, elements) = self.all_media();
         let surroundings = self.all_surroundings(elements);
@@ -209,6 +263,7 @@ impl<'a> Reader<'a, '_, '_> {
             receivers: self.receivers,
             ambient,
             solve,
+            notes: self.report.take_notes(),
         };
         (scene, surroundings)
     }

@@ -31,6 +31,8 @@ pub struct Scene {
     pub ambient: Ambient,
     /// Settings of the solver: accuracy and forced effects.
     pub solve: Solve,
+    /// What was read in another way than the files say, for the reader of the answers.
+    pub notes: Vec<String>,
 }
 
 impl Scene {

@@ -32,6 +32,8 @@ pub struct Place {
     source: Option<Arc<Source>>,
     start: usize,
     end: usize,
+    /// The first byte in the whole text, of which the file can be a part.
+    order: usize,
 }
 
 /// A place as lines and columns.
@@ -49,12 +51,17 @@ impl Place {
     /// Creates the place of a range of bytes of a text. A bound beyond the end of the text is moved
     /// to the end, a bound within a character to the start of the character.
     pub(super) fn new(source: &Arc<Source>, range: Range<usize>) -> Self {
-        Self { source: Some(Arc::clone(source)), start: range.start, end: range.end }
+        Self { source: Some(Arc::clone(source)), start: range.start, end: range.end, order: range.start }
     }
 
-    /// Returns the first byte.
-    pub(super) fn start(&self) -> usize {
-        self.start
+    /// Returns the same place in a text of which its file is a part: there it starts at this byte.
+    pub(super) fn in_text_at(self, order: usize) -> Self {
+        Self { order, ..self }
+    }
+
+    /// Returns the first byte in the whole text, by which errors are ordered.
+    pub(super) fn order(&self) -> usize {
+        self.order
     }
 
     /// Returns the file, the line and the column, counted from one, if the place is in a file.

@@ -12,6 +12,7 @@ use super::subsurfaces::Subsurface;
 use super::value::{Domain, NOT_NEGATIVE, Value, array, choice, number, text};
 use super::{
     SceneError, light, material, medium, mitsuba, overlaps, receiver, regions, solve, subsurfaces, surface,
+    view3d,
 };
 use std::io;
 use std::path::Path;
@@ -24,7 +25,8 @@ const WAVELENGTH: Domain = Domain { expected: "a wavelength in nm, above 0", con
 /// Reads the scene in a file, and the meshes that it names by paths relative to the folder of the
 /// file.
 ///
-/// A file with the extension `.xml` is a scene of Mitsuba 3, any other a scene in TOML.
+/// A file with the extension `.xml` is a scene of Mitsuba 3, one with `.vs3` a scene of View3D, any
+/// other a scene in TOML.
 pub fn open(path: &Path) -> Result<Scene, Vec<SceneError>> {
     let text = text_of(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
@@ -60,9 +62,9 @@ pub fn read_with_files(
     let source = Source::new(file_name, text);
     let mut report = Report::new(&source);
     let mut files = MeshFiles::new(file_name, files);
-    let is_xml = Path::new(file_name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
-    if is_xml {
-        let read = mitsuba::read(&mut report, &source.text, &mut files);
+    let ending = Path::new(file_name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    if ending.as_deref() == Some("xml") {
+        let read = mitsuba::read(&mut report, &mut files);
         return finished(report, read, |report, (mut scene, surroundings)| {
             overlaps::check(report, &scene, Format::Mitsuba);
             if !report.is_empty() {
@@ -75,7 +77,10 @@ pub fn read_with_files(
             scene
         });
     }
-    let read = read_toml(&mut report, &source.text, &mut files);
+    let read = match ending.as_deref() {
+        Some("vs3") => view3d::read(&mut report, &source.text),
+        _ => read_toml(&mut report, &source.text, &mut files),
+    };
     finished(report, read, |report, (mut scene, subsurfaces)| {
         subsurfaces::cut(report, &mut scene, &subsurfaces);
         if report.is_empty() {
@@ -127,9 +132,14 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
     let materials = each(report, root, "material", |report, element, names, index| {
         material::read(report, element, names, &mut known, index)
     });
-    let surfaces = each(report, root, "surface", |report, element, names, index| {
-        surface::read(report, element, names, &mut known, index, files)
+    // an invalid surface keeps its index
+    let mut next = 0;
+    let surfaces = each(report, root, "surface", |report, element, names, _| {
+        let surfaces = surface::read(report, element, names, &mut known, next, files);
+        next += surfaces.len().max(1);
+        Some(surfaces)
     });
+    let surfaces = surfaces.concat();
     let subsurfaces = subsurfaces::resolve(report, &known.on, &known.surfaces);
     let lights = each(report, root, "light", |report, element, names, _| {
         light::read(report, element, names, known.bands)
@@ -140,7 +150,9 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
     let ambient = ambient(report, root, &known);
     let solve = solve::read(report, root);
     let name = name.to_owned();
-    let scene = Scene { name, unit, bands, media, materials, surfaces, lights, receivers, ambient, solve };
+    let notes = report.take_notes();
+    let scene =
+        Scene { name, unit, bands, media, materials, surfaces, lights, receivers, ambient, solve, notes };
     (scene, subsurfaces)
 }
 

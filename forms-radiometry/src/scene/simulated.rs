@@ -26,7 +26,7 @@ struct Refusals {
 impl Refusals {
     fn refuse(&mut self, place: &Place, what: &str, simulated: &str) {
         let message = format!("{what} is not supported");
-        self.errors.push((place.start(), SceneError::new(place, message, simulated)));
+        self.errors.push((place.order(), SceneError::new(place, message, simulated)));
     }
 
     fn in_order(mut self) -> Vec<SceneError> {

@@ -36,6 +36,13 @@ pub(super) struct Subsurface {
     place: Range<usize>,
 }
 
+impl Subsurface {
+    /// Creates a surface that lies on a base, as the file says at this place.
+    pub(super) fn new(surface: usize, base: usize, place: Range<usize>) -> Self {
+        Self { surface, base, place }
+    }
+}
+
 /// Resolves the names of bases to surfaces. Unknown names and cycles are reported.
 pub(super) fn resolve(report: &mut Report, keys: &[OnKey], surfaces: &Indices) -> Vec<Subsurface> {
     let resolved = |key: &OnKey| {

@@ -5,6 +5,7 @@ use super::element::{Element, Names};
 use super::error::Report;
 use super::known::Known;
 use super::mesh_file::MeshFiles;
+use super::mesh_keys;
 use super::model::{Shape, Surface};
 use super::subsurfaces::OnKey;
 use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
@@ -12,10 +13,28 @@ use crate::geometry::{Disk, Polygon, Sphere, Vector};
 use std::f64::consts::PI;
 use std::ops::Range;
 
-const KEYS: &[&str] =
-    &["name", "material", "polygon", "mesh", "sphere", "disk", "on", "radiance", "exitance", "two_sided"];
+const KEYS: &[&str] = &[
+    "name",
+    "material",
+    "polygon",
+    "mesh",
+    "sphere",
+    "disk",
+    "split",
+    "scale",
+    "transform",
+    "on",
+    "radiance",
+    "exitance",
+    "two_sided",
+];
 const SHAPES: [&str; 4] = ["polygon", "mesh", "sphere", "disk"];
 
+/// The shapes of a `[[surface]]`, with the names of the groups of its mesh if it is split; and the
+/// place of its shape.
+type Shapes = (Vec<(Option<String>, Shape)>, Range<usize>);
+
+/// Reads a `[[surface]]`: a surface, or one for each group of its mesh. The first has this index.
 pub(super) fn read(
     report: &mut Report,
     element: &Element,
@@ -23,30 +42,74 @@ pub(super) fn read(
     known: &mut Known,
     index: usize,
     files: &mut MeshFiles,
-) -> Option<Surface> {
+) -> Vec<Surface> {
     element.check_keys(report, KEYS);
-    let name = known.surfaces.name(report, element, names, index);
+    let name = names.name(report, element);
     let material =
         element.reference(report, "material", "the name of a material", "material", &known.materials);
-    let shape = shape(report, element, files);
+    let shapes = shapes(report, element, files);
+    let shapes = shapes.map(|(shapes, place)| (with_faces(report, known, name.as_deref(), shapes), place));
+    register(report, (names, known), name.as_deref(), shapes.as_ref(), index);
     on(report, element, known, (index, name.clone()));
     let emission = emission(report, element, known.bands);
     let two_sided = two_sided(report, element, known, material);
-    let (shape, place) = shape?;
-    let (radiance, exitance) = emission?;
-    Some(Surface {
-        name: name?,
-        material: material?,
+    let all = || Some((name?, material?, shapes?, emission?, two_sided?));
+    let Some((name, material, (shapes, place), (radiance, exitance), two_sided)) = all() else {
+        return Vec::new();
+    };
+    let surface = |(group, shape): (Option<String>, Shape)| Surface {
+        name: full_name(&name, group.as_deref()),
+        material,
         shape,
-        radiance,
-        exitance,
-        two_sided: two_sided?,
-        place: report.place(place),
-    })
+        radiance: radiance.clone(),
+        exitance: exitance.clone(),
+        two_sided,
+        place: report.place(place.clone()),
+    };
+    shapes.into_iter().map(surface).collect()
 }
 
-/// Returns the only shape of a surface, and its place.
-fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Option<(Shape, Range<usize>)> {
+/// Leaves out a mesh without faces, with a note.
+fn with_faces(
+    report: &mut Report,
+    known: &mut Known,
+    name: Option<&str>,
+    shapes: Vec<(Option<String>, Shape)>,
+) -> Vec<(Option<String>, Shape)> {
+    let is_empty = |shape: &Shape| matches!(shape, Shape::Mesh(mesh) if mesh.faces().len() == 0);
+    if let Some(name) = name.filter(|_| shapes.iter().any(|(_, shape)| is_empty(shape))) {
+        report.note(format!("the surface `{name}` has no faces, and is left out"));
+        known.surfaces.leave_out(name);
+    }
+    shapes.into_iter().filter(|(_, shape)| !is_empty(shape)).collect()
+}
+
+/// Returns the name of a surface, or of a group of its mesh: `part/GROUP`.
+fn full_name(name: &str, group: Option<&str>) -> String {
+    group.map_or(name.to_owned(), |group| format!("{name}/{group}"))
+}
+
+/// Makes the names of surfaces known to the receivers. An invalid surface keeps its name.
+fn register(
+    report: &mut Report,
+    (names, known): (&mut Names, &mut Known),
+    name: Option<&str>,
+    shapes: Option<&Shapes>,
+    index: usize,
+) {
+    let Some(name) = name else { return };
+    let Some((shapes, place)) = shapes else { return known.surfaces.insert(name.to_owned(), index) };
+    for (offset, (group, _)) in shapes.iter().enumerate() {
+        let full = full_name(name, group.as_deref());
+        if group.is_some() {
+            names.give(report, "surface", &full, place.clone());
+        }
+        known.surfaces.insert(full, index + offset);
+    }
+}
+
+/// Returns the only shape of a surface, or those of the groups of its mesh.
+fn shapes(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Option<Shapes> {
     const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front, or a `mesh`, a `sphere` or a `disk`";
     let given: Vec<&str> = SHAPES.into_iter().filter(|shape| element.optional(shape).is_some()).collect();
     let [key] = given[..] else {
@@ -60,19 +123,29 @@ fn shape(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Optio
         return None;
     };
     let value = element.optional(key)?;
+    if key == "mesh" {
+        let meshes = mesh_keys::read(report, element, value, files)?;
+        let shapes = meshes.into_iter().map(|(group, mesh)| (group, Shape::Mesh(mesh)));
+        return Some((shapes.collect(), value.span()));
+    }
+    mesh_keys::refuse(report, element);
     let shape = match key {
         "polygon" => polygon(report, value).map(Shape::Polygon),
-        "mesh" => mesh(report, value, files),
         "sphere" => sphere(report, value).map(Shape::Sphere),
         _ => disk(report, value).map(Shape::Disk),
     };
-    Some((shape?, value.span()))
+    Some((vec![(None, shape?)], value.span()))
 }
 
 /// Records the name of the surface on which this one lies; that surface can follow later in the
 /// file.
 fn on(report: &mut Report, element: &Element, known: &mut Known, (surface, name): (usize, Option<String>)) {
     let Some(value) = element.optional("on") else { return };
+    if element.optional("split").is_some() {
+        let message = "the groups of a mesh cannot lie on a surface";
+        report.error(value.span(), message, "a surface without `split`");
+        return;
+    }
     if let Some(base) = text(report, value, "`on`") {
         known.on.push(OnKey { surface, name, base: base.to_owned(), place: value.span() });
     }
@@ -108,11 +181,6 @@ fn vertices(report: &mut Report, value: &Value, expected: &str) -> Option<Vec<Ve
     };
     let vertices: Vec<Option<Vector>> = list.iter().map(|item| vector(report, item, "a vertex")).collect();
     vertices.into_iter().collect()
-}
-
-fn mesh(report: &mut Report, value: &Value, files: &mut MeshFiles) -> Option<Shape> {
-    let name = text(report, value, "`mesh`")?;
-    files.mesh(report, value.span(), name).map(Shape::Mesh)
 }
 
 fn sphere(report: &mut Report, value: &Value) -> Option<Sphere> {

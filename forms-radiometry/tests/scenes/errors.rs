@@ -97,7 +97,7 @@ const OF_SHAPES: &[(&str, &str, &str)] = &[
     ("[1, 1, 0]", "[1, nan, 0]", "a coordinate of a vertex is not finite"),
     ("[1, 1, 0], [0, 1, 0]", "[0, 1, 0], [2, 3, 0]", "the edges from vertex 2 and from vertex 4 cross"),
     ("[1, 1, 0], [0, 1, 0]", "[2, 0, 0]", "the polygon encloses no area"),
-    ("mesh = \"part.obj\"", "mesh = \"part.stl\"", "`part.stl` is not a supported mesh file"),
+    ("mesh = \"part.obj\"", "mesh = \"part.dwg\"", "`part.dwg` is not a supported mesh file"),
     ("mesh = \"part.obj\"", "mesh = \"parts.obj\"", "there is no file `parts.obj`"),
     ("mesh = \"part.obj\"", "mesh = 3", "`mesh` has the wrong type: found integer"),
     ("radius = 0.5", "radius = 0", "`radius` is out of range"),

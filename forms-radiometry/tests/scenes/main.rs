@@ -6,13 +6,18 @@ mod elements;
 mod errors;
 mod files;
 mod media;
+mod mesh_formats;
 mod meshes;
 mod mitsuba;
 mod mitsuba_errors;
+mod mitsuba_files;
 mod mitsuba_media;
+mod mitsuba_objects;
+mod mitsuba_spectra;
 mod overlaps;
 mod page;
 mod subsurfaces;
+mod view3d;
 
 use forms_radiometry::scene::{Scene, SceneError, read_with_files};
 use std::io;

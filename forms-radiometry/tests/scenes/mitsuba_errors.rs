@@ -7,7 +7,7 @@ const FILE: &str = "box.xml";
 
 /// Text that is replaced, its replacement, and the message that follows.
 const CASES: &[(&str, &str, &str)] = &[
-    ("version=\"3.5.0\"", "version=\"2.0.0\"", "scene version `2.0.0` is not supported"),
+    ("version=\"3.5.0\"", "version=\"0.6.0\"", "scene version `0.6.0` is not supported"),
     (
         "<default name=\"width\" value=\"8\"/>",
         "<default name=\"\" value=\"8\"/><default name=\"width\" value=\"8\"/>",
@@ -18,7 +18,7 @@ const CASES: &[(&str, &str, &str)] = &[
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
         "<bsdf type=\"conductor\" id=\"mirror\"/><texture type=\"bitmap\"/>",
-        "the element `texture` is not supported in a scene",
+        "a texture of type `bitmap` is not supported",
     ),
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
@@ -27,7 +27,7 @@ const CASES: &[(&str, &str, &str)] = &[
     ),
     ("type=\"volpath\"", "type=\"bdpt\"", "an integrator of type `bdpt` is not supported"),
     ("type=\"volpath\"", "type=\"path\"", "this integrator ignores the participating media of the scene"),
-    ("value=\"-1\"", "value=\"1\"", "`max_depth` is out of range"),
+    ("value=\"-1\"", "value=\"0\"", "`max_depth` is out of range"),
     (
         "value=\"-1\"",
         "value=\"4\"",
@@ -43,11 +43,12 @@ const CASES: &[(&str, &str, &str)] = &[
         "<integer name=\"samples\" value=\"1\"/>",
         "`integer` named `samples` is not supported in an integrator of type `volpath`",
     ),
-    ("<bsdf type=\"diffuse\">", "<bsdf type=\"plastic\">", "a bsdf of type `plastic` cannot be two-sided"),
+    ("<bsdf type=\"diffuse\">", "<bsdf type=\"plastic\">", "a bsdf of type `plastic` is not supported"),
+    ("<bsdf type=\"diffuse\">", "<bsdf type=\"null\">", "a bsdf of type `null` cannot be two-sided"),
     (
         "<rgb name=\"reflectance\" value=\"0.7, 0.6, 0.5\"/>",
         "<texture name=\"reflectance\" type=\"bitmap\"/>",
-        "`reflectance` cannot be a `texture`",
+        "a texture of type `bitmap` is not supported",
     ),
     ("0.7, 0.6, 0.5", "0.7, 0.6, 1.5", "`reflectance` is out of range"),
     ("0.7, 0.6, 0.5", "0.7, 0.6", "`reflectance` has 2 values"),
@@ -55,8 +56,8 @@ const CASES: &[(&str, &str, &str)] = &[
     ("0.7, 0.6, 0.5", "", "`reflectance` is empty"),
     (
         "<spectrum name=\"k\" value=\"2\"/>",
-        "<spectrum name=\"k\" value=\"400:2, 700:3\"/>",
-        "`k` is a spectrum tabulated by wavelength, which is not supported",
+        "<spectrum name=\"k\" value=\"700:2, 400:3\"/>",
+        "`400:3` is not the next entry of a spectrum",
     ),
     (
         "<spectrum name=\"k\" value=\"2\"/>",
@@ -153,19 +154,58 @@ const CASES: &[(&str, &str, &str)] = &[
         "<float name=\"fov\" value=\"90\"/><float name=\"fov\" value=\"90\"/>",
         "`fov` occurs twice in a sensor of type `perspective`",
     ),
-    ("<float name=\"fov\" value=\"90\"/>", "", "this sensor has no `fov`"),
     ("<float name=\"fov\" value=\"90\"/>", "<float name=\"fov\" value=\"180\"/>", "`fov` is out of range"),
     ("fov_axis\" value=\"x\"", "fov_axis\" value=\"z\"", "`fov_axis` cannot be `z`"),
     (
         "<float name=\"near_clip\" value=\"0.1\"/>",
-        "<float name=\"focal_length\" value=\"50\"/>",
-        "`float` named `focal_length` is not supported in a sensor of type `perspective`",
+        "<string name=\"focal_length\" value=\"50mm\"/>",
+        "this sensor has both `fov` and `focal_length`",
+    ),
+    (
+        "<float name=\"fov\" value=\"90\"/>\n        <string name=\"fov_axis\" value=\"x\"/>",
+        "<string name=\"focal_length\" value=\"0mm\"/>",
+        "`focal_length` cannot be `0mm`",
+    ),
+    (
+        "<float name=\"near_clip\" value=\"0.1\"/>",
+        "<float name=\"principal_point_offset_x\" value=\"0.1\"/>",
+        "a `principal_point_offset_x` other than 0 is not supported",
+    ),
+    (
+        "<integer name=\"height\" value=\"4\"/>",
+        "<integer name=\"height\" value=\"4\"/><integer name=\"crop_height\" value=\"2\"/>",
+        "`crop_height` selects a part of the film, which is not supported",
+    ),
+    (
+        "<float name=\"near_clip\" value=\"0.1\"/>",
+        "<spectrum name=\"srf\" value=\"1\"/>",
+        "`spectrum` named `srf` is not supported in a sensor of type `perspective`",
     ),
     ("value=\"$width\"", "value=\"0\"", "`width` is out of range"),
     (
         "<integer name=\"height\" value=\"1\"/>",
         "<integer name=\"height\" value=\"2\"/>",
         "an irradiance meter with more than one pixel is not supported",
+    ),
+    (
+        "<emitter type=\"point\">",
+        "<emitter type=\"area\" id=\"spare\"/><emitter type=\"point\">",
+        "this area emitter belongs to no shape",
+    ),
+    (
+        "<emitter type=\"point\">",
+        "<alias id=\"part\" as=\"sun\"/><emitter type=\"point\">",
+        "the id `sun` is already defined in line 88",
+    ),
+    (
+        "<emitter type=\"point\">",
+        "<alias id=\"nothing\" as=\"all\"/><emitter type=\"point\">",
+        "no element has the id `nothing`",
+    ),
+    (
+        "<emitter type=\"point\">",
+        "<shape type=\"instance\"><ref id=\"ball\"/></shape><emitter type=\"point\">",
+        "this instance refers to no group of shapes",
     ),
     (
         "type=\"irradiancemeter\"",
@@ -232,5 +272,8 @@ fn parameters_that_double_each_other_end_in_an_error() {
 #[test]
 fn references_in_a_circle_are_an_error() {
     let text = "<scene version=\"3.0.0\"><bsdf type=\"twosided\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
+    assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");
+    let text = "<scene version=\"3.0.0\"><default name=\"k\" value=\"twosided\"/>\
+                <bsdf type=\"$k\" id=\"a\"><ref id=\"a\"/></bsdf></scene>";
     assert_eq!(errors(text, FILE)[0].message, "a bsdf of type `twosided` cannot be two-sided");
 }

@@ -1,17 +1,19 @@
 //! PLY: reads the vertices and the faces of a file in text or binary format. Other elements and
 //! properties are ignored.
 
+use super::parts::{Parts, told};
 use super::ply_header::{Element, Format, Header, Property};
 use super::ply_rows::{ByteRows, Rows, Stop, TextRows};
 use super::words::{coordinate, lines};
-use super::{Fault, MeshFile, Parts, told};
+use super::{Fault, Read};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
+use forms::core::diagnostic::counted;
 
 const HEADER_END: &[u8] = b"\nend_header";
 
-pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>> {
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let body = bytes.windows(HEADER_END.len()).position(|window| window == HEADER_END);
     let body = body.map_or(bytes.len(), |position| {
         let rest = &bytes[position + 1..];
@@ -30,24 +32,20 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<MeshFile, Vec<SceneError>
     parts.mesh(&head)
 }
 
-/// Returns the header, if it declares the coordinates of vertices and the corners of faces.
+/// Returns the header, if it declares the coordinates of vertices, and the corners of faces if there
+/// are any.
 fn shape_of(header: Header) -> Result<Header, Fault> {
-    let element = |name: &str| {
-        let found = header.elements.iter().find(|element| element.name == name);
-        let end = header.end.saturating_sub(1);
-        found.ok_or_else(|| {
-            Fault::new(end..end, format!("there is no element `{name}`"), "vertices and faces")
-        })
+    let element = |name: &str| header.elements.iter().find(|element| element.name == name);
+    let has_axis = |vertex: &Element, axis: &str| {
+        vertex.properties.iter().any(|property| property.name == axis && property.count.is_none())
     };
-    let vertex = element("vertex")?;
-    for axis in ["x", "y", "z"] {
-        if !vertex.properties.iter().any(|property| property.name == axis && property.count.is_none()) {
-            let message = format!("the vertices have no `{axis}`");
-            return Err(Fault::new(vertex.place.clone(), message, "property float x, y and z"));
-        }
+    if let Some(vertex) = element("vertex")
+        && let Some(axis) = ["x", "y", "z"].into_iter().find(|axis| !has_axis(vertex, axis))
+    {
+        let message = format!("the vertices have no `{axis}`");
+        return Err(Fault::new(vertex.place.clone(), message, "property float x, y and z"));
     }
-    let face = element("face")?;
-    if !face.properties.iter().any(is_corners) {
+    if let Some(face) = element("face").filter(|face| !face.properties.iter().any(is_corners)) {
         let expected = "property list uchar int vertex_indices";
         return Err(Fault::new(face.place.clone(), "the faces have no vertices", expected));
     }
@@ -63,15 +61,22 @@ impl Parts {
         let is_normal = |property: &Property| matches!(&*property.name, "nx" | "ny" | "nz");
         let mut vertices = header.elements.iter().filter(|element| element.name == "vertex");
         self.has_normals = vertices.any(|element| element.properties.iter().any(is_normal));
-        for element in &header.elements {
-            for row in 0..element.rows {
-                if let Err(stop) = self.row(element, row, rows) {
-                    self.fault(stop.fault);
-                    if stop.for_good {
-                        return;
-                    }
+        let mut longer = 0;
+        for (element, row) in header.elements.iter().flat_map(|e| (0..e.rows).map(move |row| (e, row))) {
+            if let Err(stop) = self.row(element, row, rows) {
+                self.fault(stop.fault);
+                if stop.for_good {
+                    return;
                 }
+            } else if rows.has_more() {
+                longer += 1;
             }
+        }
+        if longer > 0 {
+            let rows = counted(longer, "row");
+            self.note(format!(
+                "{rows} with more numbers than the header declares: the last ones are ignored"
+            ));
         }
     }
 
@@ -93,13 +98,9 @@ impl Parts {
                 }
             }
         }
-        rows.end()?;
         match &*element.name {
             "vertex" => self.vertices.push(vertex),
-            "face" => {
-                self.faces.push(corners);
-                self.face_places.push(rows.row_place());
-            }
+            "face" => self.face(corners, rows.row_place()),
             _ => {}
         }
         Ok(())

@@ -11,8 +11,8 @@ pub(super) trait Rows {
     fn begin(&mut self, element: &Element, row: u64) -> Result<(), Stop>;
     /// Returns the next number of the row.
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
-    /// Ends the row. Remaining numbers are an error.
-    fn end(&mut self) -> Result<(), Stop>;
+    /// Whether the row has more numbers.
+    fn has_more(&self) -> bool;
     /// Returns the place of the last number, or of the declaration of its element.
     fn place(&self) -> Range<usize>;
     /// Returns the place of the whole row.
@@ -81,11 +81,8 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
         Ok(whole as f64)
     }
 
-    fn end(&mut self) -> Result<(), Stop> {
-        match self.row.get(self.next) {
-            None => Ok(()),
-            Some(word) => Err(passing(Fault::new(word.range.clone(), "the line has too many numbers", ""))),
-        }
+    fn has_more(&self) -> bool {
+        self.next < self.row.len()
     }
 
     fn place(&self) -> Range<usize> {
@@ -153,8 +150,8 @@ impl Rows for ByteRows<'_> {
         })
     }
 
-    fn end(&mut self) -> Result<(), Stop> {
-        Ok(())
+    fn has_more(&self) -> bool {
+        false
     }
 
     fn place(&self) -> Range<usize> {

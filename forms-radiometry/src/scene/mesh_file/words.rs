@@ -6,14 +6,14 @@ use std::ops::Range;
 
 /// Text between whitespace.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Word<'t> {
-    pub(super) text: &'t str,
+pub(in crate::scene) struct Word<'t> {
+    pub(in crate::scene) text: &'t str,
     /// Its byte range in the file.
-    pub(super) range: Range<usize>,
+    pub(in crate::scene) range: Range<usize>,
 }
 
 /// Returns the lines of a text from a byte on, each with its first byte.
-pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
+pub(in crate::scene) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
     let mut start = from;
     text[from..].split_inclusive('\n').map(move |line| {
         let begin = start;
@@ -23,7 +23,7 @@ pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &st
 }
 
 /// Returns the words of a line that starts at this byte.
-pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
+pub(in crate::scene) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
     line.split_whitespace().map(move |text| {
         let begin = start + text.as_ptr() as usize - line.as_ptr() as usize;
         Word { text, range: begin..begin + text.len() }
@@ -31,7 +31,7 @@ pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> 
 }
 
 /// Returns the byte range that some words cover.
-pub(super) fn extent(words: &[Word]) -> Range<usize> {
+pub(in crate::scene) fn extent(words: &[Word]) -> Range<usize> {
     match words {
         [] => 0..0,
         [first, .., last] | [first @ last] => first.range.start..last.range.end,
@@ -40,19 +40,19 @@ pub(super) fn extent(words: &[Word]) -> Range<usize> {
 
 impl Word<'_> {
     /// Parses a coordinate.
-    pub(super) fn coordinate(&self) -> Result<f64, Fault> {
+    pub(in crate::scene) fn coordinate(&self) -> Result<f64, Fault> {
         self.float().and_then(|x| coordinate(self.range.clone(), x))
     }
 
     /// Parses any number.
-    pub(super) fn float(&self) -> Result<f64, Fault> {
+    pub(in crate::scene) fn float(&self) -> Result<f64, Fault> {
         let wrong =
             |_| Fault::new(self.range.clone(), format!("`{}` is not a number", self.text), "a number");
         self.text.parse().map_err(wrong)
     }
 
     /// Parses an integer.
-    pub(super) fn whole(&self) -> Result<i64, Fault> {
+    pub(in crate::scene) fn whole(&self) -> Result<i64, Fault> {
         let wrong =
             |_| Fault::new(self.range.clone(), format!("`{}` is not an integer", self.text), "an integer");
         self.text.parse().map_err(wrong)
@@ -60,7 +60,7 @@ impl Word<'_> {
 }
 
 /// Checks that a number is a valid coordinate.
-pub(super) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
+pub(in crate::scene) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
     if !x.is_finite() {
         return Err(Fault::new(range, "a coordinate is not finite", COORDINATE.expected));
     }

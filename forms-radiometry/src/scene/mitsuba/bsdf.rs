@@ -122,8 +122,8 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
         reader.error(node, "this bsdf of type `twosided` contains no bsdf", "one bsdf");
         return Law::Wrong;
     };
-    let kind = inner.attribute("type").unwrap_or_default();
-    if !matches!(kind, "diffuse" | "conductor") {
+    let kind = reader.kind(inner);
+    if matches!(&*kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
         reader.error(inner, message, "`diffuse` or `conductor`");
         return Law::Wrong;

@@ -9,6 +9,10 @@ use crate::scene::value::NOT_NEGATIVE;
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
+        if self.kind(node) == "area" {
+            self.shared_emitter(node);
+            return;
+        }
         let mut object = self.object(node);
         self.placed_once(&object);
         let to_world = self.transform(&mut object);
@@ -46,6 +50,15 @@ impl<'a> Reader<'a, '_, '_> {
         self.lights.extend(kind.map(|kind| Light { name, kind, place }));
     }
 
+    /// Checks that a shape refers to an area emitter outside all shapes, which is read there.
+    fn shared_emitter(&mut self, node: Node<'a>) {
+        let id = node.attribute("id");
+        let refers = |other: Node| other.has_tag_name("ref") && other.attribute("id") == id;
+        if id.is_none() || !node.document().descendants().any(refers) {
+            self.error(node, "this area emitter belongs to no shape", "a shape with a `ref` to its id");
+        }
+    }
+
     /// Checks that the position or direction and the transform are not both given.
     fn placed_once(&mut self, object: &Object<'a>) {
         for key in ["position", "direction"] {
@@ -56,8 +69,10 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
+    /// Reads light from outside. Its radiance is 1 by default, as in Mitsuba.
     fn constant(&mut self, object: &mut Object<'a>) {
-        let radiance = self.required_colour(object, "radiance", &NOT_NEGATIVE);
+        let one = vec![1.0; self.bands];
+        let radiance = self.colour(object, "radiance", &NOT_NEGATIVE).unwrap_or(one);
         if self.ambient_radiance.replace(radiance).is_some() {
             self.error(object.node, "more than one emitter of type `constant`", "one");
         }

@@ -1,17 +1,28 @@
 //! Integrators: the number of light bounces of an `<integrator>` becomes a forced effect.
 
+use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::effect::{Effect, Force, ForcedEffect};
-use crate::scene::model::{MaterialKind, Receiver, ReceiverKind};
+use crate::scene::model::{MaterialKind, Receiver, ReceiverKind, Surface};
 use crate::scene::value::Domain;
 use std::ops::Range;
 
 const KINDS: [&str; 4] = ["path", "direct", "volpath", "volpathmis"];
+/// Integrators that compute further quantities next to the radiance of another integrator.
+const WRAPPERS: [&str; 3] = ["aov", "moment", "stokes"];
 /// Properties that only affect the run time of the integrator.
-const IGNORED: [&str; 4] = ["rr_depth", "shading_samples", "emitter_samples", "bsdf_samples"];
+const IGNORED: [&str; 7] = [
+    "rr_depth",
+    "shading_samples",
+    "emitter_samples",
+    "bsdf_samples",
+    "samples_per_pass",
+    "block_size",
+    "timeout",
+];
 const DEPTH: Domain = Domain {
-    expected: "-1 for no limit, or an integer of at least 2",
-    contains: |x| x.fract() == 0.0 && (x == -1.0 || (2.0..=1e9).contains(&x)),
+    expected: "-1 for no limit, or an integer of at least 1",
+    contains: |x| x.fract() == 0.0 && (x == -1.0 || (1.0..=1e9).contains(&x)),
 };
 
 /// Limits of an integrator.
@@ -19,14 +30,21 @@ pub(super) struct Integrator {
     /// The longest path from the lamp to the eye; `None` if there is no limit.
     depth: Option<u32>,
     follows_media: bool,
+    hides_emitters: bool,
+    is_polarised: bool,
     place: Range<usize>,
 }
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn integrator(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
+        if WRAPPERS.contains(&&*object.kind) {
+            self.wrapper(object);
+            return;
+        }
         if !KINDS.contains(&&*object.kind) {
-            self.unknown(&mut object, &KINDS);
+            let known: Vec<&str> = KINDS.into_iter().chain(WRAPPERS).collect();
+            self.unknown(&mut object, &known);
             return;
         }
         if self.integrator.is_some() {
@@ -34,30 +52,81 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let default = if object.kind == "direct" { 2.0 } else { -1.0 };
         let depth = self.float(&mut object, "max_depth", default, &DEPTH);
-        if self.boolean(&mut object, "hide_emitters", false, false) {
-            self.error(node, "emitters hidden from the camera are not supported", "hide_emitters = false");
-        }
+        let hides_emitters = self.boolean(&mut object, "hide_emitters", false, false);
         object.ignore(&IGNORED);
         let follows_media = object.kind.starts_with("volpath");
         self.finish(object, &["max_depth", "rr_depth", "hide_emitters"]);
         let depth = (depth > 0.0).then_some(depth as u32);
-        self.integrator = Some(Integrator { depth, follows_media, place: node.range() });
+        self.integrator = Some(Integrator {
+            depth,
+            follows_media,
+            hides_emitters,
+            is_polarised: false,
+            place: node.range(),
+        });
     }
 
-    /// Returns the forced effects. A path of depth d from a lamp to a camera is reflected d − 1
-    /// times, the last time towards the camera. A path to an irradiance meter, which is a surface
-    /// itself, is reflected d − 1 times before it. All reflections must be diffuse.
-    pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
-        let Some(Integrator { depth, follows_media, place }) = self.integrator.take() else {
-            return Vec::new();
-        };
-        if self.has_media() && !follows_media {
-            let message = "this integrator ignores the participating media of the scene";
-            self.report.error(place.clone(), message, "an integrator of type `volpath`");
+    /// Reads the integrator within another one.
+    fn wrapper(&mut self, mut object: Object<'a>) {
+        let node = object.node;
+        let is_nested = node.parent().is_some_and(|parent| parent.has_tag_name("integrator"));
+        match self.take_object(&mut object, "integrator") {
+            // integrators that refer to each other could go round in circles
+            Some(inner)
+                if WRAPPERS.contains(&&*self.kind(inner)) && (is_nested || inner.parent() != Some(node)) =>
+            {
+                let message = "integrators are only supported within each other up to three deep";
+                self.error(node, message, "an integrator that traces paths");
+            }
+            Some(inner) => self.integrator(inner),
+            None => self.error(node, "this integrator contains no integrator", "one integrator"),
         }
-        let Some(depth) = depth else { return Vec::new() };
-        let is_diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
-        if self.has_media() || !self.materials.iter().all(|material| is_diffuse(&material.kind)) {
+        if object.kind == "stokes"
+            && let Some(integrator) = &mut self.integrator
+        {
+            integrator.is_polarised = true;
+        }
+        object.ignore(&["aovs"]);
+        object.ignore(&IGNORED);
+        self.finish(object, &["integrator"]);
+    }
+
+    /// Returns the forced effects.
+    pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
+        let Some(integrator) = self.integrator.take() else { return Vec::new() };
+        self.check_integrator(&integrator);
+        let Integrator { depth: Some(depth), place, .. } = integrator else { return Vec::new() };
+        self.limited(depth, place)
+    }
+
+    fn check_integrator(&mut self, integrator: &Integrator) {
+        let place = || integrator.place.clone();
+        if self.has_media() && !integrator.follows_media {
+            let message = "this integrator ignores the participating media of the scene";
+            self.report.error(place(), message, "an integrator of type `volpath`");
+        }
+        let has_visible_emitters =
+            self.surfaces.iter().any(Surface::emits) || self.ambient_radiance.is_some();
+        if integrator.hides_emitters && has_visible_emitters {
+            let message = "emitters hidden from the camera are not supported";
+            self.report.error(place(), message, "hide_emitters = false");
+        }
+        if integrator.is_polarised && !self.is_diffuse() {
+            let message = "polarised light is only supported for diffuse surfaces, which depolarise it";
+            self.report.error(place(), message, "an integrator of type `path`");
+        }
+    }
+
+    fn is_diffuse(&self) -> bool {
+        self.materials.iter().all(|material| matches!(material.kind, MaterialKind::Diffuse { .. }))
+    }
+
+    /// Returns the effect that limits the depth of paths. A path of depth d from a lamp to a camera
+    /// is reflected d − 1 times, the last time towards the camera. A path to an irradiance meter,
+    /// which is a surface itself, is reflected d − 1 times before it. All reflections must be
+    /// diffuse.
+    fn limited(&mut self, depth: u32, place: Range<usize>) -> Vec<ForcedEffect> {
+        if self.has_media() || !self.is_diffuse() {
             let message =
                 "a limit on path depth (`max_depth`) is only supported for diffuse surfaces without media";
             self.report.error(place, message, "max_depth = -1");
@@ -71,8 +140,23 @@ impl<'a> Reader<'a, '_, '_> {
             self.report.error(place, message, "max_depth = -1, or sensors of one kind");
             return Vec::new();
         }
-        let orders = if cameras == self.receivers.len() { depth - 2 } else { depth - 1 };
+        let has_only_cameras = cameras == self.receivers.len();
+        if depth == 1 && cameras > 0 {
+            self.without_reflection();
+        }
+        let orders = depth.saturating_sub(if has_only_cameras { 2 } else { 1 });
         let force = if orders == 0 { Force::Off } else { Force::Orders(orders) };
         vec![ForcedEffect { effect: Effect::Interreflection, force, place: self.report.place(place) }]
+    }
+
+    /// Makes all surfaces black: light that is never reflected reaches a camera only straight from
+    /// an emitter.
+    fn without_reflection(&mut self) {
+        self.report.note("`max_depth` = 1 is read as black surfaces: a camera sees emitters only".to_owned());
+        for material in &mut self.materials {
+            if let MaterialKind::Diffuse { reflectance } = &mut material.kind {
+                reflectance.fill(0.0);
+            }
+        }
     }
 }

@@ -72,7 +72,7 @@ impl<'a> Reader<'a, '_, '_> {
         let albedo = or(self.colour(&mut object, "albedo", &FRACTION), 0.75, self.bands);
         let extinction = or(self.colour(&mut object, "sigma_t", &NOT_NEGATIVE), 1.0, self.bands);
         let scale = self.float(&mut object, "scale", 1.0, &NOT_NEGATIVE);
-        let asymmetry = object.take_tag("phase").map_or(0.0, |phase| self.phase(phase));
+        let asymmetry = self.take_object(&mut object, "phase").map_or(0.0, |phase| self.phase(phase));
         object.ignore(&["sample_emitters"]);
         self.finish(object, &["albedo", "sigma_t", "scale", "phase"]);
         let is_in_range = |&value: &f64| {

@@ -5,9 +5,6 @@ use super::{Node, Reader};
 use crate::scene::value::one_of;
 use std::ops::Range;
 
-/// The largest length of a value after substitution of parameters, which can refer to each other.
-const LONGEST_VALUE: usize = 10_000;
-
 /// An element such as `<shape type="sphere">`.
 pub(super) struct Object<'a> {
     pub(super) node: Node<'a>,
@@ -23,12 +20,6 @@ impl<'a> Object<'a> {
     pub(super) fn take(&mut self, name: &str) -> Option<Node<'a>> {
         let is_it = |node: &Node<'a>| node.attribute("name") == Some(name);
         self.asked.push(name.to_owned());
-        self.left.iter().position(is_it).map(|place| self.left.remove(place))
-    }
-
-    /// Takes the first child with this tag.
-    pub(super) fn take_tag(&mut self, tag: &str) -> Option<Node<'a>> {
-        let is_it = |node: &Node<'a>| node.has_tag_name(tag);
         self.left.iter().position(is_it).map(|place| self.left.remove(place))
     }
 
@@ -62,6 +53,11 @@ impl<'a> Reader<'a, '_, '_> {
         Object { node, kind, left, asked: Vec::new() }
     }
 
+    /// Returns the type of an element after substitution of parameters; empty if it has no valid one.
+    pub(super) fn kind(&self, node: Node<'a>) -> String {
+        self.parameters.substitute(node.attribute("type").unwrap_or_default()).unwrap_or_default()
+    }
+
     /// Reports the remaining children of an object. `known` lists all allowed properties. A known
     /// property that was not requested because the object is invalid is not reported.
     pub(super) fn finish(&mut self, object: Object<'a>, known: &[&str]) {
@@ -92,12 +88,25 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
-    /// Reports an unknown type. The contents of such an object are not checked.
+    /// Reports an unknown type, once for each type. The contents of such an object are not checked.
     pub(super) fn unknown(&mut self, object: &mut Object<'a>, known: &[&str]) {
         object.left.clear();
+        if !self.refused.insert(described(object.node, &object.kind)) {
+            return;
+        }
         let place = object.node.attribute_node("type").map_or(object.node.range(), |kind| kind.range_value());
         let message = format!("{} is not supported", described(object.node, &object.kind));
         self.report.error(place, message, one_of(known.iter().copied()));
+    }
+
+    /// Reports a texture: all values are uniform.
+    pub(super) fn texture(&mut self, node: Node<'a>) {
+        let object = self.object(node);
+        if self.refused.insert(described(node, &object.kind)) {
+            let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
+            let message = format!("{} is not supported", described(node, &object.kind));
+            self.report.error(place, message, "an `rgb`, `spectrum` or `float`");
+        }
     }
 
     /// Returns the children that are elements; text between them is an error.
@@ -127,28 +136,13 @@ impl<'a> Reader<'a, '_, '_> {
     /// a parameter is missing.
     pub(super) fn attribute(&mut self, node: Node<'a>, name: &str) -> Option<(String, Range<usize>)> {
         let attribute = node.attribute_node(name)?;
-        let mut parts = attribute.value().split('$');
-        let mut value = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            let end = part.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(part.len());
-            let (parameter, rest) = part.split_at(end);
-            let Some(put_in) = self.parameters.get(parameter) else {
-                let message = format!("there is no parameter `{parameter}`");
-                let expected = format!("<default name=\"{parameter}\" value=\"…\"/>");
+        let value = match self.parameters.substitute(attribute.value()) {
+            Ok(value) => value,
+            Err((message, expected)) => {
                 self.report.error(attribute.range_value(), message, expected);
                 return None;
-            };
-            value = value + put_in + rest;
-            if value.len() > LONGEST_VALUE {
-                let expected = format!("at most {LONGEST_VALUE} characters");
-                self.report.error(
-                    attribute.range_value(),
-                    "the value is too long after substitution of parameters",
-                    expected,
-                );
-                return None;
             }
-        }
+        };
         Some((value, attribute.range_value()))
     }
 

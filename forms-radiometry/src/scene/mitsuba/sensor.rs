@@ -6,11 +6,54 @@ use super::{Node, Reader};
 use crate::camera::Camera;
 use crate::geometry::Vector;
 use crate::scene::model::{Receiver, ReceiverKind};
-use crate::scene::value::{FIELD_OF_VIEW, PIXELS};
+use crate::scene::value::{ANY, FIELD_OF_VIEW, PIXELS, one_of};
 
+/// Properties of cameras that do not affect the radiance of a pixel: nothing is clipped, everything
+/// is in focus and nothing moves.
+const IGNORED: [&str; 5] = ["near_clip", "far_clip", "focus_distance", "shutter_open", "shutter_close"];
 /// Properties of films that do not affect the radiance of a pixel.
 const FILM_IGNORED: [&str; 6] =
     ["file_format", "pixel_format", "component_format", "banner", "sample_border", "compensate"];
+
+/// Direction of the film in which a field of view is measured.
+#[derive(Clone, Copy)]
+enum Axis {
+    X,
+    Y,
+    Diagonal,
+    Smaller,
+    Larger,
+}
+
+impl Axis {
+    const ALL: [(&str, Self); 5] = [
+        ("x", Self::X),
+        ("y", Self::Y),
+        ("diagonal", Self::Diagonal),
+        ("smaller", Self::Smaller),
+        ("larger", Self::Larger),
+    ];
+}
+
+struct FieldOfView {
+    /// The tangent of half of the angle.
+    half: f64,
+    axis: Axis,
+}
+
+impl FieldOfView {
+    /// Returns the tangent of half of the vertical field of view of a film.
+    fn half_height(&self, [width, height]: [f64; 2]) -> f64 {
+        let side = match self.axis {
+            Axis::X => width,
+            Axis::Y => height,
+            Axis::Diagonal => width.hypot(height),
+            Axis::Smaller => width.min(height),
+            Axis::Larger => width.max(height),
+        };
+        self.half * height / side
+    }
+}
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn sensor(&mut self, node: Node<'a>) {
@@ -24,19 +67,28 @@ impl<'a> Reader<'a, '_, '_> {
         let camera = self.camera(&mut object);
         let medium = self.take_object(&mut object, "medium").map(|medium| self.medium(medium));
         self.sensor_in(node, medium);
-        object.take_tag("sampler");
-        object.ignore(&["near_clip", "far_clip"]);
+        self.take_object(&mut object, "sampler");
+        object.ignore(&IGNORED);
         self.finish(
             object,
-            &["to_world", "fov", "fov_axis", "film", "sampler", "medium", "near_clip", "far_clip"],
+            &[
+                "to_world",
+                "fov",
+                "fov_axis",
+                "focal_length",
+                "film",
+                "sampler",
+                "medium",
+                "near_clip",
+                "far_clip",
+            ],
         );
         let place = self.report.place(node.range());
         let receiver = |camera| Receiver { name, kind: ReceiverKind::Camera(camera), time: None, place };
         self.receivers.extend(camera.map(receiver));
     }
 
-    /// Returns the camera. It looks along z with y upright; its field of view is horizontal unless
-    /// `fov_axis` states otherwise.
+    /// Returns the camera. It looks along z with y upright.
     fn camera(&mut self, object: &mut Object<'a>) -> Option<Camera> {
         let node = object.node;
         let to_world = self.transform(object);
@@ -45,27 +97,14 @@ impl<'a> Reader<'a, '_, '_> {
             self.error(node, message, "a rotation, a translation and uniform scaling");
             return None;
         }
-        if !object.has("fov") {
-            self.error(node, "this sensor has no `fov`", "a float in degrees");
-        }
-        let fov = self.float(object, "fov", 90.0, &FIELD_OF_VIEW);
-        let axis = self.string(object, "fov_axis");
-        let resolution = self.film(object)?;
-        let [width, height] = resolution.map(|side| side as f64);
-        let half = (0.5 * fov.to_radians()).tan();
-        let half_height = match axis.as_ref().map_or("x", |(axis, _)| axis) {
-            "x" => half * height / width,
-            "y" => half,
-            "diagonal" => half * height / width.hypot(height),
-            "smaller" => half * height / width.min(height),
-            "larger" => half * height / width.max(height),
-            other => {
-                let (message, place) =
-                    (format!("`fov_axis` cannot be `{other}`"), axis.clone().map_or(0..0, |a| a.1));
-                self.report.error(place, message, "`x`, `y`, `diagonal`, `smaller` or `larger`");
-                return None;
+        let view = self.field_of_view(object);
+        for offset in ["principal_point_offset_x", "principal_point_offset_y"] {
+            if self.float(object, offset, 0.0, &ANY) != 0.0 {
+                self.error(node, format!("a `{offset}` other than 0 is not supported"), "0");
             }
-        };
+        }
+        let resolution = self.film(object)?;
+        let half_height = view?.half_height(resolution.map(|side| side as f64));
         let [origin, up, forward] = [
             to_world.point(Vector::default()),
             to_world.vector(Vector::new(0.0, 1.0, 0.0)),
@@ -74,9 +113,48 @@ impl<'a> Reader<'a, '_, '_> {
         Camera::looking(origin, forward, up, 2.0 * half_height.atan().to_degrees(), resolution)
     }
 
+    /// Returns the field of view: from `fov`, which is horizontal unless `fov_axis` states
+    /// otherwise, or from the focal length, 50 mm by default, for film of 36 mm × 24 mm.
+    fn field_of_view(&mut self, object: &mut Object<'a>) -> Option<FieldOfView> {
+        if !object.has("fov") {
+            let focal_length = self.focal_length(object)?;
+            return Some(FieldOfView { half: 0.5 * 36_f64.hypot(24.0) / focal_length, axis: Axis::Diagonal });
+        }
+        if object.has("focal_length") {
+            let message = "this sensor has both `fov` and `focal_length`";
+            self.error(object.node, message, "one of the two");
+            object.ignore(&["focal_length"]);
+        }
+        let fov = self.float(object, "fov", 90.0, &FIELD_OF_VIEW);
+        let axis = match self.string(object, "fov_axis") {
+            None => Axis::X,
+            Some((axis, place)) => match Axis::ALL.iter().find(|(name, _)| *name == axis.to_lowercase()) {
+                Some(&(_, axis)) => axis,
+                None => {
+                    let expected = one_of(Axis::ALL.iter().map(|(name, _)| *name));
+                    self.report.error(place, format!("`fov_axis` cannot be `{axis}`"), expected);
+                    return None;
+                }
+            },
+        };
+        Some(FieldOfView { half: (0.5 * fov.to_radians()).tan(), axis })
+    }
+
+    /// Returns the focal length in mm.
+    fn focal_length(&mut self, object: &mut Object<'a>) -> Option<f64> {
+        let Some((text, place)) = self.string(object, "focal_length") else { return Some(50.0) };
+        let number = text.trim_end_matches("mm").trim().parse::<f64>().ok();
+        let length = number.filter(|&length| length > 0.0 && length.is_finite());
+        if length.is_none() {
+            let message = format!("`focal_length` cannot be `{text}`");
+            self.report.error(place, message, "a length in mm, such as `50mm`");
+        }
+        length
+    }
+
     /// Returns the resolution of a film; the default is 768 × 576.
     fn film(&mut self, object: &mut Object<'a>) -> Option<[usize; 2]> {
-        let Some(node) = object.take_tag("film") else { return Some([768, 576]) };
+        let Some(node) = self.take_object(object, "film") else { return Some([768, 576]) };
         let mut film = self.object(node);
         if film.kind != "hdrfilm" {
             self.unknown(&mut film, &["hdrfilm"]);
@@ -84,7 +162,18 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let width = self.float(&mut film, "width", 768.0, &PIXELS);
         let height = self.float(&mut film, "height", 576.0, &PIXELS);
-        film.take_tag("rfilter");
+        let window =
+            [("crop_offset_x", 0.0), ("crop_offset_y", 0.0), ("crop_width", width), ("crop_height", height)];
+        for (name, whole) in window {
+            if self.float(&mut film, name, whole, &ANY) != whole {
+                self.error(
+                    node,
+                    format!("`{name}` selects a part of the film, which is not supported"),
+                    format!("{whole}"),
+                );
+            }
+        }
+        self.take_object(&mut film, "rfilter");
         film.ignore(&FILM_IGNORED);
         self.finish(film, &["width", "height", "rfilter"]);
         Some([width as usize, height as usize])
@@ -106,7 +195,7 @@ impl<'a> Reader<'a, '_, '_> {
                 "a film of 1 × 1",
             );
         }
-        object.take_tag("sampler");
+        self.take_object(&mut object, "sampler");
         self.finish(object, &["film", "sampler"]);
         let place = self.report.place(node.range());
         let kind = ReceiverKind::Surface { surface, grid: None };

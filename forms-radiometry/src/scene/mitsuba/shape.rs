@@ -2,27 +2,32 @@
 
 use super::bsdf::{Bsdf, Law};
 use super::media::Index;
-use super::object::Object;
-use super::transform::Transform;
+use super::normals::{self, SmoothMesh};
+use super::object::{Object, unique};
 use super::{Node, Reader};
-use crate::geometry::{Disk, Mesh, MeshError, Polygon, Sphere, Vector};
-use crate::scene::mesh_file::MeshFile;
+use crate::geometry::{Affine, Disk, Mesh, MeshError, Polygon, Sphere, Vector};
 use crate::scene::model::{MaterialKind, Shape, Surface};
 use crate::scene::value::{LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
 
-const KINDS: [&str; 6] = ["rectangle", "cube", "sphere", "disk", "obj", "ply"];
-/// Largest sine of the angle between normals that differ only by rounding.
-const SAME_NORMAL: f64 = 1e-6;
+const KINDS: [&str; 8] = ["rectangle", "cube", "sphere", "disk", "obj", "ply", "shapegroup", "instance"];
 
 const PARTS: [&str; 8] =
     ["to_world", "flip_normals", "bsdf", "emitter", "sensor", "medium", "filename", "face_normals"];
 
 impl<'a> Reader<'a, '_, '_> {
+    /// Parses a top-level shape. The shapes of a group are read with its instances.
+    pub(super) fn top_shape(&mut self, node: Node<'a>) {
+        match &*self.kind(node) {
+            "shapegroup" => {}
+            "instance" => self.instance(node),
+            _ => self.shape(node),
+        }
+    }
+
     pub(super) fn shape(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
-        let count = self.surfaces.len();
-        let name = self.name(&object, "shape", count);
+        let name = self.shape_name(&object);
         let shape = self.geometry(&mut object);
         let emitter = self.take_object(&mut object, "emitter");
         let radiance = emitter.map(|emitter| self.area_emitter(emitter));
@@ -38,10 +43,27 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
         self.finish(object, &PARTS);
+        if matches!(bsdf.law, Law::Null) || shape.is_none() {
+            // light passes a boundary without a change of index straight on, whatever its normal is
+            self.smooth_meshes.retain(|mesh| mesh.surface != self.surfaces.len());
+        }
         let Some(shape) = shape else { return };
+        if matches!(&shape, Shape::Mesh(mesh) if mesh.faces().len() == 0) {
+            self.report.note(format!("the shape `{name}` has no faces, and is left out"));
+            return;
+        }
         let place = self.report.place(place);
         let two_sided = bsdf.two_sided;
         self.surfaces.push(Surface { name, material, shape, radiance, exitance: None, two_sided, place });
+    }
+
+    /// Returns the id of a shape, or a name made of a number; within an instance, after its name.
+    fn shape_name(&mut self, object: &Object<'a>) -> String {
+        let count = self.surfaces.len();
+        let name = self.name(object, "shape", count);
+        let Some(instance) = &self.instance else { return name };
+        let name = format!("{}/{name}", instance.name);
+        unique(&name, self.surfaces.iter().map(|surface| &*surface.name))
     }
 
     /// Rejects two-sided emitters. In Mitsuba the back of a two-sided surface reflects but does not
@@ -98,7 +120,8 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn geometry(&mut self, object: &mut Object<'a>) -> Option<Shape> {
-        let to_world = self.transform(object);
+        let own = self.transform(object);
+        let to_world = self.instance.as_ref().map_or(own, |instance| instance.to_world.after(&own));
         let flipped = self.boolean(object, "flip_normals", false, false);
         match &*object.kind {
             "rectangle" => self.rectangle(object.node, &to_world, flipped),
@@ -115,7 +138,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Returns the square [−1, 1]² of the plane z = 0, seen from above. Its normal is transformed
     /// by the inverse transpose of the transform, so a reflection keeps its front on the same side.
-    fn rectangle(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn rectangle(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         let mut vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
         if flipped != to_world.mirrors() {
@@ -126,7 +149,7 @@ impl<'a> Reader<'a, '_, '_> {
         polygon.ok().map(Shape::Polygon)
     }
 
-    fn sphere(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn sphere(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let center = self.vector(object, "center").unwrap_or_default();
         let radius = self.float(object, "radius", 1.0, &LENGTH);
         let Some(scale) = to_world.scale(3) else {
@@ -142,7 +165,7 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     /// Returns the unit disk of the plane z = 0, seen from above.
-    fn disk(&mut self, node: Node<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn disk(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let [u, v] =
             [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
         let (Some(radius), Some(normal)) = (to_world.scale(2), u.cross(v).unit()) else {
@@ -154,7 +177,7 @@ impl<'a> Reader<'a, '_, '_> {
         Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius }))
     }
 
-    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Transform, flipped: bool) -> Option<Shape> {
+    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let node = object.node;
         let has_flat_faces = self.boolean(object, "face_normals", false, true);
         object.ignore(&["flip_tex_coords"]);
@@ -170,13 +193,13 @@ impl<'a> Reader<'a, '_, '_> {
             );
             return None;
         }
-        let MeshFile { mesh, has_normals } = self.files.file(self.report, place, &name)?;
-        if !has_flat_faces && (has_normals || !is_flat_at_vertices(&mesh)) {
-            let message =
-                format!("`{name}` would be shaded with interpolated normals, which are not supported");
-            self.error(node, message, "<boolean name=\"face_normals\" value=\"true\"/>");
+        let file = self.files.file(self.report, place, &name)?;
+        if !has_flat_faces && let Err(angle) = normals::angle(&file) {
+            let surface = self.surfaces.len();
+            self.smooth_meshes.push(SmoothMesh { file: name, place: node.range(), surface, angle });
         }
-        if *to_world == Transform::IDENTITY && !flipped {
+        let mesh = file.mesh;
+        if *to_world == Affine::IDENTITY && !flipped {
             return Some(Shape::Mesh(mesh));
         }
         self.moved(node, Ok((*mesh).clone()), to_world, flipped)
@@ -186,7 +209,7 @@ impl<'a> Reader<'a, '_, '_> {
         &mut self,
         node: Node<'a>,
         mesh: Result<Mesh, Vec<MeshError>>,
-        to_world: &Transform,
+        to_world: &Affine,
         flipped: bool,
     ) -> Option<Shape> {
         if to_world.mirrors() {
@@ -220,18 +243,6 @@ impl<'a> Reader<'a, '_, '_> {
         self.finish(object, &["radiance"]);
         radiance
     }
-}
-
-/// Whether the faces around each vertex have the same normal, which is then also the vertex normal.
-fn is_flat_at_vertices(mesh: &Mesh) -> bool {
-    let mut normals: Vec<Option<Vector>> = vec![None; mesh.vertices().len()];
-    mesh.faces().zip(mesh.polygons()).all(|(face, polygon)| {
-        let normal = polygon.normal();
-        face.iter().all(|&vertex| {
-            let known = *normals[vertex as usize].get_or_insert(normal);
-            known.dot(normal) > 0.0 && known.cross(normal).length() <= SAME_NORMAL
-        })
-    })
 }
 
 /// Returns the cube [−1, 1]³, with its faces outwards.

@@ -2,119 +2,40 @@
 
 use super::object::Object;
 use super::{Node, Reader};
-use crate::geometry::Vector;
+use crate::geometry::{Affine, Vector};
 use crate::scene::value::{ANY, COORDINATE, values};
-
-/// Tolerance of angles and lengths where a map must be a rotation with uniform scaling.
-const SIMILARITY: f64 = 1e-6;
-
-/// The affine map x ↦ A x + b, by the columns of A and b.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Transform {
-    columns: [Vector; 3],
-    shift: Vector,
-}
-
-impl Transform {
-    pub(super) const IDENTITY: Self = Self {
-        columns: [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0), Vector::new(0.0, 0.0, 1.0)],
-        shift: Vector::new(0.0, 0.0, 0.0),
-    };
-
-    pub(super) fn point(&self, p: Vector) -> Vector {
-        self.vector(p) + self.shift
-    }
-
-    pub(super) fn vector(&self, v: Vector) -> Vector {
-        v.x * self.columns[0] + v.y * self.columns[1] + v.z * self.columns[2]
-    }
-
-    /// Returns the composition of this map after another one.
-    fn after(&self, first: &Self) -> Self {
-        Self { columns: first.columns.map(|column| self.vector(column)), shift: self.point(first.shift) }
-    }
-
-    fn determinant(&self) -> f64 {
-        self.columns[0].cross(self.columns[1]).dot(self.columns[2])
-    }
-
-    /// Whether the map reverses orientation.
-    pub(super) fn mirrors(&self) -> bool {
-        self.determinant() < 0.0
-    }
-
-    /// Returns the scale factor, if the map is a rotation or reflection with uniform scaling. For a
-    /// map of the plane z = 0, `axes` is 2.
-    pub(super) fn scale(&self, axes: usize) -> Option<f64> {
-        let columns = &self.columns[..axes];
-        let scale = columns[0].length();
-        let fits = |i: usize, j: usize| {
-            let expected = if i == j { 1.0 } else { 0.0 };
-            let (u, v) = ((1.0 / scale) * columns[i], (1.0 / scale) * columns[j]);
-            (u.dot(v) - expected).abs() <= SIMILARITY
-        };
-        let is_similar = (0..axes).all(|i| (i..axes).all(|j| fits(i, j)));
-        (is_similar && scale.is_finite() && scale > 0.0).then_some(scale)
-    }
-
-    /// x ↦ x + b.
-    fn translation(shift: Vector) -> Self {
-        Self { shift, ..Self::IDENTITY }
-    }
-
-    /// x ↦ (a x, b y, c z).
-    fn scaling(by: Vector) -> Self {
-        let [x, y, z] = Self::IDENTITY.columns;
-        Self { columns: [by.x * x, by.y * y, by.z * z], ..Self::IDENTITY }
-    }
-
-    /// Rodrigues: x ↦ cos θ x + sin θ (k × x) + (1 − cos θ)(k·x) k, θ in degrees.
-    fn rotation(axis: Vector, degrees: f64) -> Self {
-        let (sin, cos) = degrees.to_radians().sin_cos();
-        let turned = |x: Vector| cos * x + sin * axis.cross(x) + ((1.0 - cos) * axis.dot(x)) * axis;
-        Self { columns: Self::IDENTITY.columns.map(turned), ..Self::IDENTITY }
-    }
-
-    /// Maps z to the direction of the target, y upright, x = y × z.
-    fn look_at(origin: Vector, target: Vector, up: Vector) -> Option<Self> {
-        let direction = (target - origin).unit()?;
-        let left = up.unit()?.cross(direction);
-        let left = left.unit().filter(|_| left.length() > 1e-9)?;
-        Some(Self { columns: [left, direction.cross(left), direction], shift: origin })
-    }
-}
 
 impl<'a> Reader<'a, '_, '_> {
     /// Returns the transform of an object; the identity if it has none. A singular transform is an
     /// error.
-    pub(super) fn transform(&mut self, object: &mut Object<'a>) -> Transform {
-        let Some(node) = object.take("to_world") else { return Transform::IDENTITY };
+    pub(super) fn transform(&mut self, object: &mut Object<'a>) -> Affine {
+        let Some(node) = object.take("to_world") else { return Affine::IDENTITY };
         if !node.has_tag_name("transform") {
             let message = format!("`to_world` cannot be a `{}`", node.tag_name().name());
             self.error(node, message, "`transform`");
-            return Transform::IDENTITY;
+            return Affine::IDENTITY;
         }
         self.attributes(node, &["name"]);
-        let mut whole = Transform::IDENTITY;
+        let mut whole = Affine::IDENTITY;
         for step in self.elements(node) {
-            whole = self.step(step).unwrap_or(Transform::IDENTITY).after(&whole);
+            whole = self.step(step).unwrap_or(Affine::IDENTITY).after(&whole);
         }
         if whole.determinant() == 0.0 || !whole.determinant().is_finite() {
             self.error(node, "the transform has no inverse", "an invertible transform");
-            return Transform::IDENTITY;
+            return Affine::IDENTITY;
         }
         whole
     }
 
-    fn step(&mut self, node: Node<'a>) -> Option<Transform> {
+    fn step(&mut self, node: Node<'a>) -> Option<Affine> {
         for child in self.elements(node) {
             self.error(child, format!("`{}` is not supported here", child.tag_name().name()), "no elements");
         }
         match node.tag_name().name() {
-            "translate" => self.axes(node, 0.0, false).map(Transform::translation),
-            "scale" => self.axes(node, 1.0, true).map(Transform::scaling),
+            "translate" => self.axes(node, 0.0, false).map(Affine::translation),
+            "scale" => self.axes(node, 1.0, true).map(Affine::scaling),
             "rotate" => self.rotate(node),
-            "lookat" => self.look_at(node),
+            "lookat" | "lookAt" => self.look_at(node),
             "matrix" => self.matrix(node),
             other => {
                 let expected = "`translate`, `rotate`, `scale`, `matrix` or `lookat`";
@@ -144,7 +65,7 @@ impl<'a> Reader<'a, '_, '_> {
         Some(Vector::new(x?, y?, z?))
     }
 
-    fn rotate(&mut self, node: Node<'a>) -> Option<Transform> {
+    fn rotate(&mut self, node: Node<'a>) -> Option<Affine> {
         let axis = self.axes(node, 0.0, false)?;
         let Some((text, place)) = self.attribute(node, "angle") else {
             self.error(node, "this rotate has no `angle`", "angle=\"…\" in degrees");
@@ -155,10 +76,10 @@ impl<'a> Reader<'a, '_, '_> {
             self.error(node, "the axis has length zero", "x=\"1\", or another axis");
             return None;
         };
-        Some(Transform::rotation(axis, angle))
+        Some(Affine::rotation(axis, angle))
     }
 
-    fn look_at(&mut self, node: Node<'a>) -> Option<Transform> {
+    fn look_at(&mut self, node: Node<'a>) -> Option<Affine> {
         self.attributes(node, &["origin", "target", "up"]);
         let mut point = |name: &str| {
             let Some((text, place)) = self.attribute(node, name) else {
@@ -168,7 +89,7 @@ impl<'a> Reader<'a, '_, '_> {
             self.triple(&text, &place, &format!("`{name}`"))
         };
         let (origin, target, up) = (point("origin"), point("target"), point("up"));
-        let transform = Transform::look_at(origin?, target?, up?);
+        let transform = Affine::look_at(origin?, target?, up?);
         if transform.is_none() {
             let expected =
                 "a target other than the origin, and an `up` that is not parallel to the viewing direction";
@@ -178,15 +99,15 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     /// Parses sixteen numbers, row by row, or the nine of A.
-    fn matrix(&mut self, node: Node<'a>) -> Option<Transform> {
+    fn matrix(&mut self, node: Node<'a>) -> Option<Affine> {
         self.attributes(node, &["value"]);
         let (text, place) = self.attribute(node, "value").unwrap_or((String::new(), node.range()));
         let m = self.numbers(&text, &place, "`value`", &COORDINATE);
         let column = |width: usize, j: usize| Vector::new(m[j], m[width + j], m[2 * width + j]);
         match m.len() {
-            9 => Some(Transform { columns: [0, 1, 2].map(|j| column(3, j)), shift: Vector::default() }),
+            9 => Some(Affine { columns: [0, 1, 2].map(|j| column(3, j)), shift: Vector::default() }),
             16 if m[12..] == [0.0, 0.0, 0.0, 1.0] => {
-                Some(Transform { columns: [0, 1, 2].map(|j| column(4, j)), shift: column(4, 3) })
+                Some(Affine { columns: [0, 1, 2].map(|j| column(4, j)), shift: column(4, 3) })
             }
             16 => {
                 self.report.error(place, "the matrix is not affine", "0 0 0 1 in the last row");

@@ -90,6 +90,10 @@ impl<'a> Reader<'a, '_, '_> {
         domain: &Domain,
     ) -> f64 {
         let Some(node) = object.take(name) else { return default };
+        if node.has_tag_name("texture") {
+            self.texture(node);
+            return default;
+        }
         let Some((text, place)) = self.property(node, &["float", "integer"]) else { return default };
         self.one(&text, &place, &format!("`{name}`"), domain).unwrap_or(default)
     }
@@ -104,7 +108,7 @@ impl<'a> Reader<'a, '_, '_> {
     ) -> bool {
         let Some(node) = object.take(name) else { return default };
         let Some((text, place)) = self.property(node, &["boolean"]) else { return if_wrong };
-        match &*text {
+        match &*text.to_ascii_lowercase() {
             "true" => true,
             "false" => false,
             _ => {
@@ -150,29 +154,35 @@ impl<'a> Reader<'a, '_, '_> {
     ) -> Option<Vec<f64>> {
         let node = object.take(name)?;
         let black = vec![0.0; self.bands];
-        let Some((text, place)) = self.property(node, &["rgb", "spectrum", "float"]) else {
-            return Some(black);
-        };
+        let Some(node) = self.resolved(node) else { return Some(black) };
+        Some(self.colour_of(node, name, domain).unwrap_or(black))
+    }
+
+    /// Returns a colour, or `None` if it is invalid.
+    fn colour_of(&mut self, node: Node<'a>, name: &str, domain: &Domain) -> Option<Vec<f64>> {
         let what = format!("`{name}`");
-        if text.contains(':') {
-            let expected = "one value for all wavelengths, or an `rgb`";
-            self.report.error(
-                place,
-                format!("{what} is a spectrum tabulated by wavelength, which is not supported"),
-                expected,
-            );
-            return Some(black);
+        match node.tag_name().name() {
+            "texture" => {
+                self.texture(node);
+                return None;
+            }
+            "spectrum" if node.has_attribute("type") => return self.black_body(node, &what, domain),
+            _ => {}
+        }
+        let (text, place) = self.property(node, &["rgb", "spectrum", "float"])?;
+        let is_rgb = node.has_tag_name("rgb");
+        if !is_rgb && text.contains(':') {
+            return self.table(&text, &place, &what, domain);
         }
         let numbers = self.numbers(&text, &place, &what, domain);
         match numbers[..] {
             [value] => Some(vec![value; self.bands]),
-            [_, _, _] if node.has_tag_name("rgb") => Some(numbers),
-            [] => Some(black),
+            [_, _, _] if is_rgb => Some(numbers),
+            [] => None,
             _ => {
-                let expected =
-                    if node.has_tag_name("rgb") { "one value, or red, green and blue" } else { "one value" };
+                let expected = if is_rgb { "one value, or red, green and blue" } else { "one value" };
                 self.report.error(place, format!("{what} has {}", values(numbers.len())), expected);
-                Some(black)
+                None
             }
         }
     }

@@ -1,0 +1,68 @@
+//! Reads every mesh and scene below a folder, such as a checkout of another program's tests, and
+//! says which are refused, each with the first reason.
+//!
+//! ```sh
+//! cargo run --release -p forms-radiometry --example foreign -- FOLDER…
+//! ```
+
+use forms_radiometry::scene::{self, SceneError, read_file, read_with_files};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+const MESHES: [&str; 9] = ["obj", "ply", "stl", "msh", "vtk", "vtu", "vtp", "gltf", "glb"];
+const SCENES: [&str; 2] = ["xml", "vs3"];
+
+fn main() {
+    let mut counts: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    let mut files = Vec::new();
+    std::env::args().skip(1).for_each(|folder| collect(Path::new(&folder), &mut files));
+    files.sort();
+    for file in files {
+        let ending = file.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let refused = if MESHES.contains(&&*ending) {
+            mesh(&file)
+        } else if SCENES.contains(&&*ending) {
+            scene::open(&file).err()
+        } else {
+            continue;
+        };
+        let [read, all] = counts.entry(ending).or_default();
+        *all += 1;
+        match refused {
+            None => *read += 1,
+            Some(errors) => {
+                println!("{}\n  {}", file.display(), errors[0].to_string().replace('\n', "\n  "));
+            }
+        }
+    }
+    for (ending, [read, all]) in counts {
+        println!("{ending}: {read} of {all} are read");
+    }
+}
+
+/// Lists the files below a folder.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries.map(|entry| entry.path()) {
+        if path.is_dir() { collect(&path, files) } else { files.push(path) }
+    }
+}
+
+/// Reads a mesh as the only surface of a scene.
+fn mesh(file: &Path) -> Option<Vec<SceneError>> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let text = format!(
+        "material = [{{ name = \"m\", kind = \"diffuse\", reflectance = 0 }}]\n\
+         surface = [{{ name = \"s\", material = \"m\", mesh = {name:?} }}]\n"
+    );
+    let folder = file.parent().unwrap_or(Path::new(""));
+    let name = folder.join("scene.toml");
+    let read = |file: &str| read_file(&folder.join(file), 1 << 30);
+    match read_with_files(&text, &name.to_string_lossy(), &read) {
+        Ok(scene) => {
+            scene.notes.iter().for_each(|note| println!("note: {note}"));
+            None
+        }
+        Err(errors) => Some(errors),
+    }
+}

@@ -1,0 +1,207 @@
+//! Parts: the vertices, faces and groups of a mesh file are collected, and become a mesh whose faces
+//! are planar polygons, with notes on the faces that had to be changed.
+
+use super::{Fault, Group, MeshFile, Read};
+use crate::geometry::{FaceList, Mesh, PolygonError, Repaired, Vector, repaired};
+use crate::scene::SceneError;
+use crate::scene::place::{Place, Source};
+use forms::core::diagnostic::counted;
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// The largest number of errors that are reported for one file.
+const TOLD: usize = 20;
+
+/// The contents of a mesh file.
+#[derive(Default)]
+pub(super) struct Parts {
+    pub(super) vertices: Vec<Vector>,
+    faces: FaceList,
+    /// The first and the last byte of each face in the file: files are below 4 GiB.
+    places: Vec<[u32; 2]>,
+    groups: Vec<String>,
+    group_numbers: HashMap<String, u32>,
+    /// The group of the faces that follow, and the group of each face.
+    current: Option<u32>,
+    group_of: Vec<Option<u32>>,
+    pub(super) has_normals: bool,
+    /// The normals so far to which faces refer; an invalid one is `None`.
+    pub(super) normals: Vec<Option<Vector>>,
+    /// The number of faces whose corners are known to have the normal of the face.
+    pub(super) faces_with_own_normal: usize,
+    faults: Vec<Fault>,
+    /// The number of further faults, which are only counted.
+    more: usize,
+    notes: Vec<String>,
+}
+
+/// The number of faces that were read in another way than they are written.
+#[derive(Default)]
+struct Changed {
+    dropped: usize,
+    shortened: usize,
+    triangulated: usize,
+}
+
+impl Parts {
+    /// Adds a face with these vertices, which count from zero, and its place in the file.
+    pub(super) fn face(&mut self, corners: impl IntoIterator<Item = u32>, place: Range<usize>) {
+        self.faces.push(corners);
+        self.places.push([place.start as u32, place.end as u32]);
+        self.group_of.push(self.current);
+    }
+
+    /// Whether the corners of all faces so far are known to have the normals of their faces.
+    pub(super) fn have_own_normals(&self) -> bool {
+        self.faces_with_own_normal == self.faces.len()
+    }
+
+    /// Whether there are no faces.
+    pub(super) fn is_empty(&self) -> bool {
+        self.faces.is_empty()
+    }
+
+    /// Adds a note on what was read in another way than it is written.
+    pub(super) fn note(&mut self, note: String) {
+        self.notes.push(note);
+    }
+
+    /// Begins a group: the faces that follow belong to it. An empty name ends the last group.
+    pub(super) fn group(&mut self, name: &str) {
+        self.current = (!name.is_empty()).then(|| {
+            *self.group_numbers.entry(name.to_owned()).or_insert_with(|| {
+                self.groups.push(name.to_owned());
+                self.groups.len() as u32 - 1
+            })
+        });
+    }
+
+    /// Records a fault. Faults beyond the limit are only counted.
+    pub(super) fn fault(&mut self, fault: Fault) {
+        if self.faults.len() < TOLD {
+            self.faults.push(fault);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// Returns the mesh with notes on its faces, if there were no faults. The mesh can be empty.
+    pub(super) fn mesh(mut self, source: &Arc<Source>) -> Result<Read, Vec<SceneError>> {
+        let mut groups = Vec::new();
+        let mut list = FaceList::default();
+        if self.faults.is_empty() {
+            let (repaired, group_of, changed) = self.repaired();
+            (list, groups) = (repaired, self.grouped(&group_of));
+            self.notes.extend(changed.notes());
+        }
+        if !self.faults.is_empty() {
+            return Err(told(source, self.faults, self.more));
+        }
+        let has_normals_of_faces = self.have_own_normals();
+        let mesh = Arc::new(Mesh::of(self.vertices, list).expect("repaired faces are polygons"));
+        Ok((MeshFile { mesh, groups, has_normals: self.has_normals, has_normals_of_faces }, self.notes))
+    }
+
+    /// Returns the polygons that the faces stand for, each with its group. Faces that stand for
+    /// none are faults.
+    fn repaired(&mut self) -> (FaceList, Vec<Option<u32>>, Changed) {
+        let (mut list, mut group_of, mut changed) = (FaceList::default(), Vec::new(), Changed::default());
+        let mut faults = Vec::new();
+        for index in 0..self.faces.len() {
+            let face = self.faces.get(index);
+            let polygons = match self.polygons_of(face) {
+                Ok(polygons) => polygons,
+                Err((message, expected)) => {
+                    let [start, end] = self.places[index].map(|byte| byte as usize);
+                    let message = format!("face {}: {message}", index + 1);
+                    faults.push(Fault::new(start..end, message, expected));
+                    continue;
+                }
+            };
+            let before = list.len();
+            match polygons {
+                Repaired::Whole => list.push(face.iter().copied()),
+                Repaired::Shorter(kept) => {
+                    changed.shortened += 1;
+                    list.push(kept.iter().map(|&corner| face[corner]));
+                }
+                Repaired::Triangles(triangles) => {
+                    changed.triangulated += 1;
+                    triangles.iter().for_each(|corners| list.push(corners.map(|corner| face[corner])));
+                }
+                Repaired::Nothing => changed.dropped += 1,
+            }
+            group_of.extend((before..list.len()).map(|_| self.group_of[index]));
+        }
+        faults.into_iter().for_each(|fault| self.fault(fault));
+        (list, group_of, changed)
+    }
+
+    /// Returns what a face stands for, or what is wrong with it and what was expected.
+    fn polygons_of(&self, face: &[u32]) -> Result<Repaired, (String, String)> {
+        let mut corners = Vec::with_capacity(face.len());
+        for &index in face {
+            let Some(&vertex) = self.vertices.get(index as usize) else {
+                let message = format!("there is no vertex {}", u64::from(index) + 1);
+                return Err((message, format!("one of the {} vertices", self.vertices.len())));
+            };
+            corners.push(vertex);
+        }
+        repaired(&corners)
+            .map_err(|error: PolygonError| (error.to_string(), "a polygon without crossing edges".to_owned()))
+    }
+
+    /// Returns the groups that have faces, and the faces of each.
+    fn grouped(&self, group_of: &[Option<u32>]) -> Vec<Group> {
+        let mut groups: Vec<Group> =
+            self.groups.iter().map(|name| Group { name: name.clone(), faces: Vec::new() }).collect();
+        if groups.is_empty() {
+            return groups;
+        }
+        let mut rest = Vec::new();
+        for (face, group) in group_of.iter().enumerate() {
+            let faces = group.map_or(&mut rest, |group| &mut groups[group as usize].faces);
+            faces.push(face as u32);
+        }
+        groups.push(Group { name: REST.to_owned(), faces: rest });
+        groups.retain(|group| !group.faces.is_empty());
+        groups.sort_by_key(|group| group.faces[0]);
+        groups
+    }
+}
+
+/// The group of faces outside all groups of a file.
+const REST: &str = "rest";
+
+impl Changed {
+    /// Describes the changes, each kind once.
+    fn notes(&self) -> Vec<String> {
+        let &Self { dropped, shortened, triangulated } = self;
+        let note = |count: usize, done: &str| {
+            let was = if count == 1 { "was" } else { "were" };
+            (count > 0).then(|| format!("{} {was} {done}", counted(count, "face")))
+        };
+        let notes = [
+            note(dropped, "dropped for want of an area"),
+            note(shortened, "read without a repeated vertex"),
+            note(triangulated, "divided into triangles, not being planar"),
+        ];
+        notes.into_iter().flatten().collect()
+    }
+}
+
+/// Converts faults to errors, with the number of further ones. In a file without text their messages
+/// say where they are.
+pub(super) fn told(source: &Arc<Source>, faults: Vec<Fault>, more: usize) -> Vec<SceneError> {
+    let error = |fault: Fault| match source.text.is_empty() {
+        true => SceneError::of_file(&source.file, fault.message),
+        false => SceneError::new(&Place::new(source, fault.range), fault.message, fault.expected),
+    };
+    let mut errors: Vec<SceneError> = faults.into_iter().map(error).collect();
+    if more > 0 {
+        let rest = counted(more, "more error");
+        errors.push(SceneError::of_file(&source.file, rest));
+    }
+    errors
+}

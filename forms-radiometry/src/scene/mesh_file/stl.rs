@@ -1,0 +1,140 @@
+//! STL: reads the triangles of a file in text or binary form. Equal corners become one vertex; the
+//! normals of the file are ignored, since the order of the corners decides which side is the front.
+//! A solid with a name is a group.
+
+use super::parts::Parts;
+use super::words::{Word, coordinate, extent, lines, words};
+use super::{Fault, Read};
+use crate::geometry::Vector;
+use crate::scene::SceneError;
+use crate::scene::place::Source;
+use rustc_hash::FxHashMap;
+use std::ops::Range;
+
+/// Bytes of the header and of the number of triangles, and of one triangle, in binary form.
+const HEAD: usize = 84;
+const TRIANGLE: usize = 50;
+
+pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
+    let mut reader = Reader::default();
+    if let Some(count) = triangles(bytes) {
+        reader.bytes(&bytes[HEAD..], count);
+        return reader.parts.mesh(&Source::new(file, ""));
+    }
+    let source = Source::new(file, &String::from_utf8_lossy(bytes));
+    reader.text(&source.text);
+    reader.parts.mesh(&source)
+}
+
+/// Returns the number of triangles of a binary file: its length follows from this number, or it does
+/// not look like a text.
+fn triangles(bytes: &[u8]) -> Option<usize> {
+    let count = u32::from_le_bytes(*bytes.get(HEAD - 4..)?.first_chunk()?) as usize;
+    let is_text =
+        bytes.trim_ascii_start().starts_with(b"solid") && bytes.windows(5).any(|word| word == b"facet");
+    let is_binary = bytes.len() == HEAD + TRIANGLE * count || !is_text;
+    is_binary.then_some(count)
+}
+
+/// The triangles read so far.
+#[derive(Default)]
+struct Reader {
+    parts: Parts,
+    /// The numbers of vertices by the bits of their coordinates.
+    numbers: FxHashMap<[u64; 3], u32>,
+}
+
+impl Reader {
+    /// Returns the number of a vertex; equal vertices have the same number.
+    fn number(&mut self, vertex: Vector) -> u32 {
+        // adding zero makes −0 equal to 0
+        let bits = vertex.coordinates().map(|x| (x + 0.0).to_bits());
+        *self.numbers.entry(bits).or_insert_with(|| {
+            self.parts.vertices.push(vertex);
+            self.parts.vertices.len() as u32 - 1
+        })
+    }
+
+    fn triangle(&mut self, corners: [Vector; 3], place: Range<usize>) {
+        let corners = corners.map(|corner| self.number(corner));
+        self.parts.face(corners, place);
+    }
+
+    /// Reads triangles in binary form.
+    fn bytes(&mut self, body: &[u8], count: usize) {
+        for index in 0..count {
+            let place = TRIANGLE * index;
+            let fault = |message: &str| {
+                let message = format!("triangle {} of {count} (byte {}): {message}", index + 1, HEAD + place);
+                Fault::new(0..0, message, "")
+            };
+            let Some(bytes) = body.get(place..place + TRIANGLE) else {
+                return self.parts.fault(fault("the file ends within it"));
+            };
+            match corners(bytes) {
+                Ok(corners) => self.triangle(corners, 0..0),
+                Err(wrong) => self.parts.fault(fault(&wrong.message)),
+            }
+        }
+    }
+
+    /// Reads the text form: `solid NAME`, then for each triangle `facet`, `outer loop`, three times
+    /// `vertex x y z`, `endloop` and `endfacet`, then `endsolid`.
+    fn text(&mut self, text: &str) {
+        let (mut corners, mut begin): (Vec<Vector>, usize) = (Vec::new(), 0);
+        for (start, line) in lines(text, 0) {
+            let line: Vec<Word> = words(start, line).collect();
+            let Some((keyword, arguments)) = line.split_first() else { continue };
+            match keyword.text.to_ascii_lowercase().as_str() {
+                "solid" => self.parts.group(arguments.first().map_or("", |name| name.text)),
+                "facet" => {
+                    corners.clear();
+                    begin = keyword.range.start;
+                }
+                "vertex" => match vertex(keyword, arguments) {
+                    Ok(vertex) => corners.push(vertex),
+                    Err(fault) => self.parts.fault(fault),
+                },
+                "endfacet" => self.facet(&corners, begin..extent(&line).end),
+                "outer" | "endloop" | "endsolid" => {}
+                word => {
+                    let message = format!("`{word}` is no line of an STL file");
+                    let expected =
+                        "`solid`, `facet`, `outer loop`, `vertex`, `endloop`, `endfacet` or `endsolid`";
+                    self.parts.fault(Fault::new(keyword.range.clone(), message, expected));
+                }
+            }
+        }
+    }
+
+    fn facet(&mut self, corners: &[Vector], place: Range<usize>) {
+        match corners.first_chunk() {
+            Some(&triangle) if corners.len() == 3 => self.triangle(triangle, place),
+            _ => {
+                let message = format!("a facet has {} of its three vertices", corners.len());
+                self.parts.fault(Fault::new(place, message, "vertex x y z, three times"));
+            }
+        }
+    }
+}
+
+/// Returns the corners of a triangle in binary form: after its normal, three times three `f32`.
+fn corners(triangle: &[u8]) -> Result<[Vector; 3], Fault> {
+    let (floats, _) = triangle.as_chunks();
+    let mut corners = [Vector::default(); 3];
+    for (corner, floats) in corners.iter_mut().zip(floats[3..].chunks(3)) {
+        let at = |axis: usize| coordinate(0..0, f64::from(f32::from_le_bytes(floats[axis])));
+        *corner = Vector::new(at(0)?, at(1)?, at(2)?);
+    }
+    Ok(corners)
+}
+
+fn vertex(keyword: &Word, arguments: &[Word]) -> Result<Vector, Fault> {
+    match arguments {
+        [x, y, z] => Ok(Vector::new(x.coordinate()?, y.coordinate()?, z.coordinate()?)),
+        _ => {
+            let message = format!("a vertex has {}", crate::scene::value::values(arguments.len()));
+            Err(Fault::new(keyword.range.clone(), message, "x y z"))
+        }
+    }
+}
