@@ -233,7 +233,8 @@ fn run_case(case: &Case, watched: &Watched) -> Duration {
 fn survives(make: Maker) {
     #[cfg(unix)]
     rlimit::setrlimit(rlimit::Resource::AS, MEMORY, MEMORY).expect("a limit of memory");
-    let wanted = std::env::var("FORMS_COMMANDS").map_or(CASES, |count| count.parse().expect("a number of cases"));
+    let wanted =
+        std::env::var("FORMS_COMMANDS").map_or(CASES, |count| count.parse().expect("a number of cases"));
     let first = std::env::var("FORMS_COMMANDS_FROM").map_or(0, |seed| seed.parse().expect("a seed"));
     let threads = std::thread::available_parallelism().map_or(1, |threads| threads.get() as u64);
     let watched: Vec<Watched> = (0..threads).map(|_| Watched::default()).collect();
@@ -263,7 +264,9 @@ fn survives(make: Maker) {
     watcher.join().expect("the watcher ends");
     let slowest = results.expect("no case ends the command").into_iter().max();
     if let Some((time, case)) = slowest {
-        println!("the slowest of {wanted} cases took {time:.1?}: FORMS_COMMANDS_FROM={case} FORMS_COMMANDS=1");
+        println!(
+            "the slowest of {wanted} cases took {time:.1?}: FORMS_COMMANDS_FROM={case} FORMS_COMMANDS=1"
+        );
     }
 }
 
