@@ -98,7 +98,7 @@ fn pixels_are_within_their_errors_and_these_within_the_tolerance_of_what_is_no_e
         let (asked, finer) = match (look.is_by_paths, IS_OPTIMISED) {
             (true, true) => (1e-1, 4.0),
             (true, false) => (3e-1, 4.0),
-            (false, true) => (1e-2, 30.0),
+            (false, true) => (2e-2, 8.0),
             (false, false) => (3e-1, 10.0),
         };
         let [coarse, fine] = [asked, asked / finer].map(|asked| simulated(&look, asked));
