@@ -3,6 +3,7 @@
 use super::{Node, RGB, Reader};
 use crate::scene::model::Band;
 use crate::scene::value::{Domain, within};
+use forms_kernels::planck;
 use std::ops::Range;
 
 /// An entry of a table: a wavelength in nm and the value there.
@@ -97,18 +98,11 @@ fn table_mean(entries: &[Entry], band: Band) -> f64 {
     entries.windows(2).map(integral).sum::<f64>() / (band.high - band.low)
 }
 
-/// Returns the mean over a band of the spectral radiance of a black body in W/(m² sr nm): Planck’s
-/// law B(λ) = 2hc²/(λ⁵ (exp(hc/(λkT)) − 1)), by Simpson’s rule.
+/// Returns the mean over a band of the spectral radiance of a black body in W/(m² sr nm), by
+/// Simpson’s rule.
 fn black_body_mean(temperature: f64, band: Band) -> f64 {
     const INTERVALS: usize = 200;
-    const H: f64 = 6.626_070_15e-34;
-    const C: f64 = 299_792_458.0;
-    const K: f64 = 1.380_649e-23;
-    let radiance = |nanometres: f64| {
-        let wavelength = 1e-9 * nanometres;
-        let exponent = H * C / (wavelength * K * temperature);
-        1e-9 * 2.0 * H * C * C / (wavelength.powi(5) * exponent.exp_m1())
-    };
+    let radiance = |nanometres: f64| 1e-9 * planck(1e-9 * nanometres, temperature);
     let step = (band.high - band.low) / INTERVALS as f64;
     let weighted = |i: usize| {
         let weight = match i {
