@@ -180,16 +180,16 @@ fn pseudo_remainder(f: &Polynomial, g: &Polynomial, main: u32, work: &mut u64) -
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::SplitMix;
     use num_bigint::BigInt;
 
     /// Returns a dense polynomial of these degrees with pseudorandom coefficients.
-    fn dense(seed: &mut u64, degrees: [u32; 3], largest: u64) -> Polynomial {
+    fn dense(random: &mut SplitMix, degrees: [u32; 3], largest: u64) -> Polynomial {
         let mut terms = Vec::new();
         for exponents in (0..=degrees[0]).flat_map(|i| (0..=degrees[1]).map(move |j| [i, j])) {
             for k in 0..=degrees[2] {
-                *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                 let monomial = vec![(0, exponents[0]), (1, exponents[1]), (2, k)];
-                terms.push((monomial, BigInt::from((*seed >> 2) % largest) + 1));
+                terms.push((monomial, BigInt::from(random.next() % largest) + 1));
             }
         }
         Polynomial::from_terms(terms)
@@ -198,10 +198,10 @@ mod tests {
     /// Large coefficients of the gcd leave interpolation modulo p without a result.
     #[test]
     fn a_gcd_divides_whatever_the_steps() {
-        let mut seed = 1;
+        let mut random = SplitMix(1);
         for _ in 0..12 {
-            let common = dense(&mut seed, [1, 1, 1], u64::MAX >> 2);
-            let [a, b] = [9, 9].map(|largest| dense(&mut seed, [2, 2, 1], largest));
+            let common = dense(&mut random, [1, 1, 1], u64::MAX >> 2);
+            let [a, b] = [9, 9].map(|largest| dense(&mut random, [2, 2, 1], largest));
             let (f, g) = (common.mul(&a), common.mul(&b));
             for power in 0..60 {
                 let steps = (1.5f64.powi(power) * 10.0) as u64;
