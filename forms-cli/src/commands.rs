@@ -23,6 +23,7 @@ mod work;
 use crate::arguments::{Arguments, Command};
 use crate::status::Status;
 use crate::streams::tell;
+use forms_radiometry::scene::Scene;
 use std::io::{self, Read, Write};
 
 /// Runs the command of the command line.
@@ -82,6 +83,11 @@ pub(crate) fn run_with_input(
         }
         Some(Command::Work { task, seconds, mebibytes }) => work::work(*task, (*seconds, *mebibytes), output),
     }
+}
+
+/// Prints to standard error which parts of a scene are read in another way than they are written.
+fn show_notes(scene: &Scene) {
+    scene.notes.iter().for_each(|note| tell!("note: {note}"));
 }
 
 /// Prints to standard error why a call cannot be carried out.

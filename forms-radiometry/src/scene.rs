@@ -28,6 +28,7 @@ mod subsurfaces;
 mod surface;
 mod value;
 mod view3d;
+mod words;
 mod working_units;
 
 pub(crate) use bands::middle;

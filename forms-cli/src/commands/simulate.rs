@@ -17,7 +17,7 @@ mod missed;
 mod plan;
 mod progress;
 
-use super::refuse;
+use super::{refuse, show_notes};
 use crate::arguments::SimulateArguments;
 use crate::json::write_record;
 use crate::layout::seconds;
@@ -115,11 +115,6 @@ fn planned(arguments: &SimulateArguments) -> Result<Planned, Vec<String>> {
     arguments.exposure.map_or(Ok(()), |exposure| exposure.check(&scene)).map_err(messages)?;
     let plan = simulation::plan(&scene).map_err(messages)?;
     Ok(Planned { scene, sources, plan })
-}
-
-/// Prints what was read in another way than the files say.
-pub(super) fn show_notes(scene: &Scene) {
-    scene.notes.iter().for_each(|note| tell!("note: {note}"));
 }
 
 /// Resources of a run: output folder, checkpoint and part, initial state, and progress.

@@ -1,6 +1,6 @@
 //! `forms view-factors`: the matrix of a scene, as CSV with row sums and areas or as JSON.
 
-use super::simulate::show_notes;
+use super::show_notes;
 use crate::json::write_record;
 use crate::status::Status;
 use crate::streams::tell;

@@ -31,8 +31,13 @@ impl Affine {
         Self { columns: first.columns.map(|column| self.vector(column)), shift: self.point(first.shift) }
     }
 
-    pub(crate) fn determinant(&self) -> f64 {
+    fn determinant(&self) -> f64 {
         self.columns[0].cross(self.columns[1]).dot(self.columns[2])
+    }
+
+    /// Whether the map has an inverse.
+    pub(crate) fn is_invertible(&self) -> bool {
+        self.determinant() != 0.0 && self.determinant().is_finite()
     }
 
     /// Whether the map reverses orientation.

@@ -62,7 +62,25 @@ impl Mesh {
         let error =
             |(face, indices)| polygon(&vertices, indices).err().map(|reason| MeshError { face, reason });
         let errors: Vec<MeshError> = faces.iter().enumerate().filter_map(error).collect();
-        if errors.is_empty() { Ok(Self { vertices, faces, factor: 1.0 }) } else { Err(errors) }
+        if errors.is_empty() { Ok(Self::of_polygons(vertices, faces)) } else { Err(errors) }
+    }
+
+    /// Creates the mesh with these outlines as faces, which share no vertices.
+    pub(crate) fn of_outlines<'o>(
+        outlines: impl IntoIterator<Item = &'o [Vector]>,
+    ) -> Result<Self, Vec<MeshError>> {
+        let (mut vertices, mut faces) = (Vec::new(), FaceList::default());
+        for outline in outlines {
+            let start = vertices.len() as u32;
+            vertices.extend_from_slice(outline);
+            faces.push(start..vertices.len() as u32);
+        }
+        Self::of(vertices, faces)
+    }
+
+    /// Creates the mesh of faces that are known to be polygons.
+    pub(crate) fn of_polygons(vertices: Vec<Vector>, faces: FaceList) -> Self {
+        Self { vertices, faces, factor: 1.0 }
     }
 
     /// Returns the vertices, to which faces refer by index.

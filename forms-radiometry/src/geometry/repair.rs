@@ -12,7 +12,7 @@ use super::polygon::{PLANARITY, crossing_edges, near_one};
 use super::triangulation::triangulate;
 use super::{Polygon, PolygonError, Vector};
 
-/// What a face in a file stands for. Corners are counted from zero.
+/// The polygons of a face in a file. Corners are counted from zero.
 #[derive(Debug, PartialEq)]
 pub(crate) enum Repaired {
     /// The polygon with all corners.
@@ -25,7 +25,7 @@ pub(crate) enum Repaired {
     Nothing,
 }
 
-/// Returns what a face with these corners stands for, or why it is none.
+/// Returns the polygons of a face with these corners, or the reason why it has none.
 pub(crate) fn repaired(corners: &[Vector]) -> Result<Repaired, PolygonError> {
     match Polygon::new(corners.to_vec()) {
         Ok(_) => Ok(Repaired::Whole),
@@ -77,7 +77,7 @@ fn triangles(corners: &[Vector]) -> Result<Vec<[usize; 3]>, PolygonError> {
     let count = near.len();
     let turned: Vec<Vector> = (1..=count).map(|i| near[i % count]).collect();
     let back = |triangle: [usize; 3]| triangle.map(|i| (i + 1) % count);
-    let has_area = |triangle: &[usize; 3]| Polygon::new(triangle.map(|i| near[i]).to_vec()).is_ok();
+    let has_area = |triangle: &[usize; 3]| Polygon::new(triangle.map(|i| corners[i]).to_vec()).is_ok();
     Ok(triangulate(&turned, normal).into_iter().map(back).filter(has_area).collect())
 }
 
@@ -117,5 +117,18 @@ mod tests {
         assert_eq!(repaired(&bow_tie), Err(PolygonError::NoArea));
         let uneven = points(&[A, [2.0, 2.0, 0.0], [2.0, 0.0, 0.0], HIGH]);
         assert_eq!(repaired(&uneven), Err(PolygonError::Crossing(1, 3)));
+    }
+
+    #[test]
+    fn triangles_are_polygons_at_the_smallest_lengths_too() {
+        const BENT: [[f64; 3]; 5] =
+            [[0.0, 0.0, 0.0], [1.5, 0.0, 0.0], [1.5, 0.3, 0.0], [0.9, 0.3, 0.2], [0.0, 0.3, 0.0]];
+        for (scale, expected) in [(1.0, 3), (1e-152, 2)] {
+            let corners = points(&BENT.map(|corner| corner.map(|x| scale * x)));
+            let Ok(Repaired::Triangles(triangles)) = repaired(&corners) else { panic!("triangles") };
+            let polygon = |triangle: &[usize; 3]| Polygon::new(triangle.map(|i| corners[i]).to_vec());
+            assert!(triangles.iter().all(|triangle| polygon(triangle).is_ok()));
+            assert_eq!(triangles.len(), expected, "{scale}");
+        }
     }
 }

@@ -19,9 +19,9 @@ const LINE: f64 = 1e-14;
 /// (Meisters 1975). If rounding hides it, the widest corner is cut, so that the loop always ends.
 pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<[usize; 3]> {
     let mut rest: Vec<usize> = (0..vertices.len()).collect();
+    let mut outline = vertices.to_vec();
     let mut triangles = Vec::with_capacity(rest.len());
     while rest.len() >= 3 {
-        let outline: Vec<Vector> = rest.iter().map(|&i| vertices[i]).collect();
         let ears = (0..rest.len()).find(|&i| is_ear(&outline, i, normal));
         let ear = ears.unwrap_or_else(|| widest(&outline, normal));
         let [a, b, c] = corner(&outline, ear);
@@ -30,6 +30,7 @@ pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<[usize; 3]
             triangles.push(corner(&rest, ear));
         }
         rest.remove(ear);
+        outline.remove(ear);
     }
     triangles
 }

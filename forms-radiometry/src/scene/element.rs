@@ -231,3 +231,11 @@ impl Names {
         Some(name.to_owned())
     }
 }
+
+/// Returns the name, with a number appended if it is taken: one element can become several parts of
+/// a scene.
+pub(super) fn unique(name: &str, is_taken: impl Fn(&str) -> bool) -> String {
+    let numbered = (2..).map(|number| format!("{name} ({number})"));
+    let mut candidates = [name.to_owned()].into_iter().chain(numbered);
+    candidates.find(|candidate| !is_taken(candidate)).unwrap_or_default()
+}

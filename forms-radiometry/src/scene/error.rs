@@ -100,7 +100,7 @@ pub(super) struct Report {
     errors: Vec<(usize, SceneError)>,
     /// The number of further errors, which are only counted.
     more: usize,
-    /// What was read in another way than it is written.
+    /// Descriptions of parts that are read in another way than they are written.
     notes: Vec<String>,
 }
 

@@ -16,10 +16,10 @@ mod ply_rows;
 mod search;
 mod stl;
 mod vtk;
-pub(super) mod words;
 
 use super::SceneError;
 use super::error::Report;
+use super::words::{self, Fault};
 use crate::geometry::{Mesh, Vector};
 use search::SearchPath;
 use std::collections::HashMap;
@@ -149,18 +149,5 @@ impl<'f> MeshFiles<'f> {
 /// Parses the bytes of a file with this name.
 type ReadMesh<'r> = dyn Fn(&str, &[u8]) -> Result<Read, Vec<SceneError>> + 'r;
 
-/// A file, and notes on what was read in another way than it is written.
+/// A file, and notes on parts of it that are read in another way than they are written.
 type Read = (MeshFile, Vec<String>);
-
-/// An error at a range of bytes of a mesh file.
-pub(super) struct Fault {
-    pub(super) range: Range<usize>,
-    pub(super) message: String,
-    pub(super) expected: String,
-}
-
-impl Fault {
-    pub(super) fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
-        Self { range, message: message.into(), expected: expected.into() }
-    }
-}

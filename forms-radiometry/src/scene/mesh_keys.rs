@@ -87,7 +87,7 @@ fn transform(report: &mut Report, value: &Value) -> Option<Affine> {
     }
     let column = |j: usize| Vector::new(rows[0][j], rows[1][j], rows[2][j]);
     let map = Affine { columns: [0, 1, 2].map(column), shift: column(3) };
-    if map.determinant() == 0.0 || !map.determinant().is_finite() {
+    if !map.is_invertible() {
         report.error(value.span(), "the transform has no inverse", "an invertible transform");
         return None;
     }

@@ -31,7 +31,7 @@ pub struct Scene {
     pub ambient: Ambient,
     /// Settings of the solver: accuracy and forced effects.
     pub solve: Solve,
-    /// What was read in another way than the files say, for the reader of the answers.
+    /// Descriptions of parts that are read in another way than they are written.
     pub notes: Vec<String>,
 }
 
@@ -190,6 +190,11 @@ impl Shape {
             Self::Disk(disk) => Some(disk),
             Self::Polygon(_) | Self::Mesh(_) => None,
         }
+    }
+
+    /// Whether the shape is a mesh without faces.
+    pub(crate) fn has_no_faces(&self) -> bool {
+        matches!(self, Self::Mesh(mesh) if mesh.faces().len() == 0)
     }
 
     /// Returns the polygon, if the shape is one.

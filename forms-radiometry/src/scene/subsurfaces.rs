@@ -235,12 +235,5 @@ fn mesh_of(outlines: &[&Vec<Vector>]) -> Result<Mesh, &'static str> {
     if outlines.is_empty() {
         return Err("nothing is left");
     }
-    let ends = outlines.iter().scan(0, |end, outline| {
-        let start = *end;
-        *end += outline.len() as u32;
-        Some((start..*end).collect())
-    });
-    let faces: Vec<Vec<u32>> = ends.collect();
-    let vertices = outlines.iter().copied().flatten().copied().collect();
-    Mesh::new(vertices, &faces).map_err(|_| "only slivers are left")
+    Mesh::of_outlines(outlines.iter().map(|outline| &outline[..])).map_err(|_| "only slivers are left")
 }

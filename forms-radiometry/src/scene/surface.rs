@@ -76,12 +76,11 @@ fn with_faces(
     name: Option<&str>,
     shapes: Vec<(Option<String>, Shape)>,
 ) -> Vec<(Option<String>, Shape)> {
-    let is_empty = |shape: &Shape| matches!(shape, Shape::Mesh(mesh) if mesh.faces().len() == 0);
-    if let Some(name) = name.filter(|_| shapes.iter().any(|(_, shape)| is_empty(shape))) {
+    if let Some(name) = name.filter(|_| shapes.iter().any(|(_, shape)| shape.has_no_faces())) {
         report.note(format!("the surface `{name}` has no faces, and is left out"));
         known.surfaces.leave_out(name);
     }
-    shapes.into_iter().filter(|(_, shape)| !is_empty(shape)).collect()
+    shapes.into_iter().filter(|(_, shape)| !shape.has_no_faces()).collect()
 }
 
 /// Returns the name of a surface, or of a group of its mesh: `part/GROUP`.

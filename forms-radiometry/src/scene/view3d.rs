@@ -12,30 +12,38 @@
 mod element;
 mod shape;
 
+use super::element::unique;
 use super::error::Report;
 use super::model::{Ambient, LengthUnit, Material, MaterialKind, Scene, Shape, Solve, Surface};
 use super::subsurfaces::Subsurface;
+use super::words::Fault;
 use crate::geometry::{Mesh, Polygon, Vector};
 use element::{Element, Elements};
 use shape::Format;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::sync::Arc;
 
 /// Reads the scene, and its surfaces that lie on others.
 pub(super) fn read(report: &mut Report, text: &str) -> Option<(Scene, Vec<Subsurface>)> {
-    let mut reader =
-        Reader { report, format: None, name: String::new(), vertices: HashMap::new(), rows: Vec::new() };
+    let mut reader = Reader {
+        report,
+        format: None,
+        name: String::new(),
+        vertices: HashMap::new(),
+        rows: Vec::new(),
+        known: HashMap::new(),
+    };
     for element in Elements::of(text) {
         if !reader.element(element) {
             break;
         }
     }
-    let Reader { name, rows, .. } = reader;
+    let Reader { name, rows, known, .. } = reader;
     if report.is_empty() && rows.is_empty() {
         report.error(0..0, "the file has no surfaces", "lines that begin with S");
     }
-    report.is_empty().then(|| scene(report, name, &rows))
+    report.is_empty().then(|| scene(report, name, &rows, &known))
 }
 
 /// What a surface is to the others.
@@ -68,6 +76,8 @@ struct Reader<'r> {
     name: String,
     vertices: HashMap<u32, Vector>,
     rows: Vec<Row>,
+    /// The index of the row of each number.
+    known: HashMap<u32, usize>,
 }
 
 impl Reader<'_> {
@@ -103,25 +113,26 @@ impl Reader<'_> {
         true
     }
 
-    fn fault(&mut self, fault: super::mesh_file::Fault) {
+    fn fault(&mut self, fault: Fault) {
         self.report.error(fault.range, fault.message, fault.expected);
     }
 
     fn surface(&mut self, role: Role, element: Element) {
         match self.row(role, element) {
             Ok(row) => {
-                if let Some(other) = self.rows.iter().find(|other| other.number == row.number) {
-                    let line = self.report.line(other.place.start, row.place.start);
+                if let Some(&other) = self.known.get(&row.number) {
+                    let line = self.report.line(self.rows[other].place.start, row.place.start);
                     let message = format!("surface {} is already defined in {line}", row.number);
                     self.report.error(row.place.clone(), message, "a number of its own");
                 }
+                self.known.entry(row.number).or_insert(self.rows.len());
                 self.rows.push(row);
             }
             Err(fault) => self.fault(fault),
         }
     }
 
-    fn row(&self, role: Role, mut element: Element) -> Result<Row, super::mesh_file::Fault> {
+    fn row(&self, role: Role, mut element: Element) -> Result<Row, Fault> {
         let place = element.place.clone();
         let Some(format) = self.format else {
             return Err(element.fault("a surface before the format", "F 3, or F 3a, before it"));
@@ -145,8 +156,12 @@ impl Reader<'_> {
 }
 
 /// Makes the scene of all surfaces; those that are combined are one mesh.
-fn scene(report: &mut Report, name: String, rows: &[Row]) -> (Scene, Vec<Subsurface>) {
-    let by_number: HashMap<u32, &Row> = rows.iter().map(|row| (row.number, row)).collect();
+fn scene(
+    report: &mut Report,
+    name: String,
+    rows: &[Row],
+    known: &HashMap<u32, usize>,
+) -> (Scene, Vec<Subsurface>) {
     let mut scene = Scene {
         name,
         unit: LengthUnit::Metre,
@@ -160,19 +175,44 @@ fn scene(report: &mut Report, name: String, rows: &[Row]) -> (Scene, Vec<Subsurf
         solve: Solve::default(),
         notes: Vec::new(),
     };
-    // the index of the surface that each number became
+    let indices = add_surfaces(report, &mut scene, rows);
+    scene.notes = notes(rows);
+    (scene, subsurfaces(report, rows, known, &indices))
+}
+
+/// Adds a surface for each row that is combined with no other before it. Returns the index of the
+/// surface that each number became.
+fn add_surfaces(report: &mut Report, scene: &mut Scene, rows: &[Row]) -> HashMap<u32, usize> {
+    let mut combined: HashMap<u32, Vec<&Row>> = HashMap::new();
+    for row in rows.iter().filter(|row| row.combined != 0) {
+        combined.entry(row.combined).or_default().push(row);
+    }
     let mut indices: HashMap<u32, usize> = HashMap::new();
+    let mut names = HashSet::new();
     for row in rows.iter().filter(|row| row.combined == 0) {
         let index = scene.surfaces.len();
-        let parts: Vec<&Row> =
-            std::iter::once(row).chain(rows.iter().filter(|part| part.combined == row.number)).collect();
+        let others = combined.get(&row.number).map_or(&[][..], Vec::as_slice);
+        let parts: Vec<&Row> = std::iter::once(&row).chain(others).copied().collect();
         indices.extend(parts.iter().map(|part| (part.number, index)));
-        let surface = surface(report, &mut scene, &parts);
+        let name = own_name(&names, row);
+        names.insert(name.clone());
+        let surface = surface(report, &mut scene.materials, name, &parts);
         scene.surfaces.push(surface);
     }
+    indices
+}
+
+/// Returns the surfaces that lie on others. Numbers of surfaces that do not exist are reported.
+fn subsurfaces(
+    report: &mut Report,
+    rows: &[Row],
+    known: &HashMap<u32, usize>,
+    indices: &HashMap<u32, usize>,
+) -> Vec<Subsurface> {
     let mut subsurfaces = Vec::new();
     for row in rows {
-        if row.combined != 0 && by_number.get(&row.combined).is_none_or(|first| first.combined != 0) {
+        let first = known.get(&row.combined).map(|&first| &rows[first]);
+        if row.combined != 0 && first.is_none_or(|first| first.combined != 0) {
             let message = format!(
                 "surface {} is combined with surface {}, which is not a first one",
                 row.number, row.combined
@@ -193,8 +233,7 @@ fn scene(report: &mut Report, name: String, rows: &[Row]) -> (Scene, Vec<Subsurf
             }
         }
     }
-    scene.notes = notes(rows);
-    (scene, subsurfaces)
+    subsurfaces
 }
 
 fn notes(rows: &[Row]) -> Vec<String> {
@@ -204,7 +243,7 @@ fn notes(rows: &[Row]) -> Vec<String> {
 }
 
 /// Makes one surface of rows that are combined.
-fn surface(report: &mut Report, scene: &mut Scene, rows: &[&Row]) -> Surface {
+fn surface(report: &mut Report, materials: &mut Vec<Material>, name: String, rows: &[&Row]) -> Surface {
     let first = rows[0];
     if let Some(other) = rows.iter().find(|row| row.emissivity != first.emissivity) {
         let message = format!(
@@ -217,19 +256,13 @@ fn surface(report: &mut Report, scene: &mut Scene, rows: &[&Row]) -> Surface {
         [only] => Shape::Polygon(outward(only)),
         _ => {
             let polygons: Vec<Polygon> = rows.iter().map(|row| outward(row)).collect();
-            let vertices: Vec<Vector> =
-                polygons.iter().flat_map(|polygon| polygon.vertices().to_vec()).collect();
-            let mut next = 0..;
-            let faces: Vec<Vec<u32>> = polygons
-                .iter()
-                .map(|polygon| next.by_ref().take(polygon.vertices().len()).collect())
-                .collect();
-            Shape::Mesh(Arc::new(Mesh::new(vertices, &faces).expect("its faces are polygons")))
+            let mesh = Mesh::of_outlines(polygons.iter().map(Polygon::vertices));
+            Shape::Mesh(Arc::new(mesh.expect("its faces are polygons")))
         }
     };
     Surface {
-        name: unique(scene, first),
-        material: material(scene, first, report),
+        name,
+        material: material(materials, first, report),
         shape,
         radiance: vec![0.0],
         exitance: None,
@@ -244,22 +277,22 @@ fn outward(row: &Row) -> Polygon {
 }
 
 /// Returns the name of a surface, or one with its number if it has none, or another has it.
-fn unique(scene: &Scene, row: &Row) -> String {
-    let is_taken = scene.surfaces.iter().any(|surface| surface.name == row.name);
-    match (row.name.is_empty(), is_taken) {
-        (true, _) => format!("surface {}", row.number),
-        (false, true) => format!("{} ({})", row.name, row.number),
+fn own_name(names: &HashSet<String>, row: &Row) -> String {
+    let is_taken = |name: &str| names.contains(name);
+    match (row.name.is_empty(), is_taken(&row.name)) {
+        (true, _) => unique(&format!("surface {}", row.number), is_taken),
+        (false, true) => unique(&format!("{} ({})", row.name, row.number), is_taken),
         (false, false) => row.name.clone(),
     }
 }
 
 /// Returns the index of the material with the reflectance 1 − ε.
-fn material(scene: &mut Scene, row: &Row, report: &Report) -> usize {
+fn material(materials: &mut Vec<Material>, row: &Row, report: &Report) -> usize {
     let kind = MaterialKind::Diffuse { reflectance: vec![1.0 - row.emissivity] };
-    let known = scene.materials.iter().position(|material| material.kind == kind);
+    let known = materials.iter().position(|material| material.kind == kind);
     known.unwrap_or_else(|| {
         let place = report.place(row.place.clone());
-        scene.materials.push(Material { name: format!("emissivity {}", row.emissivity), kind, place });
-        scene.materials.len() - 1
+        materials.push(Material { name: format!("emissivity {}", row.emissivity), kind, place });
+        materials.len() - 1
     })
 }

@@ -1,19 +1,32 @@
-//! Words: splits a line of a mesh file into words with their places, and parses words as numbers.
+//! Words: splits a line of a mesh file or of a scene of View3D into words with their places, and parses
+//! words as numbers.
 
-use super::Fault;
-use crate::scene::value::COORDINATE;
+use super::value::COORDINATE;
 use std::ops::Range;
+
+/// An error at a range of bytes of a file.
+pub(super) struct Fault {
+    pub(super) range: Range<usize>,
+    pub(super) message: String,
+    pub(super) expected: String,
+}
+
+impl Fault {
+    pub(super) fn new(range: Range<usize>, message: impl Into<String>, expected: impl Into<String>) -> Self {
+        Self { range, message: message.into(), expected: expected.into() }
+    }
+}
 
 /// Text between whitespace.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::scene) struct Word<'t> {
-    pub(in crate::scene) text: &'t str,
+pub(super) struct Word<'t> {
+    pub(super) text: &'t str,
     /// Its byte range in the file.
-    pub(in crate::scene) range: Range<usize>,
+    pub(super) range: Range<usize>,
 }
 
 /// Returns the lines of a text from a byte on, each with its first byte.
-pub(in crate::scene) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
+pub(super) fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
     let mut start = from;
     text[from..].split_inclusive('\n').map(move |line| {
         let begin = start;
@@ -23,7 +36,7 @@ pub(in crate::scene) fn lines(text: &str, from: usize) -> impl Iterator<Item = (
 }
 
 /// Returns the words of a line that starts at this byte.
-pub(in crate::scene) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
+pub(super) fn words(start: usize, line: &str) -> impl Iterator<Item = Word<'_>> {
     line.split_whitespace().map(move |text| {
         let begin = start + text.as_ptr() as usize - line.as_ptr() as usize;
         Word { text, range: begin..begin + text.len() }
@@ -31,7 +44,7 @@ pub(in crate::scene) fn words(start: usize, line: &str) -> impl Iterator<Item = 
 }
 
 /// Returns the byte range that some words cover.
-pub(in crate::scene) fn extent(words: &[Word]) -> Range<usize> {
+pub(super) fn extent(words: &[Word]) -> Range<usize> {
     match words {
         [] => 0..0,
         [first, .., last] | [first @ last] => first.range.start..last.range.end,
@@ -40,19 +53,19 @@ pub(in crate::scene) fn extent(words: &[Word]) -> Range<usize> {
 
 impl Word<'_> {
     /// Parses a coordinate.
-    pub(in crate::scene) fn coordinate(&self) -> Result<f64, Fault> {
+    pub(super) fn coordinate(&self) -> Result<f64, Fault> {
         self.float().and_then(|x| coordinate(self.range.clone(), x))
     }
 
     /// Parses any number.
-    pub(in crate::scene) fn float(&self) -> Result<f64, Fault> {
+    pub(super) fn float(&self) -> Result<f64, Fault> {
         let wrong =
             |_| Fault::new(self.range.clone(), format!("`{}` is not a number", self.text), "a number");
         self.text.parse().map_err(wrong)
     }
 
     /// Parses an integer.
-    pub(in crate::scene) fn whole(&self) -> Result<i64, Fault> {
+    pub(super) fn whole(&self) -> Result<i64, Fault> {
         let wrong =
             |_| Fault::new(self.range.clone(), format!("`{}` is not an integer", self.text), "an integer");
         self.text.parse().map_err(wrong)
@@ -60,7 +73,7 @@ impl Word<'_> {
 }
 
 /// Checks that a number is a valid coordinate.
-pub(in crate::scene) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
+pub(super) fn coordinate(range: Range<usize>, x: f64) -> Result<f64, Fault> {
     if !x.is_finite() {
         return Err(Fault::new(range, "a coordinate is not finite", COORDINATE.expected));
     }

@@ -165,6 +165,25 @@ pub(crate) fn shown(errors: &[SceneError]) -> String {
     errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n")
 }
 
+/// Text that is replaced, its replacement, the line and column of the first error, and its message.
+pub(crate) type Placed<'t> = (&'t str, &'t str, (usize, usize), &'t str);
+
+/// Checks that each replacement in a text leads to its error, at its place.
+pub(crate) fn check_places(text: &str, cases: &[Placed], errors: impl Fn(&str) -> Vec<SceneError>) {
+    let mut wrong = Vec::new();
+    for &(from, to, place, message) in cases {
+        assert!(text.contains(from), "{from}");
+        let found = errors(&text.replacen(from, to, 1));
+        let is_told = found
+            .first()
+            .is_some_and(|error| ((error.line, error.column), error.message.as_str()) == (place, message));
+        if !is_told {
+            wrong.push(format!("{from} → {to}, {message}, {place:?}:\n{}", shown(&found)));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+}
+
 /// Checks that each replacement in a text leads to one error, in the lines of the replacement or in
 /// up to `before` lines before it.
 pub(crate) fn check_each(text: &str, name: &str, cases: &[(&str, &str, &str)], before: usize) {

@@ -2,6 +2,8 @@
 //! group wherever the format has groups.
 
 use crate::shown;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use forms_radiometry::geometry::{Mesh, Vector};
 use forms_radiometry::scene::{Scene, SceneError, Shape, read_with_files};
 use forms_testing::SplitMix;
@@ -242,18 +244,9 @@ fn gltf() -> Vec<u8> {
          \"bufferViews\": [{{\"buffer\": 0, \"byteLength\": 96}}, {{\"buffer\": 0, \"byteOffset\": 96, \"byteLength\": 72}}],\n\
          \"buffers\": [{{\"byteLength\": {}, \"uri\": \"data:application/octet-stream;base64,{}\"}}]}}",
         data.len(),
-        base64(&data)
+        STANDARD.encode(&data)
     );
     text.into()
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let digits = |three: &[u8]| {
-        let word = three.iter().fold(0u32, |word, &byte| word << 8 | u32::from(byte));
-        [18, 12, 6, 0].map(|shift| char::from(DIGITS[(word >> shift & 63) as usize]))
-    };
-    bytes.chunks_exact(3).flat_map(digits).collect()
 }
 
 #[test]

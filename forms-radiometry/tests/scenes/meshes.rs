@@ -1,7 +1,7 @@
 //! Meshes: a mesh that is written and read is the same mesh, in every format; and errors of a file
 //! are reported with their place in that file.
 
-use crate::shown;
+use crate::{Placed, check_places, shown};
 use forms_radiometry::geometry::{Mesh, Vector};
 use forms_radiometry::scene::{SceneError, Shape, read_with_files};
 use std::fmt::Write;
@@ -126,8 +126,8 @@ fn a_ply_may_say_more_than_the_shape_in_any_order() {
 
 const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-/// Text that is replaced in the OBJ file, its replacement, the place of the error, and the message.
-const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
+/// Errors of the OBJ file.
+const OF_OBJ: &[Placed] = &[
     ("v 1 1 0", "v 1 1", (3, 1), "a vertex has 2 values"),
     ("v 1 1 0", "v 1 1 O", (3, 7), "`O` is not a number"),
     ("v 1 1 0", "v 1 1 nan", (3, 7), "a coordinate is not finite"),
@@ -151,8 +151,8 @@ const OF_OBJ: &[(&str, &str, (usize, usize), &str)] = &[
 const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
                    element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-/// The same for the PLY file.
-const OF_PLY: &[(&str, &str, (usize, usize), &str)] = &[
+/// Errors of the PLY file.
+const OF_PLY: &[Placed] = &[
     ("ply\n", "plx\n", (1, 1), "the file does not begin with `ply`"),
     ("format ascii 1.0", "format ascii 2.0", (2, 1), "this line is not valid in a PLY header"),
     ("format ascii 1.0", "format text 1.0", (2, 8), "`text` is unknown"),
@@ -209,19 +209,14 @@ fn a_mesh_without_faces_is_left_out_and_no_receiver_can_name_it() {
 
 #[test]
 fn each_error_is_reported_at_its_place_in_its_file() {
-    let mut wrong = Vec::new();
     for (name, text, cases) in [("part.obj", OBJ, OF_OBJ), ("part.ply", PLY, OF_PLY)] {
         mesh(name, text.as_bytes());
-        for &(from, to, place, message) in cases {
-            assert!(text.contains(from), "{from}");
-            let found = read(name, text.replacen(from, to, 1).as_bytes()).expect_err(message);
-            let is_told = found.len() == 1 && found[0].file == format!("rooms/{name}");
-            if !is_told || ((found[0].line, found[0].column), &*found[0].message) != (place, message) {
-                wrong.push(format!("{from} → {to}, {message}, {place:?}:\n{}", shown(&found)));
-            }
-        }
+        check_places(text, cases, |damaged| {
+            let found = read(name, damaged.as_bytes()).expect_err(damaged);
+            assert!(found.len() == 1 && found[0].file == format!("rooms/{name}"), "{}", shown(&found));
+            found
+        });
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Scenes of View3D: both formats of geometry, surfaces on others, combined ones and obstructions.
 
-use crate::shown;
+use crate::{Placed, check_places, shown};
 use forms_radiometry::geometry::Vector;
-use forms_radiometry::scene::{MaterialKind, Scene, SceneError, Shape, read};
+use forms_radiometry::scene::{MaterialKind, Scene, Shape, read};
 use forms_radiometry::view_factors;
 
 /// A box of 1 × 2 × 3 with a window in its first wall, whose floor is made of two parts.
@@ -88,8 +88,8 @@ fn planes_are_turned_by_azimuth_and_tilt() {
     );
 }
 
-/// Text that is replaced in the box, its replacement, the place of the error, and the message.
-const ERRORS: &[(&str, &str, (usize, usize), &str)] = &[
+/// Errors of the box.
+const ERRORS: &[Placed] = &[
     ("F 3\n", "F 2\n", (3, 3), "the geometry format `2` is not supported"),
     ("F 3\n", "", (18, 1), "a surface before the format"),
     ("V 2 1 0 0", "V 2 1 0 zero", (6, 9), "`zero` is not a number"),
@@ -128,14 +128,5 @@ const ERRORS: &[(&str, &str, (usize, usize), &str)] = &[
 
 #[test]
 fn each_error_is_reported_at_its_place() {
-    let found = |text: &str| -> Vec<SceneError> { read(text, "box.vs3").map(|_| ()).expect_err("an error") };
-    let mut wrong = Vec::new();
-    for &(from, to, place, message) in ERRORS {
-        assert!(BOX.contains(from), "{from}");
-        let errors = found(&BOX.replacen(from, to, 1));
-        if ((errors[0].line, errors[0].column), &*errors[0].message) != (place, message) {
-            wrong.push(format!("{from} → {to}, {place:?} {message}:\n{}", shown(&errors)));
-        }
-    }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+    check_places(BOX, ERRORS, |text| read(text, "box.vs3").map(|_| ()).expect_err("an error"));
 }

@@ -11,23 +11,22 @@
 //! skipped.
 
 use super::numbers::Numbers;
-use super::parts::{Parts, told};
+use super::parts::{Elements, Parts, told};
 use super::{Fault, Read};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
-use crate::scene::place::Source;
-use forms::core::diagnostic::counted;
 use rustc_hash::FxHashMap;
+use std::borrow::Cow;
 use std::ops::Range;
 
 pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let mut numbers = Numbers::new(bytes);
     let mut reader = Reader::default();
     let result = reader.sections(&mut numbers);
-    let text = if numbers.is_binary { "".into() } else { String::from_utf8_lossy(bytes) };
-    let source = Source::new(file, &text);
+    let source = numbers.source(file);
     result.map_err(|fault| told(&source, vec![fault], 0))?;
-    reader.finish(&source)
+    reader.elements.note(&mut reader.parts, "element", "triangles or quadrilaterals");
+    reader.parts.mesh(&source)
 }
 
 /// The contents of the file so far.
@@ -41,8 +40,9 @@ struct Reader {
     names: FxHashMap<i64, String>,
     /// The physical group of each surface of the geometry.
     physical: FxHashMap<i64, i64>,
-    curved: usize,
-    skipped: usize,
+    /// The group of the last face.
+    group: Option<i64>,
+    elements: Elements,
 }
 
 impl Reader {
@@ -154,7 +154,8 @@ impl Reader {
     }
 
     fn node(&mut self, number: u64, numbers: &mut Numbers) -> Result<(), Fault> {
-        let vertex = Vector::new(numbers.coordinate()?, numbers.coordinate()?, numbers.coordinate()?);
+        let mut coordinate = || numbers.real().and_then(|number| numbers.coordinate(number));
+        let vertex = Vector::new(coordinate()?, coordinate()?, coordinate()?);
         self.vertices.insert(number, self.parts.vertices.len() as u32);
         self.parts.vertices.push(vertex);
         Ok(())
@@ -164,7 +165,7 @@ impl Reader {
     /// physical group.
     fn elements(&mut self, numbers: &mut Numbers) -> Result<(), Fault> {
         for _ in 0..numbers.count_in_text()? {
-            let start = numbers.next_place().start;
+            let start = numbers.next_start();
             numbers.int()?;
             let kind = Kind::read(numbers)?;
             let group = self.tags(numbers, None)?;
@@ -208,7 +209,7 @@ impl Reader {
             let kind = Kind::read(numbers)?;
             let group = self.physical.get(&entity).copied().filter(|_| kind.corners > 0);
             for _ in 0..numbers.size()? {
-                let start = numbers.next_place().start;
+                let start = numbers.next_start();
                 numbers.size()?;
                 self.element(kind, group, start, numbers)?;
             }
@@ -226,21 +227,23 @@ impl Reader {
     ) -> Result<(), Fault> {
         let mut corners = Vec::with_capacity(kind.corners);
         for place in 0..kind.nodes {
-            let place_in_file = numbers.next_place();
             let number = if self.is_version_4 { numbers.size()? } else { numbers.int()? as u64 };
             if place < kind.corners {
-                corners.push(self.vertex(number, place_in_file)?);
+                corners.push(self.vertex(number, numbers.place())?);
             }
         }
         if kind.corners == 0 {
-            self.skipped += 1;
+            self.elements.skipped += 1;
             return Ok(());
         }
-        self.curved += usize::from(kind.nodes > kind.corners);
-        let name = group.map_or(String::new(), |group| {
-            self.names.get(&group).cloned().unwrap_or_else(|| format!("physical {group}"))
-        });
-        self.parts.group(&name);
+        self.elements.curved += usize::from(kind.nodes > kind.corners);
+        if group != self.group {
+            self.group = group;
+            let name = group.map_or(String::new(), |group| {
+                self.names.get(&group).cloned().unwrap_or_else(|| format!("physical {group}"))
+            });
+            self.parts.group(&name);
+        }
         self.parts.face(corners, start..numbers.place().end);
         Ok(())
     }
@@ -249,25 +252,12 @@ impl Reader {
         let found = self.vertices.get(&number).copied();
         found.ok_or_else(|| Fault::new(place, format!("there is no node {number}"), "a node of `$Nodes`"))
     }
-
-    fn finish(mut self, source: &std::sync::Arc<Source>) -> Result<Read, Vec<SceneError>> {
-        if self.parts.is_empty() && self.skipped > 0 {
-            let skipped = counted(self.skipped, "element");
-            let message = format!("the mesh has no faces: its {skipped} are points, lines or volumes");
-            self.parts.fault(Fault::new(0..0, message, "triangles or quadrilaterals"));
-        }
-        if self.curved > 0 {
-            let curved = counted(self.curved, "curved face");
-            self.parts.note(format!("{curved} read as flat between the corners"));
-        }
-        self.parts.mesh(source)
-    }
 }
 
 /// Sections: `$Name` … `$EndName`.
-impl Numbers<'_> {
+impl<'b> Numbers<'b> {
     /// Returns the name of the next section, such as `$Nodes`, and its place.
-    fn section(&mut self) -> Option<(String, Range<usize>)> {
+    fn section(&mut self) -> Option<(Cow<'b, str>, Range<usize>)> {
         loop {
             let word = self.next_word()?;
             if word.starts_with('$') {

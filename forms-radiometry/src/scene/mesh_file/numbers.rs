@@ -3,7 +3,10 @@
 
 use super::Fault;
 use super::words::coordinate;
+use crate::scene::place::Source;
+use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The bytes of the file, and the next one to read.
 pub(super) struct Numbers<'b> {
@@ -25,8 +28,18 @@ impl<'b> Numbers<'b> {
         self.last.clone()
     }
 
-    /// Returns the place of the next word.
-    pub(super) fn next_place(&self) -> Range<usize> {
+    /// Returns the text to which places refer; empty for a binary file.
+    pub(super) fn source(&self, file: &str) -> Arc<Source> {
+        let text = if self.is_binary { Cow::default() } else { String::from_utf8_lossy(self.bytes) };
+        Source::new(file, &text)
+    }
+
+    /// Returns the first byte of the next number.
+    pub(super) fn next_start(&self) -> usize {
+        if self.is_binary { self.next } else { self.next_word_place().start }
+    }
+
+    fn next_word_place(&self) -> Range<usize> {
         let rest = &self.bytes[self.next..];
         let blanks = rest.iter().take_while(|byte| byte.is_ascii_whitespace()).count();
         let length = rest[blanks..].iter().take_while(|byte| !byte.is_ascii_whitespace()).count();
@@ -34,14 +47,14 @@ impl<'b> Numbers<'b> {
     }
 
     /// Returns the next word, if there is one.
-    pub(super) fn next_word(&mut self) -> Option<String> {
-        let place = self.next_place();
+    pub(super) fn next_word(&mut self) -> Option<Cow<'b, str>> {
+        let place = self.next_word_place();
         (self.next, self.last) = (place.end, place.clone());
-        (!place.is_empty()).then(|| String::from_utf8_lossy(&self.bytes[place]).into_owned())
+        (!place.is_empty()).then(|| String::from_utf8_lossy(&self.bytes[place]))
     }
 
     /// Returns the next word, which `what` names.
-    pub(super) fn word(&mut self, what: &str) -> Result<(String, Range<usize>), Fault> {
+    pub(super) fn word(&mut self, what: &str) -> Result<(Cow<'b, str>, Range<usize>), Fault> {
         match self.next_word() {
             Some(word) => Ok((word, self.place())),
             None => Err(self.ended(what)),
@@ -69,10 +82,10 @@ impl<'b> Numbers<'b> {
     }
 
     /// Returns the rest of the line, and its place.
-    pub(super) fn rest_of_line(&mut self) -> (String, Range<usize>) {
+    pub(super) fn rest_of_line(&mut self) -> (Cow<'b, str>, Range<usize>) {
         let start = self.next;
         self.line_end();
-        let line = String::from_utf8_lossy(&self.bytes[start..self.next]).into_owned();
+        let line = String::from_utf8_lossy(&self.bytes[start..self.next]);
         let length = line.trim_end().len();
         (line, start..start + length)
     }
@@ -136,8 +149,8 @@ impl<'b> Numbers<'b> {
         word.parse().map_err(|_| self.fault(place, &format!("`{word}` is not a number"), "a number"))
     }
 
-    pub(super) fn coordinate(&mut self) -> Result<f64, Fault> {
-        let number = self.real()?;
+    /// Checks that the last number is a valid coordinate.
+    pub(super) fn coordinate(&self, number: f64) -> Result<f64, Fault> {
         coordinate(self.place(), number)
             .map_err(|wrong| self.fault(wrong.range, &wrong.message, &wrong.expected))
     }

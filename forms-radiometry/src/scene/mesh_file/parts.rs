@@ -36,6 +36,30 @@ pub(super) struct Parts {
     notes: Vec<String>,
 }
 
+/// The elements of a file that are not flat faces.
+#[derive(Default)]
+pub(super) struct Elements {
+    /// Faces that are read as flat.
+    pub(super) curved: usize,
+    /// Points, lines and volumes.
+    pub(super) skipped: usize,
+}
+
+impl Elements {
+    /// Adds a note on curved faces, and a fault if there are only elements that are no faces.
+    pub(super) fn note(&self, parts: &mut Parts, element: &str, expected: &str) {
+        if parts.faces.is_empty() && self.skipped > 0 {
+            let skipped = counted(self.skipped, element);
+            let message = format!("the mesh has no faces: its {skipped} are points, lines or volumes");
+            parts.fault(Fault::new(0..0, message, expected));
+        }
+        if self.curved > 0 {
+            let curved = counted(self.curved, "curved face");
+            parts.note(format!("{curved} read as flat between the corners"));
+        }
+    }
+}
+
 /// The number of faces that were read in another way than they are written.
 #[derive(Default)]
 struct Changed {
@@ -55,11 +79,6 @@ impl Parts {
     /// Whether the corners of all faces so far are known to have the normals of their faces.
     pub(super) fn have_own_normals(&self) -> bool {
         self.faces_with_own_normal == self.faces.len()
-    }
-
-    /// Whether there are no faces.
-    pub(super) fn is_empty(&self) -> bool {
-        self.faces.is_empty()
     }
 
     /// Adds a note on what was read in another way than it is written.
@@ -99,7 +118,7 @@ impl Parts {
             return Err(told(source, self.faults, self.more));
         }
         let has_normals_of_faces = self.have_own_normals();
-        let mesh = Arc::new(Mesh::of(self.vertices, list).expect("repaired faces are polygons"));
+        let mesh = Arc::new(Mesh::of_polygons(self.vertices, list));
         Ok((MeshFile { mesh, groups, has_normals: self.has_normals, has_normals_of_faces }, self.notes))
     }
 

@@ -12,7 +12,6 @@ use crate::scene::SceneError;
 use crate::scene::place::Source;
 use cell::Cells;
 pub(super) use legacy::read as read_legacy;
-use std::sync::Arc;
 use vtkio::model::{DataSet, IOBuffer, Piece, PolyDataPiece, UnstructuredGridPiece, VertexNumbers, Vtk};
 
 /// Reads an XML file.
@@ -90,12 +89,4 @@ fn lists(numbers: VertexNumbers) -> Result<Vec<Vec<u64>>, String> {
         nodes.ok_or_else(|| format!("an offset of cells is {end}, of {} nodes", connectivity.len()))
     };
     offsets.into_iter().map(list).collect()
-}
-
-impl Cells {
-    /// Returns the mesh, if there are faces among the cells.
-    fn finish(mut self, source: &Arc<Source>) -> Result<Read, Vec<SceneError>> {
-        self.note();
-        self.parts.mesh(source)
-    }
 }

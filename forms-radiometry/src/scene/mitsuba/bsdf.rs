@@ -1,8 +1,9 @@
 //! Materials: parses `<bsdf>` into a law of reflection; a boundary of media becomes a material
 //! together with the interior medium of a shape.
 
-use super::object::{Object, unique};
+use super::object::Object;
 use super::{Node, Reader};
+use crate::scene::element::unique;
 use crate::scene::model::{Material, MaterialKind};
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
 use std::ops::Range;
@@ -104,7 +105,8 @@ impl Bsdf {
         let next = reader.materials.len();
         let index = *reader.known_materials.entry((self.key, inside)).or_insert(next);
         if index == next {
-            let name = unique(&self.name, reader.materials.iter().map(|material| &*material.name));
+            let name =
+                unique(&self.name, |taken| reader.materials.iter().any(|material| material.name == taken));
             let place = reader.report.place(self.place.clone());
             reader.materials.push(Material { name, kind, place });
         }

@@ -1,8 +1,8 @@
 //! Media: parses `<medium>` into coefficients; together with the index from a boundary, they form a
 //! medium of the model.
 
-use super::object::unique;
 use super::{Node, Reader};
+use crate::scene::element::unique;
 use crate::scene::model::Medium;
 use crate::scene::value::{COEFFICIENT, FRACTION, MEAN_COSINE, NOT_NEGATIVE};
 use std::collections::HashMap;
@@ -134,7 +134,7 @@ impl<'a> Reader<'a, '_, '_> {
             };
             let Coefficients { name, absorption, scattering, asymmetry } =
                 key.and_then(|key| self.media.read.get(&key).cloned()).unwrap_or(clear);
-            let name = unique(&name, self.media.list.iter().map(|medium| &*medium.name));
+            let name = unique(&name, |taken| self.media.list.iter().any(|medium| medium.name == taken));
             let place = self.report.place(place);
             self.media.elements.push(key);
             self.media.list.push(Medium {

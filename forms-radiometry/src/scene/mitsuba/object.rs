@@ -185,12 +185,3 @@ fn described(node: Node, kind: &str) -> String {
     let article = if tag.starts_with(['e', 'i']) { "an" } else { "a" };
     format!("{article} {tag} of type `{kind}`")
 }
-
-/// Returns the name, with a number appended if it is taken: one element can become several parts of
-/// a scene.
-pub(super) fn unique<'n>(name: &str, taken: impl Iterator<Item = &'n str> + Clone) -> String {
-    let is_free = |candidate: &String| !taken.clone().any(|taken| taken == candidate);
-    let numbered = (2..).map(|number| format!("{name} ({number})"));
-    let mut candidates = [name.to_owned()].into_iter().chain(numbered);
-    candidates.find(is_free).unwrap_or_default()
-}

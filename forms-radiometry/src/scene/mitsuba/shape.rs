@@ -3,9 +3,10 @@
 use super::bsdf::{Bsdf, Law};
 use super::media::Index;
 use super::normals::{self, SmoothMesh};
-use super::object::{Object, unique};
+use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::{Affine, Disk, Mesh, MeshError, Polygon, Sphere, Vector};
+use crate::scene::element::unique;
 use crate::scene::model::{MaterialKind, Shape, Surface};
 use crate::scene::value::{LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
@@ -48,7 +49,7 @@ impl<'a> Reader<'a, '_, '_> {
             self.smooth_meshes.retain(|mesh| mesh.surface != self.surfaces.len());
         }
         let Some(shape) = shape else { return };
-        if matches!(&shape, Shape::Mesh(mesh) if mesh.faces().len() == 0) {
+        if shape.has_no_faces() {
             self.report.note(format!("the shape `{name}` has no faces, and is left out"));
             return;
         }
@@ -63,7 +64,7 @@ impl<'a> Reader<'a, '_, '_> {
         let name = self.name(object, "shape", count);
         let Some(instance) = &self.instance else { return name };
         let name = format!("{}/{name}", instance.name);
-        unique(&name, self.surfaces.iter().map(|surface| &*surface.name))
+        unique(&name, |taken| self.surfaces.iter().any(|surface| surface.name == taken))
     }
 
     /// Rejects two-sided emitters. In Mitsuba the back of a two-sided surface reflects but does not

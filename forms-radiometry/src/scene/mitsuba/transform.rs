@@ -20,7 +20,7 @@ impl<'a> Reader<'a, '_, '_> {
         for step in self.elements(node) {
             whole = self.step(step).unwrap_or(Affine::IDENTITY).after(&whole);
         }
-        if whole.determinant() == 0.0 || !whole.determinant().is_finite() {
+        if !whole.is_invertible() {
             self.error(node, "the transform has no inverse", "an invertible transform");
             return Affine::IDENTITY;
         }

@@ -1,8 +1,7 @@
 //! Elements of a View3D file: a letter at the start of a line, then words, on the lines that follow too
 //! if they begin with a number. Comments begin with `!` or `/`.
 
-use super::super::mesh_file::Fault;
-use super::super::mesh_file::words::{Word, lines, words};
+use super::super::words::{Fault, Word, lines, words};
 use crate::geometry::Vector;
 use std::ops::Range;
 

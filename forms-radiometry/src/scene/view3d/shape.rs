@@ -1,8 +1,7 @@
 //! Shapes of View3D: polygons by the numbers of their vertices (format 3), or in a plane of their own
 //! (format 3a).
 
-use super::super::mesh_file::Fault;
-use super::super::mesh_file::words::Word;
+use super::super::words::{Fault, Word};
 use super::element::Element;
 use crate::geometry::Vector;
 use std::collections::HashMap;

@@ -1,9 +1,11 @@
 //! Cells: the faces among the cells of a VTK file.
 
-use super::super::Fault;
-use super::super::parts::Parts;
-use forms::core::diagnostic::counted;
+use super::super::Read;
+use super::super::parts::{Elements, Parts};
+use crate::scene::SceneError;
+use crate::scene::place::Source;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Kinds of cells.
 pub(super) const STRIP: u8 = 6;
@@ -19,8 +21,7 @@ const CURVED_QUADRILATERALS: [u8; 5] = [23, 28, 30, 70, 77];
 #[derive(Default)]
 pub(super) struct Cells {
     pub(super) parts: Parts,
-    curved: usize,
-    skipped: usize,
+    elements: Elements,
 }
 
 impl Cells {
@@ -47,14 +48,14 @@ impl Cells {
             kind if CURVED_TRIANGLES.contains(&kind) => 3,
             kind if CURVED_QUADRILATERALS.contains(&kind) => 4,
             _ => {
-                self.skipped += 1;
+                self.elements.skipped += 1;
                 return Ok(());
             }
         };
         let Some(corners) = nodes.get(..corners) else {
             return Err(format!("a cell has {} of its {corners} corners", nodes.len()));
         };
-        self.curved += usize::from(nodes.len() > corners.len());
+        self.elements.curved += usize::from(nodes.len() > corners.len());
         match kind {
             STRIP => corners.windows(3).enumerate().for_each(|(index, window)| {
                 let &[a, b, c] = window else { return };
@@ -66,16 +67,9 @@ impl Cells {
         Ok(())
     }
 
-    /// Adds notes on curved cells, and a fault if there are only cells that are no faces.
-    pub(super) fn note(&mut self) {
-        if self.parts.is_empty() && self.skipped > 0 {
-            let skipped = counted(self.skipped, "cell");
-            let message = format!("the mesh has no faces: its {skipped} are points, lines or volumes");
-            self.parts.fault(Fault::new(0..0, message, "triangles, quadrilaterals or polygons"));
-        }
-        if self.curved > 0 {
-            let curved = counted(self.curved, "curved face");
-            self.parts.note(format!("{curved} read as flat between the corners"));
-        }
+    /// Returns the mesh, if there are faces among the cells.
+    pub(super) fn finish(mut self, source: &Arc<Source>) -> Result<Read, Vec<SceneError>> {
+        self.elements.note(&mut self.parts, "cell", "triangles, quadrilaterals or polygons");
+        self.parts.mesh(source)
     }
 }

@@ -3,20 +3,17 @@
 
 use super::super::numbers::Numbers;
 use super::super::parts::told;
-use super::super::words::coordinate;
 use super::super::{Fault, Read};
 use super::cell::{Cells, POLYGON, STRIP};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
-use crate::scene::place::Source;
 use std::ops::Range;
 
 pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let mut numbers = Numbers::new(bytes);
     let mut reader = Reader::default();
     let result = reader.file(&mut numbers);
-    let text = if numbers.is_binary { "".into() } else { String::from_utf8_lossy(bytes) };
-    let source = Source::new(file, &text);
+    let source = numbers.source(file);
     result.map_err(|fault| told(&source, vec![fault], 0))?;
     reader.cells.finish(&source)
 }
@@ -103,9 +100,8 @@ impl Reader {
         for _ in 0..count {
             let mut point = [0.0; 3];
             for number in &mut point {
-                *number = kind.number(numbers)?;
-                coordinate(numbers.place(), *number)
-                    .map_err(|wrong| numbers.fault(wrong.range, &wrong.message, &wrong.expected))?;
+                let read = kind.number(numbers)?;
+                *number = numbers.coordinate(read)?;
             }
             let [x, y, z] = point;
             self.cells.parts.vertices.push(Vector::new(x, y, z));
@@ -145,7 +141,7 @@ impl Reader {
         if !self.has_offsets {
             numbers.begin_binary();
             for _ in 0..count {
-                let start = numbers.next_place().start;
+                let start = numbers.next_start();
                 let nodes = numbers.int()?;
                 let nodes: Vec<u64> =
                     (0..nodes).map(|_| node(numbers.int()?, numbers)).collect::<Result<_, _>>()?;
