@@ -42,6 +42,12 @@ impl Bounds {
         (self.high - self.low).largest()
     }
 
+    /// Returns half of the area of the box's sides.
+    pub(crate) fn half_surface(self) -> f64 {
+        let Vector { x, y, z } = self.high - self.low;
+        x * y + y * z + z * x
+    }
+
     /// Returns the largest absolute value of a coordinate in the box.
     pub(crate) fn largest(self) -> f64 {
         self.low.largest().max(self.high.largest())

@@ -1,9 +1,10 @@
-//! BVH layout for rays: each branch holds the boxes of both of its children in one cache line,
-//! rounded outwards, and the nearer child is visited first.
+//! BVH layout for rays: each branch holds the boxes of its four children side by side, so that one
+//! instruction tests all of them, and the nearest child is visited first.
 //!
-//! Coordinates are relative to the scene, from 0 to 1, so that rounding them to 24 bits widens
-//! every box by at most 10⁻⁷ of the scene. Intersections are computed from the screens alone; boxes
-//! only decide which screens are skipped.
+//! Coordinates are relative to the scene, from 0 to 1, and have 24 bits. A ray from outside starts
+//! where it enters the scene. So every rounding displaces a ray or a side of a box by at most a few
+//! 2⁻²⁴, and boxes are wider by more than that. Intersections are computed from the screens alone;
+//! boxes only decide which screens are skipped.
 
 use super::tree::Tree;
 use crate::geometry::Vector;
@@ -11,12 +12,14 @@ use crate::geometry::bounds::Bounds;
 use smallvec::SmallVec;
 use std::ops::ControlFlow;
 
+/// Number of children of a branch.
+const WIDTH: usize = 4;
 /// Bit that marks a leaf.
 const LEAF: u32 = 1 << 31;
-/// Margin added to boxes before they are rounded, for the rounding of relative coordinates.
-const WIDER: f64 = 1e-12;
-/// Relative rounding error of a distance.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Margin of boxes for the rounding of a ray, in relative coordinates: of its origin, of the
+/// inverse of its direction, of the difference from a side, of their product and of its end, 2⁻²⁴
+/// each over a way of at most √3; twice as much.
+const WIDER: f64 = 16.0 * (f32::EPSILON as f64) / 2.0;
 
 /// A ray query.
 pub(super) trait Way {
@@ -28,31 +31,40 @@ pub(super) trait Way {
     fn at(&mut self, leaf: usize) -> ControlFlow<()>;
 }
 
-/// An inner node: two boxes and their contents.
+/// An inner node: boxes and their contents.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Branch {
-    /// For each axis, the low and the high sides of both boxes.
-    sides: [[[f32; 2]; 2]; 3],
+    /// For each axis, the low and the high sides of all boxes.
+    sides: [[[f32; WIDTH]; 2]; 3],
     /// For each box, a branch or a leaf.
-    below: [u32; 2],
+    below: [u32; WIDTH],
+}
+
+impl Branch {
+    /// A branch whose boxes are empty: no ray enters them.
+    const EMPTY: Self =
+        Self { sides: [[[f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]]; 3], below: [LEAF; WIDTH] };
 }
 
 /// The inner nodes of a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Branches {
     branches: Vec<Branch>,
-    root: Option<u32>,
     origin: Vector,
     scale: f64,
+    /// The bounds of everything with their margin, in relative coordinates.
+    all: [[f64; 3]; 2],
 }
 
 /// A ray in coordinates relative to the scene.
 struct Slopes {
-    origin: [f64; 3],
-    inverse: [f64; 3],
+    origin: [f32; 3],
+    inverse: [f32; 3],
     /// For each axis, the side, low or high, that the ray meets first.
     first: [usize; 3],
+    /// The distance from the origin of the query to this origin.
+    start: f64,
 }
 
 impl Branches {
@@ -60,39 +72,44 @@ impl Branches {
         let all = tree.bounds();
         let extent = all.extent();
         let scale = if extent > 0.0 && extent.is_finite() { 1.0 / extent } else { 1.0 };
-        let mut branches = Self { branches: Vec::new(), root: None, origin: all.low, scale };
-        branches.root = branches.add(tree, tree.roots());
+        let mut branches = Self { branches: Vec::new(), origin: all.low, scale, all: [[0.0; 3]; 2] };
+        branches.all =
+            [branches.relative(all.low).map(|x| x - WIDER), branches.relative(all.high).map(|x| x + WIDER)];
+        let roots: SmallVec<[usize; 2]> = tree.roots().into_iter().flatten().collect();
+        if !roots.is_empty() {
+            branches.add(tree, &roots);
+        }
         branches
     }
 
-    /// Adds the subtree of one or two siblings, and returns its root.
-    fn add(&mut self, tree: &Tree, siblings: [Option<usize>; 2]) -> Option<u32> {
-        match siblings {
-            [Some(one), Some(other)] => {
-                let place = self.branches.len();
-                self.branches.push(self.branch([tree.bounds_of(one), tree.bounds_of(other)]));
-                for (child, sibling) in [one, other].into_iter().enumerate() {
-                    let below = self.add(tree, [Some(sibling), None]);
-                    self.branches[place].below[child] = below.expect("a node has something below it");
-                }
-                Some(place as u32)
-            }
-            [Some(only), None] => match tree.leaf(only) {
-                Some(leaf) => Some(leaf as u32 | LEAF),
-                None => self.add(tree, tree.below(only)),
-            },
-            _ => None,
+    /// Adds the branch of some siblings, and returns its place.
+    fn add(&mut self, tree: &Tree, siblings: &[usize]) -> u32 {
+        let nodes = opened(tree, siblings);
+        let place = self.branches.len();
+        self.branches.push(self.branch(tree, &nodes));
+        for (child, &node) in nodes.iter().enumerate() {
+            let below: SmallVec<[usize; 2]> = tree.below(node).into_iter().flatten().collect();
+            self.branches[place].below[child] = match tree.leaf(node) {
+                Some(leaf) => leaf as u32 | LEAF,
+                None => self.add(tree, &below),
+            };
         }
+        place as u32
     }
 
-    fn branch(&self, boxes: [&Bounds; 2]) -> Branch {
-        let [low, high] =
-            [boxes.map(|bounds| self.relative(bounds.low)), boxes.map(|bounds| self.relative(bounds.high))];
+    fn branch(&self, tree: &Tree, nodes: &[usize]) -> Branch {
         let down = |x: f64| ((x - WIDER) as f32).next_down();
         let up = |x: f64| ((x + WIDER) as f32).next_up();
-        let of_axis =
-            |axis: usize| [low.map(|corner| down(corner[axis])), high.map(|corner| up(corner[axis]))];
-        Branch { sides: [of_axis(0), of_axis(1), of_axis(2)], below: [0; 2] }
+        let mut branch = Branch::EMPTY;
+        for (child, &node) in nodes.iter().enumerate() {
+            let Bounds { low, high } = *tree.bounds_of(node);
+            let [low, high] = [self.relative(low), self.relative(high)];
+            for axis in 0..3 {
+                branch.sides[axis][0][child] = down(low[axis]);
+                branch.sides[axis][1][child] = up(high[axis]);
+            }
+        }
+        branch
     }
 
     fn relative(&self, point: Vector) -> [f64; 3] {
@@ -100,58 +117,105 @@ impl Branches {
         [x, y, z]
     }
 
-    /// Visits the leaves whose boxes a ray enters, the nearer of two siblings first, until the
-    /// query breaks.
+    /// Visits the leaves whose boxes a ray enters, the nearest of siblings first, until the query
+    /// breaks.
     pub(super) fn walk(&self, way: &mut impl Way) {
-        let [origin, direction] = way.ray();
-        let direction = self.scale * direction;
-        let inverse = [1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z];
-        let first = inverse.map(|inverse| usize::from(inverse < 0.0));
-        let slopes = Slopes { origin: self.relative(origin), inverse, first };
+        let Some(slopes) = self.slopes(way) else { return };
         // inline stack: traversing a ray is cheaper than an allocation
-        let mut waiting: SmallVec<[(f64, u32); 64]> = SmallVec::new();
-        waiting.extend(self.root.map(|root| (0.0, root)));
-        while let Some((entered, mut below)) = waiting.pop() {
-            if entered > way.end() {
+        let mut waiting: SmallVec<[(f32, u32); 64]> = SmallVec::new();
+        if !self.branches.is_empty() {
+            waiting.push((0.0, 0));
+        }
+        while let Some((entered, below)) = waiting.pop() {
+            let end = slopes.end(way.end());
+            if entered > end {
                 continue;
             }
-            while below & LEAF == 0 {
-                let branch = &self.branches[below as usize];
-                let ([enter, enter_other], [is_met, is_other_met]) = slopes.entered(branch, way.end());
-                let [one, other] = branch.below;
-                (below, _) = match (is_met, is_other_met) {
-                    (true, true) if enter <= enter_other => (one, waiting.push((enter_other, other))),
-                    (true, true) => (other, waiting.push((enter, one))),
-                    (true, false) => (one, ()),
-                    (false, true) => (other, ()),
-                    (false, false) => break,
-                };
+            if below & LEAF != 0 {
+                if way.at((below & !LEAF) as usize).is_break() {
+                    return;
+                }
+                continue;
             }
-            if below & LEAF != 0 && way.at((below & !LEAF) as usize).is_break() {
-                return;
+            let branch = &self.branches[below as usize];
+            let (enter, leave) = slopes.entered(branch, end);
+            let first = waiting.len();
+            for child in 0..WIDTH {
+                if enter[child] <= leave[child] {
+                    // the farthest first, so that the nearest is on top
+                    let mut place = waiting.len();
+                    waiting.push((enter[child], branch.below[child]));
+                    while place > first && waiting[place - 1].0 < waiting[place].0 {
+                        waiting.swap(place - 1, place);
+                        place -= 1;
+                    }
+                }
             }
         }
     }
+
+    /// Returns the ray from where it enters the scene, if it does.
+    fn slopes(&self, way: &impl Way) -> Option<Slopes> {
+        let [origin, direction] = way.ray();
+        let origin = self.relative(origin);
+        let Vector { x, y, z } = self.scale * direction;
+        let direction = [x, y, z];
+        let inverse = direction.map(|along| 1.0 / along);
+        let first = inverse.map(|inverse| usize::from(inverse < 0.0));
+        let (mut start, mut end) = (0.0_f64, way.end());
+        for axis in 0..3 {
+            let to = |side: usize| (self.all[side][axis] - origin[axis]) * inverse[axis];
+            let [near, far] = [to(first[axis]), to(1 - first[axis])];
+            start = if near > start { near } else { start };
+            end = if far < end { far } else { end };
+        }
+        let entry = |axis: usize| (origin[axis] + start * direction[axis]) as f32;
+        let origin = [entry(0), entry(1), entry(2)];
+        (start <= end).then(|| Slopes {
+            origin,
+            inverse: inverse.map(|inverse| inverse as f32),
+            first,
+            start,
+        })
+    }
+}
+
+/// Returns siblings, of which the largest are replaced by their children while there is room.
+fn opened(tree: &Tree, siblings: &[usize]) -> SmallVec<[usize; WIDTH]> {
+    let mut nodes: SmallVec<[usize; WIDTH]> = siblings.iter().copied().collect();
+    while nodes.len() < WIDTH {
+        let inner = nodes.iter().enumerate().filter(|(_, node)| tree.leaf(**node).is_none());
+        let size = |node: usize| tree.bounds_of(node).half_surface();
+        let Some((place, _)) = inner.max_by(|a, b| size(*a.1).total_cmp(&size(*b.1))) else { break };
+        let largest = nodes.remove(place);
+        nodes.extend(tree.below(largest).into_iter().flatten());
+    }
+    nodes
 }
 
 impl Slopes {
-    /// Returns where the ray enters both boxes of a branch, and whether it passes through them
-    /// between its origin and its end. The inverse is infinite for a ray parallel to a side, where
-    /// 0 · ∞ constrains nothing: every comparison with it is false.
+    /// Returns the end of a ray as a distance from its entry, rounded up.
     #[inline]
-    fn entered(&self, branch: &Branch, end: f64) -> ([f64; 2], [bool; 2]) {
-        let (mut enter, mut leave) = ([0.0_f64; 2], [end; 2]);
+    fn end(&self, end: f64) -> f32 {
+        (end - self.start) as f32 * (1.0 + f32::EPSILON)
+    }
+
+    /// Returns where the ray enters and leaves each box of a branch, between its entry and its end.
+    /// The inverse is infinite for a ray parallel to a side, where 0 · ∞ constrains nothing: every
+    /// comparison with it is false.
+    #[inline]
+    fn entered(&self, branch: &Branch, end: f32) -> ([f32; WIDTH], [f32; WIDTH]) {
+        let (mut enter, mut leave) = ([0.0_f32; WIDTH], [end; WIDTH]);
         for axis in 0..3 {
-            let near = branch.sides[axis][self.first[axis]];
-            let far = branch.sides[axis][1 - self.first[axis]];
-            for child in 0..2 {
-                let near = (f64::from(near[child]) - self.origin[axis]) * self.inverse[axis];
-                let far = (f64::from(far[child]) - self.origin[axis]) * self.inverse[axis];
+            let near = &branch.sides[axis][self.first[axis]];
+            let far = &branch.sides[axis][1 - self.first[axis]];
+            for child in 0..WIDTH {
+                let near = (near[child] - self.origin[axis]) * self.inverse[axis];
+                let far = (far[child] - self.origin[axis]) * self.inverse[axis];
                 enter[child] = if near > enter[child] { near } else { enter[child] };
                 leave[child] = if far < leave[child] { far } else { leave[child] };
             }
         }
-        let is_met = |child: usize| enter[child] * (1.0 - ROUNDING) <= leave[child] * (1.0 + ROUNDING);
-        (enter.map(|enter| enter * (1.0 - ROUNDING)), [is_met(0), is_met(1)])
+        (enter, leave)
     }
 }
