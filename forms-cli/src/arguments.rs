@@ -2,15 +2,16 @@
 
 mod simulate;
 mod solve;
+mod view_factors;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use forms::math::Instructions;
-use forms_radiometry::scene::Overrides;
 use forms_radiometry::simulation::{Budget, Exposure};
 pub(crate) use simulate::SimulateArguments;
 pub(crate) use solve::{SolveArguments, ThreadArguments};
 use std::net::IpAddr;
 use std::time::Duration;
+pub(crate) use view_factors::ViewFactorArguments;
 
 /// Exterior calculus that proves identities exactly and turns them into numeric kernels.
 ///
@@ -174,20 +175,11 @@ pub(crate) enum Command {
     ///
     /// A row holds the fractions of the flux from one surface that arrive at each surface, their
     /// sum, which is 1 if nothing leaves the scene, and the emitting area of the surface in m². A
-    /// two-sided surface emits from both sides. Disks and spheres are tessellated; the change with
-    /// half as many edges around them is part of the errors.
-    ViewFactors {
-        /// A scene, in TOML or in the format of Mitsuba 3 (.xml)
-        scene: String,
-        /// Error tolerance, relative to each factor; overrides the scene
-        #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = Overrides::tolerance)]
-        tolerance: Option<f64>,
-        #[command(flatten)]
-        threads: ThreadArguments,
-        /// Print one JSON object per line, with the error of each factor
-        #[arg(long)]
-        json: bool,
-    },
+    /// two-sided surface emits from both sides. Each row is printed as soon as it is complete; on
+    /// Ctrl-C the work ends after the complete rows. The rows of few faces are found by pairs of
+    /// faces, those of many faces and of curved surfaces by rays; then the errors are standard
+    /// errors. Exit status: 0 if every factor is as accurate as requested, 3 if some are not.
+    ViewFactors(ViewFactorArguments),
     /// List the kernels of the library with their arguments, units and formulas
     Kernels,
     /// Write the book as HTML pages, each statement with its verdict and the steps that decide it

@@ -69,10 +69,7 @@ pub(crate) fn run_with_input(
             Ok(()) => simulate::merge(parts, out.as_deref(), *json, output),
             Err(message) => Ok(refuse(&message)),
         },
-        Some(Command::ViewFactors { scene, tolerance, threads, json }) => match threads.make() {
-            Ok(()) => view_factors::view_factors(scene, *tolerance, *json, output),
-            Err(message) => Ok(refuse(&message)),
-        },
+        Some(Command::ViewFactors(arguments)) => view_factors::view_factors(arguments, output),
         Some(Command::Kernels) => kernels::kernels(output),
         Some(Command::Book { preprocess: true, question, .. }) => book::preprocess(question, output),
         Some(Command::Book { out, .. }) => book::book(out, output),

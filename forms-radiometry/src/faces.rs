@@ -1,7 +1,7 @@
 //! Faces: tessellates the surfaces of a scene into convex planar polygons, one for each side.
 //!
 //! ```text
-//! polygon ─▶ its convex pieces          mesh ─▶ the convex pieces of its polygons
+//! polygon ─▶ its convex pieces          mesh ─▶ the convex pieces of its flat parts
 //! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron
 //! ```
 //! The regular polygon and the polyhedron have the areas of the disk and of the sphere.
@@ -21,7 +21,9 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
                 let pieces = polygon.pieces_at(fineness).into_owned().into_iter();
                 faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
             }
-            Shape::Mesh(mesh) => mesh.polygons().for_each(|polygon| faces.extend(Face::of(index, &polygon))),
+            Shape::Mesh(mesh) => {
+                mesh.flat_parts().for_each(|polygon| faces.extend(Face::of(index, &polygon)));
+            }
             Shape::Disk(disk) => faces.extend(Face::sides(index, disk.polygon(fineness), disk.normal)),
             Shape::Sphere(sphere) => {
                 let triangles = sphere.triangles(fineness).into_iter();

@@ -11,8 +11,10 @@ pub(crate) mod double_double;
 mod exchange;
 mod point;
 
+pub(crate) use exchange::{
+    Changes, FirstLook, Patch, exchange_of, exchange_precisely, exchange_with, first_look, gauss, patches,
+};
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
-pub(crate) use exchange::{Patch, exchange_of, exchange_precisely, exchange_with, gauss, patches};
 pub(crate) use point::edge_sum;
 pub use point::form_factor;
 #[cfg(test)]

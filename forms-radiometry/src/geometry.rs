@@ -7,6 +7,7 @@ pub(crate) mod bounds;
 pub(crate) mod clip;
 pub(crate) mod edges;
 mod face_list;
+mod flat_parts;
 mod mesh;
 mod overlap;
 pub(crate) mod plane;

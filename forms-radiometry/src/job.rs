@@ -69,7 +69,7 @@ impl Share {
     }
 
     /// Whether a unit of the work belongs to it.
-    pub(crate) fn has(self, unit: usize) -> bool {
+    pub fn has(self, unit: usize) -> bool {
         unit % self.of as usize == self.part as usize - 1
     }
 }

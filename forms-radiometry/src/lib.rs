@@ -59,7 +59,7 @@ mod view_factors;
 mod visibility;
 mod watch;
 
-pub use view_factors::{ViewFactor, ViewFactors, view_factors};
+pub use view_factors::{Enclosed, NotEnclosed, Row, Rows, ViewFactor, ViewFactors, view_factors};
 
 /// The scene file of the Cornell box, as measured at the Cornell University Program of Computer
 /// Graphics.

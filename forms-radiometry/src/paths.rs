@@ -49,7 +49,7 @@ mod trace;
 mod tracer;
 mod unbounded_medium;
 mod vertex;
-mod warps;
+pub(crate) mod warps;
 mod world;
 
 pub(crate) use checkpoint::{KeptSums, WrittenSums};
@@ -65,4 +65,4 @@ pub(crate) use replicates::Replicates;
 pub(crate) use sums::Bins;
 pub(crate) use tracer::Limits;
 pub(crate) use unbounded_medium::endless;
-pub(crate) use world::World;
+pub(crate) use world::{World, walls_of};

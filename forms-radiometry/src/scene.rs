@@ -3,6 +3,7 @@
 //! support.
 
 mod bands;
+mod division;
 mod effect;
 mod element;
 mod error;
@@ -32,6 +33,7 @@ mod words;
 mod working_units;
 
 pub(crate) use bands::middle;
+pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};
 pub use error::SceneError;
 pub use file::read_file;
@@ -42,7 +44,7 @@ pub use model::{
 pub use overrides::{EffectList, Overrides};
 pub use place::Place;
 pub use read::{open, read, read_with_files};
-pub(crate) use regions::{FilledInterface, Filling, Piece, filled};
+pub(crate) use regions::{FilledInterface, Filling, Piece, filled, sheets_without_edges};
 pub use simulated::not_simulated;
 pub use sources::Sources;
 pub(crate) use working_units::{WorkingScene, WorkingUnits};

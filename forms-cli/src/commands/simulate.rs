@@ -29,7 +29,7 @@ use forms_radiometry::simulation::{self, Exposure, Identity, Job, Plan, Share, S
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
 use missed::Missed;
-use progress::Progress;
+pub(super) use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 

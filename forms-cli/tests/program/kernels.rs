@@ -1,5 +1,4 @@
-//! Kernels on the command line: evaluated, emitted, measured, listed; and the view factors of a
-//! scene.
+//! Kernels on the command line: evaluated, emitted, measured, listed.
 
 use super::THEORY;
 use super::process::{self, Folder, forms, forms_on};
@@ -250,70 +249,6 @@ fn a_kernel_is_emitted_without_each_set_of_its_effects_too() {
     }
     let rust = forms(&folder, &["emit", "beam.forms", "--target", "rust"]).output;
     assert!(process::compiles(&folder, &rust), "{rust}");
-}
-
-#[test]
-fn view_factors_of_a_scene_are_a_matrix_with_sums_and_areas_or_lines_with_errors() {
-    let squares = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
-        [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
-        [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\npolygon = [[0,0,1], [0,1,1], [1,1,1], [1,0,1]]
-        [solve]\ntolerance = 1e-12\n";
-    let folder =
-        Folder::with(&[("squares.toml", squares), ("broken.toml", "[[surface]]\nname = \"floor\"\n")]);
-    let run = forms(&folder, &["view-factors", "squares.toml"]);
-    assert_eq!(run.status, 0, "{}", run.errors);
-    let lines: Vec<&str> = run.output.lines().collect();
-    assert_eq!(lines[0], "from,floor,lamp,sum,area");
-    let row: Vec<f64> = lines[1].split(',').skip(1).map(|value| value.parse().expect("a number")).collect();
-    assert!(row[0] == 0.0 && (row[1] - 0.199_824_895_698_387).abs() < 1e-14 && row[2] == row[1], "{row:?}");
-    assert_eq!(row[3], 1.0, "the area, in m²");
-    assert!(run.errors.contains("A1 F12 - A2 F21"), "{}", run.errors);
-    let json = forms(&folder, &["view-factors", "squares.toml", "--json"]).output;
-    assert!(
-        json.lines()
-            .nth(1)
-            .is_some_and(|line| line.starts_with("{\"from\":\"floor\",\"to\":\"lamp\",\"value\":0.1998")),
-        "{json}"
-    );
-    assert!(json.lines().all(|line| line.ends_with(",\"area\":1.0}")), "{json}");
-    let broken = forms(&folder, &["view-factors", "broken.toml"]);
-    assert_eq!((broken.status, broken.output.as_str()), (2, ""));
-    assert!(broken.errors.contains("broken.toml:1:1: this surface has no `material`"), "{}", broken.errors);
-}
-
-#[test]
-fn a_row_of_view_factors_above_one_is_an_error_that_names_what_it_sums_up() {
-    // The lamp contains each of its faces twice.
-    let scene = "unit = \"cm\"\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
-[[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
-[[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\nmesh = \"lamp.obj\"\n";
-    let lamp = "v 0 0 0.1\nv 0 1 0.1\nv 1 1 0.1\nv 1 0 0.1\nf 1 2 3 4\n";
-    let twice = lamp.to_owned() + "f 1 2 3 4\n";
-    let folder = Folder::with(&[("scene.toml", scene), ("lamp.obj", &twice)]);
-    let run = forms(&folder, &["view-factors", "scene.toml"]);
-    assert_eq!((run.status, run.output.as_str()), (2, ""), "{}", run.errors);
-    let expected = "scene.toml:9:11: the view factors of `floor` sum to 1.65";
-    assert!(run.errors.contains(expected) && run.errors.contains(" to `lamp`"), "{}", run.errors);
-    let folder = Folder::with(&[("scene.toml", scene), ("lamp.obj", lamp)]);
-    let run = forms(&folder, &["view-factors", "scene.toml"]);
-    assert_eq!(run.status, 0, "{}", run.errors);
-    assert!(run.output.lines().nth(1).is_some_and(|line| line.ends_with(",0.0001")), "{}", run.output);
-}
-
-#[test]
-fn view_factors_of_disks_and_spheres_come_with_what_finer_pieces_change() {
-    let scene = "[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
-        [[surface]]\nname = \"disk\"\nmaterial = \"grey\"\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 1 }
-        [[surface]]\nname = \"ball\"\nmaterial = \"grey\"\nsphere = { center = [0,0,1.5], radius = 0.5 }
-        [solve]\ntolerance = 1e-3\n";
-    let folder = Folder::with(&[("round.toml", scene)]);
-    let json = forms(&folder, &["view-factors", "round.toml", "--json"]).output;
-    let from_ball: serde_json::Value =
-        serde_json::from_str(json.lines().nth(2).expect("four lines")).expect("JSON");
-    let [value, error] = ["value", "error"].map(|key| from_ball[key].as_f64().expect("a number"));
-    // Howell's catalogue, a sphere to a coaxial disk: (1 - h/sqrt(h² + r²))/2
-    let expected = 0.5 * (1.0 - 1.5 / 1.5_f64.hypot(1.0));
-    assert!((value - expected).abs() <= error && error < 0.01 * expected, "{value}, {error} and {expected}");
 }
 
 #[test]

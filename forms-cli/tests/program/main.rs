@@ -12,6 +12,7 @@ mod readme;
 mod robust;
 mod shares;
 mod simulate;
+mod view_factors;
 
 use process::{Folder, Run, forms, forms_with_threads};
 

@@ -11,13 +11,15 @@
 
 mod apart;
 mod areas;
+mod changes;
 mod contour;
 mod kronrod;
 mod obstructed;
 
 pub(crate) use areas::{Patch, gauss, patches};
-pub(crate) use obstructed::exchange_with;
+pub(crate) use changes::Changes;
 pub use obstructed::visible_exchange;
+pub(crate) use obstructed::{FirstLook, exchange_with, first_look};
 
 use super::double_double::{Rounded, heights, way};
 use crate::geometry::clip::split;

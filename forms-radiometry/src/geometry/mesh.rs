@@ -1,21 +1,36 @@
 //! Meshes: vertices and indexed faces are checked face by face and become a surface of planar
 //! polygons.
 
+use super::flat_parts::flat_parts;
 use super::scale::{lengths, of_all};
 use super::{FaceList, Polygon, PolygonError, Vector};
 use std::collections::HashMap;
 use std::fmt;
+use std::sync::{Arc, OnceLock};
 
 /// A surface of planar polygons that share their vertices.
 ///
 /// A face can have any number of vertices, but it must be a [`Polygon`]: planar, with non-zero
 /// area, without self-intersections.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Mesh {
-    vertices: Vec<Vector>,
-    faces: FaceList,
+    vertices: Arc<Vec<Vector>>,
+    faces: Arc<FaceList>,
     /// Scale factor of the coordinates: a power of two.
     factor: f64,
+    /// The outlines of its flat parts, once they are needed.
+    parts: Arc<OnceLock<FaceList>>,
+    /// Named groups of its faces.
+    groups: Arc<Vec<MeshGroup>>,
+}
+
+/// The name of a group of faces, and their indices.
+pub(crate) type MeshGroup = (String, Vec<u32>);
+
+impl PartialEq for Mesh {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertices == other.vertices && self.faces == other.faces && self.factor == other.factor
+    }
 }
 
 /// An invalid face.
@@ -80,7 +95,18 @@ impl Mesh {
 
     /// Creates the mesh of faces that are known to be polygons.
     pub(crate) fn of_polygons(vertices: Vec<Vector>, faces: FaceList) -> Self {
-        Self { vertices, faces, factor: 1.0 }
+        let (vertices, faces) = (Arc::new(vertices), Arc::new(faces));
+        Self { vertices, faces, factor: 1.0, parts: Arc::default(), groups: Arc::default() }
+    }
+
+    /// Returns the mesh with named groups of its faces.
+    pub(crate) fn grouped(&self, groups: Vec<MeshGroup>) -> Self {
+        Self { groups: Arc::new(groups), ..self.clone() }
+    }
+
+    /// Returns the named groups of its faces.
+    pub(crate) fn groups(&self) -> &[MeshGroup] {
+        &self.groups
     }
 
     /// Returns the vertices, to which faces refer by index.
@@ -105,8 +131,18 @@ impl Mesh {
 
     /// Returns a face as a polygon.
     pub(crate) fn polygon(&self, face: usize) -> Polygon {
-        let polygon = polygon(&self.vertices, self.faces.get(face));
+        self.polygon_of(self.faces.get(face))
+    }
+
+    fn polygon_of(&self, indices: &[u32]) -> Polygon {
+        let polygon = polygon(&self.vertices, indices);
         polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
+    }
+
+    /// Returns polygons that cover the faces: neighbouring faces in one plane are one polygon.
+    pub(crate) fn flat_parts(&self) -> impl Iterator<Item = Polygon> {
+        let parts = self.parts.get_or_init(|| flat_parts(&self.vertices, &self.faces));
+        parts.iter().map(|indices| self.polygon_of(indices))
     }
 
     /// Returns the mesh with all coordinates multiplied by a power of two, which rounds nothing.
@@ -145,7 +181,7 @@ impl Mesh {
                 })
             }));
         }
-        Self { vertices, faces: list, factor: self.factor }
+        Self { factor: self.factor, ..Self::of_polygons(vertices, list) }
     }
 }
 

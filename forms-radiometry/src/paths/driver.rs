@@ -31,6 +31,7 @@ use crate::checkpoint::{Keeper, Misfit, Snapshot};
 use crate::effects::{EffectSet, SimulatedEffects};
 use crate::job::{MOST_SAMPLES, Share};
 use crate::progress::Progress;
+use crate::radiosity::FirstFaces;
 use crate::scene::Scene;
 use crate::watch::Watch;
 pub(crate) use analytic::Computable;
@@ -52,6 +53,7 @@ pub(crate) struct Task<'s> {
     pub(crate) world: &'s World,
     pub(crate) effects: &'s SimulatedEffects,
     pub(crate) computable: Computable,
+    pub(crate) first_faces: &'s FirstFaces,
     pub(crate) metres: f64,
 }
 
@@ -68,7 +70,7 @@ pub(crate) fn simulate(
     let Task { world, .. } = task;
     let limits = Limits::of(task.effects);
     let samplers = samplers(task, limits);
-    let computing = Computing::of(&world.scene, (task.computable, &limits), &samplers);
+    let computing = Computing::of(&world.scene, (task.computable, &limits), task.first_faces, &samplers);
     let mut work = Work::new(task, (division, keeper), &computing, progress);
     if let Some(state) = state {
         work.restore(state)?;

@@ -6,7 +6,7 @@
 //! below a light source a thousand times as wide takes 20 times as long with the guard.
 
 pub(super) use forms_kernels::cosine_hemisphere_pdf::unguarded as cosine_hemisphere_pdf;
-pub(super) use forms_kernels::cosine_hemisphere_sample::unguarded as cosine_hemisphere_sample;
+pub(crate) use forms_kernels::cosine_hemisphere_sample::unguarded as cosine_hemisphere_sample;
 pub(super) use forms_kernels::equiangular_pdf::unguarded as equiangular_pdf;
 pub(super) use forms_kernels::equiangular_sample::unguarded as equiangular_sample;
 pub(super) use forms_kernels::free_flight_pdf::unguarded as free_flight_pdf;
@@ -19,7 +19,7 @@ pub(super) use forms_kernels::spherical_triangle_pdf::unguarded as spherical_tri
 pub(super) use forms_kernels::spherical_triangle_sample::unguarded as spherical_triangle_sample;
 pub(super) use forms_kernels::uniform_cone_pdf::unguarded as uniform_cone_pdf;
 pub(super) use forms_kernels::uniform_cone_sample::unguarded as uniform_cone_sample;
-pub(super) use forms_kernels::uniform_disk_sample::unguarded as uniform_disk_sample;
+pub(crate) use forms_kernels::uniform_disk_sample::unguarded as uniform_disk_sample;
 pub(super) use forms_kernels::uniform_sphere_pdf::unguarded as uniform_sphere_pdf;
-pub(super) use forms_kernels::uniform_sphere_sample::unguarded as uniform_sphere_sample;
+pub(crate) use forms_kernels::uniform_sphere_sample::unguarded as uniform_sphere_sample;
 pub(super) use forms_kernels::uniform_triangle_sample::unguarded as uniform_triangle_sample;

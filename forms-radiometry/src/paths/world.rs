@@ -97,7 +97,8 @@ impl fmt::Debug for World {
     }
 }
 
-fn walls_of(piece: Piece) -> Vec<Wall> {
+/// Returns the convex walls of a sheet.
+pub(crate) fn walls_of(piece: Piece) -> Vec<Wall> {
     match piece {
         Piece::Face(polygon, _) => {
             let normal = polygon.normal();

@@ -6,14 +6,33 @@ use crate::faces::faces;
 use crate::paths;
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{Question, is_precise, kernels};
+use crate::scene::{Receiver, Scene};
 use crate::used_kernel::UsedKernel;
 
 /// Returns the kernels that the simulation of a scene by this solver runs.
 pub(super) fn of(simulated: &SimulatedScene, solver: &Solver) -> Vec<UsedKernel> {
-    let (scene, effects) = (simulated.scene(), &simulated.effects);
-    if let Solver::Paths { computable, .. } = solver {
-        return paths::kernels(scene, &|receiver| computable.has(receiver));
+    let scene = simulated.scene();
+    match solver {
+        Solver::Paths { computable, .. } if !computable.is_straight() => {
+            paths::kernels(scene, &|receiver| computable.has(receiver))
+        }
+        Solver::Paths { computable, .. } => {
+            let mut kernels = of_radiosity(simulated);
+            let is_sampled = |receiver: &Receiver| !computable.has(receiver);
+            let receivers = scene.receivers.iter().filter(|receiver| is_sampled(receiver)).cloned().collect();
+            let sampled = paths::kernels(&Scene { receivers, ..scene.clone() }, &|_| false);
+            let is_new = |kernel: &UsedKernel| kernels.iter().all(|known| known.name != kernel.name);
+            let more: Vec<UsedKernel> = sampled.into_iter().filter(is_new).collect();
+            kernels.extend(more);
+            kernels
+        }
+        Solver::Radiosity => of_radiosity(simulated),
     }
+}
+
+/// Returns the kernels of a solution as a whole.
+fn of_radiosity(simulated: &SimulatedScene) -> Vec<UsedKernel> {
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
     let (faces, question) = (faces(scene, 0), Question::of(scene, effects));
     let readings =
         scene.receivers.iter().enumerate().map(|(index, receiver)| Reading::of(index, receiver).len());

@@ -122,11 +122,11 @@ pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solv
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     let computable = Computable::of(scene, &Limits::of(effects));
     let by_paths = match paths {
-        Some(reason) => Some((world_of(simulated), reason)),
+        Some(reason) => Some((world_of(simulated), computable, reason)),
         None => far_cheaper_paths(simulated, computable),
     };
     match by_paths {
-        Some((world, reason)) => {
+        Some((world, computable, reason)) => {
             let methods = of_paths(scene, computable, &reason);
             (Solver::Paths { world, computable }, methods)
         }
@@ -142,26 +142,37 @@ fn world_of(simulated: &SimulatedScene) -> Arc<World> {
     Arc::new(World::new(simulated.shared_scene()))
 }
 
-/// Returns the world in which paths are traced, and the reason, if path tracing is expected to cost
-/// far less than radiosity.
-fn far_cheaper_paths(simulated: &SimulatedScene, computable: Computable) -> Option<(Arc<World>, String)> {
+/// Returns the world in which paths are traced, the receivers that need no samples, and the reason,
+/// if path tracing is expected to cost far less than radiosity. Direct light at points has closed
+/// forms there, too, unless these cost more than samples.
+fn far_cheaper_paths(
+    simulated: &SimulatedScene,
+    computable: Computable,
+) -> Option<(Arc<World>, Computable, String)> {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     if !may_be_by_paths(scene, effects) {
         return None;
     }
-    let radiosity = expected_cost(scene, &Question::of(scene, effects), effects.hiding);
-    if radiosity <= SMALL {
+    let question = Question::of(scene, effects);
+    let expected = expected_cost(scene, &question, effects.hiding, simulated.first_faces());
+    if expected.solution <= SMALL {
         return None;
     }
     let world = world_of(simulated);
-    let reason = if radiosity.is_infinite() {
+    let (rays, values) = expected_rays(simulated.task(&world, computable));
+    let reason = if expected.solution.is_infinite() {
         "exact visibility would need too many elements"
-    } else if radiosity > WORTHWHILE * expected_rays(simulated.task(&world, computable)) {
+    } else if expected.solution > WORTHWHILE * rays {
         "paths are expected to take less time than exact visibility"
     } else {
         return None;
     };
-    Some((world, format!("{}; {reason}", reason_for_radiosity(effects))))
+    let is_straight = effects.orders == Some(0) && Limits::of(effects).direct && !is_round(scene);
+    let computable = match is_straight && expected.point <= rays / values as f64 {
+        true => computable.with_straight(),
+        false => computable,
+    };
+    Some((world, computable, format!("{}; {reason}", reason_for_radiosity(effects))))
 }
 
 /// Whether a scene of diffuse surfaces in a vacuum may be solved by path tracing. Paths always
@@ -206,6 +217,12 @@ fn of_paths(scene: &Scene, computable: Computable, reason: &str) -> Vec<Receiver
         let (methods, more) = match receiver.kind {
             ReceiverKind::Ray { .. } if computable.has(receiver) => {
                 (vec![Method::Quadrature], "; the medium scatters light of point or distant lights once")
+            }
+            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } if computable.is_straight() => {
+                (vec![Method::ClosedForms], "")
+            }
+            ReceiverKind::Surface { grid: Some(_), .. } if computable.is_straight() => {
+                (vec![Method::PathTracing, Method::ClosedForms], "; cells have closed forms")
             }
             _ if computable.has(receiver) => (vec![Method::Quadrature], "; the medium only attenuates light"),
             ReceiverKind::Ray { .. } if receiver.time.is_none() && !scatters => {

@@ -196,9 +196,8 @@ fn points(face: &Face) -> Vec<Vector> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::faces::faces;
+    use crate::radiosity::FirstFaces;
     use crate::scene::read;
-    use crate::visibility::Screens;
     use forms_testing::scene_text::{CUBE, material, polygon, surface};
 
     /// Returns a row of this many cubes, seen from outside.
@@ -218,8 +217,8 @@ mod tests {
     fn what_faces_see_past_what_was_found_for_pairs_is_what_each_sees_that_looks_for_itself() {
         for (count, step) in [(3, 1), (13, 2)] {
             let scene = cubes(count);
-            let faces = faces(&scene, 0);
-            let screens = Screens::of(&faces);
+            let first = FirstFaces::default();
+            let (faces, screens) = (first.faces(&scene), first.screens(&scene));
             let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
             let faces = ReflectingFaces::of(&scene, &transport);
             assert_eq!((faces.reflecting.len(), faces.step), (6 * count, step));

@@ -19,6 +19,7 @@ use crate::scene::{
 use crate::visibility::{Between, Face, Screens};
 use crate::watch::Unwatched;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Scenes with more faces than this are surveyed by rays: neither bounds nor occluders are found
 /// then.
@@ -56,12 +57,17 @@ impl Survey {
     pub(crate) fn of(working: &WorkingScene) -> Self {
         let scene = working.scene.as_ref();
         let faces = faces(scene, 0);
-        let screens = Screens::of(&faces);
         let is_large = faces.len() > MANY;
         let largest_albedo = largest(scene, |surface| reflectance(scene, surface));
+        let screens = match is_large {
+            true if largest_albedo == 0.0 => Screens::none(&faces),
+            true => Screens::met_by_rays(&faces),
+            false => Screens::of(&faces),
+        };
         // effects that the file turns off are not examined further, nor are their occluders; a
         // light trap is refused all the same
         let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
+        let (faces, screens) = (Arc::new(faces), Arc::new(screens));
         let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
         let sampled = match is_large {

@@ -6,6 +6,7 @@ use crate::answer::{Answer, ErrorParts, Simulation};
 use crate::effects::{PlannedEffect, SimulatedEffects};
 use crate::paths::World;
 use crate::paths::driver::{Computable, Task};
+use crate::radiosity::FirstFaces;
 use crate::scene::{Scene, WorkingUnits};
 use std::sync::Arc;
 
@@ -15,6 +16,7 @@ pub(crate) struct SimulatedScene {
     pub(crate) effects: SimulatedEffects,
     scene: Arc<Scene>,
     units: WorkingUnits,
+    first_faces: FirstFaces,
     /// Number of bands that are simulated as a single one, if they are.
     merged: Option<usize>,
     /// Error budget spent on omitted effects, relative to every answer; the solver gets the
@@ -36,6 +38,7 @@ impl SimulatedScene {
             effects,
             scene: Arc::new(scene_in_units),
             units,
+            first_faces: FirstFaces::default(),
             merged,
             dropped,
             tolerance: scene.solve.tolerance,
@@ -47,6 +50,11 @@ impl SimulatedScene {
         &self.scene
     }
 
+    /// Returns the faces of the scene at the coarsest tessellation.
+    pub(crate) fn first_faces(&self) -> &FirstFaces {
+        &self.first_faces
+    }
+
     /// Returns the same scene, for a solver that keeps it.
     pub(crate) fn shared_scene(&self) -> Arc<Scene> {
         Arc::clone(&self.scene)
@@ -55,7 +63,8 @@ impl SimulatedScene {
     /// Returns the task of the path driver in the world of the scene. Receivers of these kinds need
     /// no samples.
     pub(crate) fn task<'s>(&'s self, world: &'s World, computable: Computable) -> Task<'s> {
-        Task { world, effects: &self.effects, computable, metres: self.units.square_metres.sqrt() }
+        let metres = self.units.square_metres.sqrt();
+        Task { world, effects: &self.effects, computable, first_faces: &self.first_faces, metres }
     }
 
     /// Converts the results to the units of their quantities and to all bands.

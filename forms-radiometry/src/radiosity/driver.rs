@@ -21,7 +21,7 @@ pub(crate) mod scales;
 mod tessellation;
 
 use super::question::asks_for_rays;
-use super::{Lights, Question, Radiosity, Transport};
+use super::{FirstFaces, Lights, Question, Radiosity, Transport};
 use crate::answer::{Answer, Moment, Simulation};
 use crate::effects::SimulatedEffects;
 use crate::faces::{faces, is_round};
@@ -36,6 +36,7 @@ use grid::Grid;
 use images::Image;
 use readings::{Reading, groups};
 use scales::Pictures;
+use std::sync::Arc;
 use std::time::Instant;
 use tessellation::Shapes;
 
@@ -52,21 +53,31 @@ pub(crate) const FINEST: usize = 4;
 /// than the watched cells indicated.
 const ATTEMPTS: usize = 2;
 /// Solves a scene as a whole, in working units.
-pub(crate) fn solved(scene: &Scene, effects: SimulatedEffects, progress: &Progress<'_>) -> Simulation {
-    Work::new(scene, effects, progress).run()
+pub(crate) fn solved(
+    scene: &Scene,
+    effects: SimulatedEffects,
+    first: &FirstFaces,
+    progress: &Progress<'_>,
+) -> Simulation {
+    Work::new(scene, effects, first, progress).run()
 }
 
 /// Returns the faces that occlude light or that the rays of receivers meet. Where disks and spheres may be seen as whole shapes, occluders are
 /// needed in any case: an occluder that hides nothing of the tessellated faces may hide some of
 /// the rest of the shape.
-fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face]) -> Screens {
+fn screens(
+    scene: &Scene,
+    effects: &SimulatedEffects,
+    faces: &[Face],
+    all: impl Fn() -> Arc<Screens>,
+) -> Arc<Screens> {
     let may_be_whole = effects.orders == Some(0) && is_round(scene);
     if effects.has(Effect::Occlusion) || may_be_whole {
-        Screens::of(faces)
+        all()
     } else if asks_for_rays(scene) {
-        Screens::met_by_rays(faces)
+        Arc::new(Screens::met_by_rays(faces))
     } else {
-        Screens::none(faces)
+        Arc::new(Screens::none(faces))
     }
 }
 
@@ -74,6 +85,7 @@ fn screens(scene: &Scene, effects: &SimulatedEffects, faces: &[Face]) -> Screens
 pub(crate) struct Work<'s> {
     pub(crate) scene: &'s Scene,
     effects: SimulatedEffects,
+    first: &'s FirstFaces,
     pub(crate) watch: &'s dyn Watch,
     pub(crate) progress: &'s Progress<'s>,
     pub(crate) times: Times,
@@ -90,13 +102,19 @@ pub(crate) struct Work<'s> {
 }
 
 impl<'s> Work<'s> {
-    fn new(scene: &'s Scene, effects: SimulatedEffects, progress: &'s Progress<'s>) -> Self {
+    fn new(
+        scene: &'s Scene,
+        effects: SimulatedEffects,
+        first: &'s FirstFaces,
+        progress: &'s Progress<'s>,
+    ) -> Self {
         let of = |(index, receiver)| Reading::of(index, receiver);
         let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
         let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
         Self {
             scene,
             effects,
+            first,
             watch: progress,
             progress,
             times: Times::new(scene.receivers.len()),
@@ -139,8 +157,7 @@ impl<'s> Work<'s> {
     ) -> (Vec<Found>, Option<Pictures>) {
         let is_round_anywhere = shapes.are_round();
         self.progress.begin(Outlook::Unknown);
-        let faces = faces(self.scene, fineness);
-        let transport = self.transport(faces);
+        let transport = self.transport(fineness);
         let lights = Lights::of(self.scene, &transport);
         let grids = self.grids(&transport);
         let own_sight = self.sight(&transport);
@@ -238,8 +255,12 @@ impl<'s> Work<'s> {
         Parallelism::of(lights.operations(self.readings.len() + cells, transport))
     }
 
-    fn transport(&self, faces: Vec<Face>) -> Transport {
-        let screens = screens(self.scene, &self.effects, &faces);
+    fn transport(&self, fineness: usize) -> Transport {
+        let (scene, first) = (self.scene, self.first);
+        let is_first = fineness == 0;
+        let faces = if is_first { first.faces(scene) } else { Arc::new(faces(scene, fineness)) };
+        let all = || if is_first { first.screens(scene) } else { Arc::new(Screens::of(&faces)) };
+        let screens = screens(scene, &self.effects, &faces, all);
         let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
         Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), accuracy }

@@ -54,7 +54,7 @@ impl Shadows {
         } else {
             Parallelism::Alone
         };
-        Self { lit: parallelism.map(&transport.faces, of_face) }
+        Self { lit: parallelism.map(transport.faces.as_slice(), of_face) }
     }
 
     /// Returns for each band the direct flux of point and distant lights onto a face; `None` if a

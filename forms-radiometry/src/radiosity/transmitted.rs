@@ -26,6 +26,7 @@ use crate::geometry::Vector;
 use crate::scene::{LightKind, Medium, Scene};
 use crate::visibility::Screens;
 use segments::{Lit, Segment, scattered};
+use std::sync::Arc;
 use triangles::{Integrand, Triangle, fan};
 
 /// Maximum number of faces: among more, the search for occluders would take longer than samples.
@@ -73,6 +74,7 @@ impl<'s> Transmitted<'s> {
         let luminous = (0..faces.len()).filter(|&index| emits(scene, &faces[index])).collect();
         let screens = if faces.is_empty() { Screens::none(&faces) } else { Screens::of(&faces) };
         let accuracy = (PART * scene.solve.tolerance).clamp(1e-12, 1e-6);
+        let (faces, screens) = (Arc::new(faces), Arc::new(screens));
         let transport = Transport { faces, screens, occlusion: true, accuracy };
         Self { scene, transport, luminous, extinction }
     }

@@ -8,6 +8,7 @@ use super::whole_elements::Whole;
 use crate::geometry::{Edges, Vector};
 use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
 use forms_kernels::edge_form_factor;
+use std::sync::Arc;
 
 /// Number of values in a vector of the widest kind.
 const LANES: usize = 8;
@@ -23,8 +24,8 @@ pub(crate) struct Group<'g> {
 
 /// The geometry that light passes through.
 pub(crate) struct Transport {
-    pub(crate) faces: Vec<Face>,
-    pub(crate) screens: Screens,
+    pub(crate) faces: Arc<Vec<Face>>,
+    pub(crate) screens: Arc<Screens>,
     /// Whether occluders are searched.
     pub(crate) occlusion: bool,
     /// Allowed quadrature error, relative to the integral.

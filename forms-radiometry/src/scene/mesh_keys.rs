@@ -36,7 +36,8 @@ pub(super) fn read(
     let file = files.file(report, value.span(), name)?;
     let whole = moved(report, value, &file.mesh, &map?)?;
     if !is_split? {
-        return Some(vec![(None, whole)]);
+        let groups = file.groups.into_iter().map(|group| (group.name, group.faces)).collect();
+        return Some(vec![(None, Arc::new(whole.grouped(groups)))]);
     }
     if file.groups.is_empty() {
         let message = format!("`{name}` names no groups of faces");

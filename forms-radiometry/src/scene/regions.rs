@@ -20,6 +20,7 @@ use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
 use super::working_units::WorkingScene;
 use edges::{Edge, edges};
+pub(crate) use interfaces::sheets_without_edges;
 pub(crate) use interfaces::{Interface, Piece};
 use interfaces::{Side, interfaces};
 use std::collections::HashMap;
@@ -36,16 +37,17 @@ pub(crate) struct FilledInterface {
 
 /// Returns the sheets of a valid scene, in which every region is filled by one medium.
 pub(crate) fn filled(scene: &Scene) -> Vec<FilledInterface> {
+    if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
+        let ambient = scene.ambient.medium;
+        let filled = |interface| FilledInterface { interface, front: ambient, back: ambient };
+        return sheets_without_edges(scene).into_iter().map(filled).collect();
+    }
     let (interfaces, vertices) = interfaces(scene);
     let mut regions = Regions::new(interfaces.len());
-    let is_boundary = |interface: &Interface| inside(scene, &scene.surfaces[interface.surface]).is_some();
-    let has_media = interfaces.iter().any(is_boundary);
-    if has_media {
-        let edges = edges(&interfaces, &vertices);
-        regions.join_at(&interfaces, &edges);
-        // a body that is not the boundary of a medium lies inside one
-        rays::seen(&interfaces, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
-    }
+    let edges = edges(&interfaces, &vertices);
+    regions.join_at(&interfaces, &edges);
+    // a body that is not the boundary of a medium lies inside one
+    rays::seen(&interfaces, &edges, |_| true).into_iter().for_each(|(a, b)| regions.join(a, b));
     let mut fillings = HashMap::from([(regions.of(Side::Outside), scene.ambient.medium)]);
     for (index, interface) in interfaces.iter().enumerate() {
         if let Some(medium) = inside(scene, &scene.surfaces[interface.surface]) {

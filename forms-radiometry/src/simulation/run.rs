@@ -83,7 +83,10 @@ fn in_one_piece(
 ) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
-        None => job.share.has(PIECE).then(|| solved(simulated.scene(), simulated.effects, progress)),
+        None => {
+            let all = || solved(simulated.scene(), simulated.effects, simulated.first_faces(), progress);
+            job.share.has(PIECE).then(all)
+        }
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);
     if let Some(keeper) = job.keeper.filter(|_| is_done) {

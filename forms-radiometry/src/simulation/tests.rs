@@ -1,6 +1,6 @@
 //! Path tracing and radiosity find the same light.
 
-use super::{Answer, Quantity, Unwatched, plan};
+use super::{Answer, ErrorKind, Quantity, Unwatched, plan};
 use crate::job::Share;
 use crate::paths::driver::{Computable, Division, simulate};
 use crate::paths::{Limits, World};
@@ -101,14 +101,20 @@ fn plan_of(text: &str) -> Plan {
 
 fn by_radiosity(text: &str) -> Vec<Answer> {
     let simulated = plan_of(text).simulated;
-    let found = solved(simulated.scene(), simulated.effects, &Progress::new(&Unwatched));
+    let found =
+        solved(simulated.scene(), simulated.effects, simulated.first_faces(), &Progress::new(&Unwatched));
     simulated.finished(found).answers
 }
 
 fn by_paths(text: &str) -> Vec<Answer> {
+    traced(text, |computable| computable)
+}
+
+/// Returns the answers of path tracing, in which these receivers need no samples.
+fn traced(text: &str, computable: impl Fn(Computable) -> Computable) -> Vec<Answer> {
     let simulated = plan_of(text).simulated;
     let world = World::new(simulated.shared_scene());
-    let computable = Computable::of(simulated.scene(), &Limits::of(&simulated.effects));
+    let computable = computable(Computable::of(simulated.scene(), &Limits::of(&simulated.effects)));
     let division = Division { share: Share::WHOLE, budget: None };
     let (task, progress) = (simulated.task(&world, computable), Progress::new(&Unwatched));
     let found = simulate(task, division, (None, None), &progress).expect("there is no state");
@@ -153,6 +159,24 @@ fn paths_and_radiosity_find_the_same_light() {
         let pairs = by_radiosity(&finely).into_iter().zip(by_paths(&roughly));
         for (exact, sampled) in pairs.filter(|(exact, _)| is_for_both(exact)) {
             assert_same(name, &exact, &sampled);
+        }
+    }
+}
+
+#[test]
+fn direct_light_at_points_has_closed_forms_beside_sampled_means() {
+    let receivers = surface_receiver("floor")
+        + &point_receiver("point", [1.2, 1.7, 0.4], [0.1, 0.3, 1.0])
+        + "[[receiver]]\nname = \"ball\"\nkind = \"sphere\"\nposition = [1.0, 0.5, 0.6]\n";
+    for (name, lights) in [("a lamp", LAMP), ("a point", POINT), ("the sun", SUN), ("the sky", SKY)] {
+        let solve = "[solve]\ntolerance = 1e-2\neffects = { interreflection = \"off\" }\n";
+        let text = [&closed_room(), &receivers, lights, solve].concat();
+        let straight = traced(&text, Computable::with_straight);
+        for (exact, found) in by_radiosity(&text).iter().zip(&straight) {
+            assert_same(name, exact, found);
+            let is_closed = found.receiver != "floor";
+            assert_eq!(found.kind == ErrorKind::Bound, is_closed, "{name}: {found:?}");
+            assert!(!is_closed || found.error <= 1e-12 * found.value.abs().max(1e-3), "{name}: {found:?}");
         }
     }
 }

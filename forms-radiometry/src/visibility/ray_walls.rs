@@ -168,7 +168,12 @@ impl Walls {
 
     /// Returns a start at a point of a wall, on its front.
     pub(crate) fn start_before(&self, wall: usize, position: Vector) -> Start {
-        Start { position, wall: Some(wall), clearance: self.resolution, is_front: true }
+        self.start_beside(wall, position, true)
+    }
+
+    /// Returns a start at a point of a wall, on one of its sides.
+    pub(crate) fn start_beside(&self, wall: usize, position: Vector, is_front: bool) -> Start {
+        Start { position, wall: Some(wall), clearance: self.resolution, is_front }
     }
 
     /// Returns a start in free space.

@@ -19,7 +19,7 @@ const STOPPING: &str = "stopping";
 const PARTS: u64 = 1000;
 
 /// Shows the progress of the work, and stops it at the user's request.
-pub(super) struct Progress {
+pub(in crate::commands) struct Progress {
     stopped: Arc<AtomicBool>,
     /// Progress bar, if standard error is a terminal.
     bar: Option<Bar>,
@@ -39,7 +39,7 @@ struct End(Arc<Mutex<Option<Instant>>>);
 impl Progress {
     /// Installs the handler of Ctrl-C: the first Ctrl-C stops the work, the second one ends the
     /// program.
-    pub(super) fn watch() -> Result<Self, String> {
+    pub(in crate::commands) fn watch() -> Result<Self, String> {
         let stopped = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stopped);
         let stop = move || {
@@ -53,7 +53,7 @@ impl Progress {
     }
 
     /// Removes the bar.
-    pub(super) fn end(&self) {
+    pub(in crate::commands) fn end(&self) {
         if let Some(bar) = &self.bar {
             bar.drawn.finish_and_clear();
         }

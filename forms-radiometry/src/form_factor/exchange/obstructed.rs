@@ -10,6 +10,7 @@
 //! quarters disagree, the worst patch first.
 
 use super::areas::{Patch, gauss, patches};
+use super::changes::Changes;
 use super::{Exchange, exchange_of};
 use crate::geometry::{Polygon, Vector, scale};
 use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
@@ -18,6 +19,12 @@ use std::collections::BinaryHeap;
 
 /// Number of points of the rule along each side of a patch.
 const ORDER: usize = 3;
+
+/// Number of parts that share a change.
+const QUARTERS: f64 = 4.0;
+
+/// Part of the goal within which few points have to agree.
+const FEW: f64 = 0.25;
 
 /// The largest number of patches. If it is reached, the remaining error is reported.
 const MOST_PATCHES: usize = 200_000;
@@ -62,20 +69,60 @@ pub(crate) fn exchange_with(
     [tolerance, least]: [f64; 2],
     is_stopped: impl Fn() -> bool,
 ) -> Exchange {
+    let mut found = Vec::new();
+    match sight(here, there, screens, &mut found) {
+        Sight::Nothing => Exchange::default(),
+        Sight::Whole => exchange_of(here, there, [tolerance; 2]),
+        Sight::Parts { outline, view } => view.integral(outline, [tolerance, least], is_stopped),
+    }
+}
+
+/// Exchange area of two faces at a first look.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum FirstLook {
+    /// Nothing can hide a part, or hides all: as accurate as the relative tolerance.
+    Certain(Exchange),
+    /// A few points see this area, and with it fewer points see this much less.
+    Rough { area: f64, change: f64 },
+}
+
+/// Returns the exchange area of two faces among occluders at a first look.
+pub(crate) fn first_look(here: &Face, there: &Face, screens: &Screens, tolerance: f64) -> FirstLook {
+    let mut found = Vec::new();
+    match sight(here, there, screens, &mut found) {
+        Sight::Nothing => FirstLook::Certain(Exchange::default()),
+        Sight::Whole => FirstLook::Certain(exchange_of(here, there, [tolerance; 2])),
+        Sight::Parts { outline, view } => {
+            let (sum, _) = view.by_few_points(outline, &mut Work::default());
+            FirstLook::Rough { area: sum.area, change: sum.change() }
+        }
+    }
+}
+
+/// What two faces see of each other.
+enum Sight<'s> {
+    Nothing,
+    Whole,
+    /// A part can be hidden from some points of this outline.
+    Parts {
+        outline: &'s [Vector],
+        view: View<'s>,
+    },
+}
+
+/// Returns what two faces see of each other, from the smaller one.
+fn sight<'s>(here: &'s Face, there: &'s Face, screens: &'s Screens, found: &'s mut Vec<u32>) -> Sight<'s> {
     let [here, there] = if there.area < here.area { [there, here] } else { [here, there] };
     let (outline, normal) = (&here.vertices, Some(here.normal));
     if !screens.face_each_other(outline, normal, &there.vertices, there.normal) {
-        return Exchange::default();
+        return Sight::Nothing;
     }
-    let mut found = Vec::new();
-    match screens.between(outline, normal, &there.vertices, there.normal, &mut found) {
-        Between::All => Exchange::default(),
-        Between::Nothing => exchange_of(here, there, [tolerance; 2]),
-        Between::Some => View { screens, between: &found, there, normal: here.normal }.integral(
-            &here.vertices,
-            [tolerance, least],
-            is_stopped,
-        ),
+    match screens.between(outline, normal, &there.vertices, there.normal, found) {
+        Between::All => Sight::Nothing,
+        Between::Nothing => Sight::Whole,
+        Between::Some => {
+            Sight::Parts { outline, view: View { screens, between: found, there, normal: here.normal } }
+        }
     }
 }
 
@@ -88,11 +135,23 @@ struct View<'s> {
 }
 
 /// A patch with the integral over it, and its share of the change when it was split off its parent
-/// patch.
+/// patch: a quarter.
 struct Part {
     patch: Patch,
     area: f64,
-    error: f64,
+    change: f64,
+}
+
+impl Changes {
+    fn with(mut self, part: &Part) -> Self {
+        self.add(part.area, part.change, QUARTERS);
+        self
+    }
+
+    fn without(mut self, part: &Part) -> Self {
+        self.remove(part.area, part.change, QUARTERS);
+        self
+    }
 }
 
 /// Buffers that are reused from patch to patch.
@@ -113,40 +172,60 @@ impl View<'_> {
         is_stopped: impl Fn() -> bool,
     ) -> Exchange {
         let mut work = Work::default();
+        let goal = |area: f64| tolerance * area.abs().max(least);
+        let (few, see_all) = self.by_few_points(outline, &mut work);
+        // where some points see nothing, a part may be seen from between them
+        if see_all && few.error() <= FEW * goal(few.area) {
+            return Exchange { area: few.area, error: few.error() };
+        }
         let mut queue: BinaryHeap<Part> = BinaryHeap::new();
         for patch in patches(outline) {
-            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, &mut work);
+            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, ORDER, &mut work);
             queue.extend(parts(quarters, whole.1));
         }
-        let sums = |queue: &BinaryHeap<Part>| {
-            queue.iter().fold((0.0, 0.0), |(area, error), part| (area + part.area, error + part.error))
-        };
-        let (mut area, mut error) = sums(&queue);
-        while error > tolerance * area.abs().max(least) && queue.len() < MOST_PATCHES && !is_stopped() {
+        let sum_of = |queue: &BinaryHeap<Part>| queue.iter().fold(Changes::default(), Changes::with);
+        let mut sum = sum_of(&queue);
+        while sum.error() > goal(sum.area) && queue.len() < MOST_PATCHES && !is_stopped() {
             let Some(worst) = queue.pop() else { break };
-            let quarters = parts(self.over(worst.patch.quarters(), &worst.patch, &mut work), worst.area);
-            area += quarters.iter().map(|part| part.area).sum::<f64>() - worst.area;
-            error += quarters.iter().map(|part| part.error).sum::<f64>() - worst.error;
+            let quarters =
+                parts(self.over(worst.patch.quarters(), &worst.patch, ORDER, &mut work), worst.area);
+            sum = quarters.iter().fold(sum.without(&worst), Changes::with);
             queue.extend(quarters);
         }
         // the running sums have accumulated rounding errors
-        let (area, error) = sums(&queue);
+        let sum = sum_of(&queue);
+        let (area, error) = (sum.area, sum.error());
         let size: f64 = queue.iter().map(|part| part.patch.area()).sum();
         Exchange { area, error: error + ROUNDING * f64::EPSILON * size }
     }
 
-    /// Integrates by the rule over patches that lie within one patch.
+    /// Integrates by the middles of patches and of their quarters, with the difference as the error.
+    /// Returns also whether all points see something.
+    fn by_few_points(&self, outline: &[Vector], work: &mut Work) -> (Changes, bool) {
+        let (mut sum, mut see_all) = (Changes::default(), true);
+        for patch in patches(outline) {
+            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, 1, work);
+            see_all &= quarters.iter().all(|(_, area)| *area > 0.0);
+            let area: f64 = quarters.iter().map(|(_, area)| area).sum();
+            sum.add(area, area - whole.1, 1.0);
+        }
+        (sum, see_all)
+    }
+
+    /// Integrates by the rule with this number of points along each side, over patches that lie
+    /// within one patch.
     fn over<const N: usize>(
         &self,
         patches: [Patch; N],
         within: &Patch,
+        order: usize,
         work: &mut Work,
     ) -> [(Patch, f64); N] {
         let Work { points, areas, factors, view, borders } = work;
         points.clear();
         areas.clear();
         for patch in &patches {
-            patch.by_rule(gauss(ORDER), |point, area| {
+            patch.by_rule(gauss(order), |point, area| {
                 points.push(point);
                 areas.push(area);
             });
@@ -163,7 +242,7 @@ impl View<'_> {
         factors.resize(points.len(), 0.0);
         self.screens.add_form_factors(looking, (self.normal, 1.0), (view, borders), factors);
         let mut values = areas.iter().zip(factors).map(|(area, factor)| area * *factor);
-        patches.map(|patch| (patch, values.by_ref().take(ORDER * ORDER).sum()))
+        patches.map(|patch| (patch, values.by_ref().take(order * order).sum()))
     }
 }
 
@@ -173,11 +252,10 @@ fn with_quarters(patch: &Patch) -> [Patch; 5] {
     [a, b, c, d, *patch]
 }
 
-/// Returns the quarters of a patch whose integral is `whole`, each with a quarter of the change as
-/// its error.
+/// Returns the quarters of a patch whose integral is `whole`, each with a quarter of the change.
 fn parts(quarters: [(Patch, f64); 4], whole: f64) -> [Part; 4] {
     let change = quarters.iter().map(|(_, area)| area).sum::<f64>() - whole;
-    quarters.map(|(patch, area)| Part { patch, area, error: 0.25 * change.abs() })
+    quarters.map(|(patch, area)| Part { patch, area, change: 0.25 * change })
 }
 
 impl PartialEq for Part {
@@ -193,6 +271,6 @@ impl PartialOrd for Part {
 }
 impl Ord for Part {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.error.total_cmp(&other.error)
+        self.change.abs().total_cmp(&other.change.abs())
     }
 }

@@ -31,8 +31,9 @@ const LENGTH: f64 = 3.3;
 /// Key of the random numbers.
 const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
 
-/// Returns the number of rays that path tracing is expected to need for a scene.
-pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
+/// Returns the number of rays that path tracing is expected to need for a scene, and the number of
+/// values: numbers, cells and pixels.
+pub(crate) fn expected_rays(task: Task<'_>) -> (f64, usize) {
     let Task { world, effects, .. } = task;
     let limits = Limits::of(effects);
     let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
@@ -57,7 +58,7 @@ pub(crate) fn expected_rays(task: Task<'_>) -> f64 {
             / request.replicates.count()
     };
     let all: f64 = requests.iter().step_by(step).zip(segments).map(of_one).sum();
-    step as f64 * world.rays_of_a_vertex() * longer * all
+    (step as f64 * world.rays_of_a_vertex() * longer * all, requests.len())
 }
 
 /// Returns the number of paths after which the error of an estimand is expected to meet the

@@ -19,6 +19,7 @@ use crate::sampling::key;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene, TimeBins};
 use crate::visibility::Screens;
 use rayon::prelude::*;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// First samples of each replicate of a number.
@@ -271,7 +272,7 @@ fn bins(time: &TimeBins, metres: f64) -> Bins {
 fn unhidden(scene: &Scene) -> Transport {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
-    Transport { faces, screens, occlusion: false, accuracy: 1.0 }
+    Transport { faces: Arc::new(faces), screens: Arc::new(screens), occlusion: false, accuracy: 1.0 }
 }
 
 /// Returns the grid over a surface.

@@ -27,6 +27,7 @@ use crate::scene::ReceiverKind;
 use crate::visibility::Screens;
 use block::View;
 use film::{Block, blocks};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
@@ -60,8 +61,8 @@ impl Work<'_> {
     pub(crate) fn sight(&self, transport: &Transport) -> Option<Transport> {
         let is_another = !transport.occlusion && self.cameras().next().is_some();
         is_another.then(|| Transport {
-            faces: transport.faces.clone(),
-            screens: Screens::of(&transport.faces),
+            faces: Arc::clone(&transport.faces),
+            screens: Arc::new(Screens::of(&transport.faces)),
             occlusion: true,
             accuracy: transport.accuracy,
         })

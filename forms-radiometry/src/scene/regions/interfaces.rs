@@ -1,7 +1,7 @@
 //! Sheets: splits every surface into faces with two sides; coincident vertices are shared.
 
 use super::boundary::boundary;
-use crate::geometry::{Disk, Polygon, Sphere, Vector, Welded, closeness};
+use crate::geometry::{Disk, Mesh, Polygon, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
 /// A piece of a surface.
@@ -40,32 +40,44 @@ impl Interface {
     }
 }
 
-/// Returns the sheets of a scene, and the numbered vertices of their faces.
-pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
+/// Returns the sheets of a scene in which nothing asks for their edges: each flat part of a mesh is
+/// one sheet.
+pub(crate) fn sheets_without_edges(scene: &Scene) -> Vec<Interface> {
+    sheets(scene, |mesh| mesh.flat_parts().collect())
+}
+
+/// Returns the sheets of a scene, with these polygons of meshes. Their faces have no edges yet.
+fn sheets(scene: &Scene, polygons: impl Fn(&Mesh) -> Vec<Polygon>) -> Vec<Interface> {
     let mut pieces = Vec::new();
     for (surface, shape) in scene.surfaces.iter().map(|surface| &surface.shape).enumerate() {
         match shape {
             Shape::Polygon(polygon) => pieces.push((surface, Piece::Face(polygon.clone(), Vec::new()))),
             Shape::Mesh(mesh) => {
-                pieces.extend(mesh.polygons().map(|polygon| (surface, Piece::Face(polygon, Vec::new()))));
+                let faces = polygons(mesh).into_iter();
+                pieces.extend(faces.map(|polygon| (surface, Piece::Face(polygon, Vec::new()))));
             }
             Shape::Sphere(sphere) => pieces.push((surface, Piece::Sphere(*sphere))),
             Shape::Disk(disk) => pieces.push((surface, Piece::Disk(*disk))),
         }
     }
-    let polygons = pieces.iter().filter_map(|(_, piece)| match piece {
+    pieces.into_iter().map(|(surface, shape)| Interface { surface, shape }).collect()
+}
+
+/// Returns the sheets of a scene, and the numbered vertices of their faces.
+pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
+    let mut interfaces = sheets(scene, |mesh| mesh.polygons().collect());
+    let polygons = interfaces.iter().filter_map(|interface| match &interface.shape {
         Piece::Face(polygon, _) => Some(polygon),
         Piece::Sphere(_) | Piece::Disk(_) => None,
     });
     let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
-    for (_, piece) in &mut pieces {
-        if let Piece::Face(polygon, edges) = piece {
+    for interface in &mut interfaces {
+        if let Piece::Face(polygon, edges) = &mut interface.shape {
             let mut numbers = |outline: &[Vector]| outline.iter().map(|&v| welded.number(v)).collect();
             let outline: Vec<usize> = numbers(polygon.vertices());
             let holes: Vec<Vec<usize>> = polygon.holes().iter().map(|hole| numbers(hole)).collect();
             *edges = boundary(&outline, &holes, &welded.vertices);
         }
     }
-    let interfaces = pieces.into_iter().map(|(surface, shape)| Interface { surface, shape }).collect();
     (interfaces, welded.vertices)
 }

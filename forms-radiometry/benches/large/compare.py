@@ -1,0 +1,129 @@
+"""Scenes of many surfaces, by Forms and by other programs, in one run: seconds, their ratio, and how far the values differ.
+
+    cargo build --release
+    python3 forms-radiometry/benches/large/compare.py target/release/forms [--families FOLDER] [--view3d PROGRAM]
+
+FOLDER holds the verification meshes of OpenViewFactor (github.com/OpenViewFactor/verification-meshes), PROGRAM is View3D. What is
+not there is left out, and so is Mitsuba where the package `mitsuba` is not installed. The seconds of Forms are those of the whole
+program, reading included; those of Mitsuba are only those of its samples. Both have the same standard error: 1e-3 of a view factor,
+1e-2 of an irradiance or a pixel; what Forms finds without samples is far more accurate.
+"""
+
+import argparse
+import json
+import platform
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import works
+
+try:
+    import by_mitsuba
+except ImportError as error:
+    by_mitsuba = None
+    print(f"Mitsuba is left out: {error}\n")
+
+# seconds after which a run of Forms is ended
+LONGEST = 120
+
+
+def forms(program, *arguments):
+    """Seconds and records of a call; None instead of seconds where it took too long."""
+    start = time.perf_counter()
+    try:
+        run = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        return None, []
+    return time.perf_counter() - start, [json.loads(line) for line in run.stdout.splitlines()]
+
+
+def row(work, own, name, other, remark):
+    shown = lambda seconds: f"> {LONGEST}" if seconds is None else f"{seconds:.3g}"
+    ratio = f"{other / own:.2g}" if own and other else ""
+    print(f"| {work} | {shown(own)} | {name} | {shown(other) if name else ''} | {ratio} | {remark} |", flush=True)
+
+
+def street(program, folder, view3d):
+    works.street(folder)
+    own, records = forms(program, "view-factors", folder / "street.toml")
+    if not view3d:
+        return row("street, 545 quads", own, "", None, f"{sum(r['value'] > 0 for r in records)} factors above 0")
+    start = time.perf_counter()
+    subprocess.run([view3d, folder / "street.vs3", folder / "street.out"], capture_output=True, check=True)
+    other = time.perf_counter() - start
+    lines = (folder / "street.out").read_text().splitlines()[2:]
+    count = int(len(records) ** 0.5)
+    theirs = np.array([[float(x) for x in line.split()[:count]] for line in lines[:count]])
+    ours = np.array([r["value"] for r in records]).reshape(count, count)
+    seen = ours > 1e-4
+    worst = np.max(np.abs(theirs - ours)[seen] / ours[seen])
+    row("street, 545 quads", own, "View3D", other, f"largest relative difference of factors above 1e-4: {worst:.1e}")
+
+
+def families(program, folder, meshes):
+    for number, (name, one, other) in enumerate(works.families(meshes, folder)):
+        own, records = forms(program, "view-factors", folder / f"family-{number}.toml")
+        found = next(r for r in records if (r["from"], r["to"]) == ("one", "other")) if records else None
+        said = f"{found['value']:.6f} ± {found['error']:.1e} ({found['kind']})" if found else ""
+        if not by_mitsuba:
+            row(name, own, "", None, said)
+            continue
+        seconds, value = by_mitsuba.view_factor(works.stl(one), works.stl(other), 1e-3)
+        row(name, own, by_mitsuba.PROGRAM, seconds, f"{said}; theirs {value[0]:.6f}")
+
+
+def triangles(program, folder, count):
+    for kind in ("forest", "city", "tubes"):
+        corners = works.triangles(kind, count)
+        for reflectance in (0.0, 0.5):
+            name = works.lit(kind, corners, reflectance, folder)
+            lit = by_mitsuba and by_mitsuba.Lit(folder / f"{name}.obj", reflectance)
+            for asked in ("points", "map", "camera"):
+                if asked == "camera" and reflectance == 0.0:
+                    continue
+                work = f"{kind}, {len(corners)} triangles of reflectance {reflectance}, {asked}"
+                own, _ = forms(program, "simulate", folder / f"{name}-{asked}.toml")
+                if not lit:
+                    row(work, own, "", None, "")
+                    continue
+                if asked == "points":
+                    seconds, _ = lit.irradiance(works.places(len(corners)), 256, 1e-2)
+                else:
+                    seconds, _ = getattr(lit, asked)(1e-2)
+                row(work, own, by_mitsuba.PROGRAM, seconds, f"and {lit.loading:.2f} s to read")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", help="the program `forms`")
+    parser.add_argument("--families", type=Path, metavar="FOLDER")
+    parser.add_argument("--view3d", metavar="PROGRAM")
+    parser.add_argument("--triangles", type=int, default=100_000, metavar="COUNT")
+    parser.add_argument("--only", choices=("street", "families", "triangles"))
+    asked = parser.parse_args()
+    print(f"Processor: {processor()}\n")
+    print("| work | Forms [s] | other | [s] | ratio | |\n|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        if asked.only in (None, "street"):
+            street(asked.program, folder, asked.view3d)
+        if asked.only in (None, "families") and asked.families:
+            families(asked.program, folder, asked.families)
+        if asked.only in (None, "triangles"):
+            triangles(asked.program, folder, asked.triangles)
+
+
+def processor():
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        return next(line.split(":")[1].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        return platform.processor()
+
+
+if __name__ == "__main__":
+    main()
