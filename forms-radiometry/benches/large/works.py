@@ -47,7 +47,7 @@ def street(folder):
     of = lambda i, quad: surface(f"q{i + 1}", "black", f"polygon = {quad.tolist()}")
     text = BLACK + "".join(of(i, quad) for i, quad in enumerate(quads)) + "[solve]\ntolerance = 1e-3\n"
     (folder / "street.toml").write_text(text)
-    lines = ["T street", "C encl=0 out=1 emit=0 eps=1e-3", "F 3"]
+    lines = ["T street", "C encl=0 out=0 emit=0 eps=1e-3", "F 3"]
     lines += [f"V {i + 1} {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(quads.reshape(-1, 3).tolist())]
     lines += [f"S {i + 1} {4 * i + 1} {4 * i + 2} {4 * i + 3} {4 * i + 4} 0 0 1.0 q{i + 1}" for i in range(len(quads))]
     (folder / "street.vs3").write_text("\n".join(lines + ["End of Data", ""]))
