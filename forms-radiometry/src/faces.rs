@@ -3,8 +3,9 @@
 //! ```text
 //! polygon ─▶ its convex pieces          mesh ─▶ the convex pieces of its flat parts
 //! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron
+//! annulus, cylinder, cone, paraboloid ─▶ rings of trapezoids
 //! ```
-//! The regular polygon and the polyhedron have the areas of the disk and of the sphere.
+//! The pieces of disks and spheres have their areas.
 
 use crate::geometry::Round;
 use crate::scene::{Scene, Shape};
@@ -12,7 +13,7 @@ use crate::visibility::Face;
 
 /// Returns the faces of all surfaces, each front followed by its back. A one-sided surface has a
 /// back too: it is black, and blocks light. Each step of `fineness` doubles the number of edges
-/// around a disk, around a sphere, and around the hole for a disk that lies on a polygon.
+/// around a round shape, and around the hole for a disk that lies on a polygon.
 pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     let mut faces = Vec::new();
     for (index, surface) in scene.surfaces.iter().enumerate() {
@@ -24,10 +25,17 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
             Shape::Mesh(mesh) => {
                 mesh.flat_parts().for_each(|polygon| faces.extend(Face::of(index, &polygon)));
             }
-            Shape::Disk(disk) => faces.extend(Face::sides(index, disk.polygon(fineness), disk.normal)),
+            Shape::Disk(disk) => {
+                let pieces = disk.pieces(fineness).into_iter();
+                faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, disk.normal)));
+            }
+            Shape::Quadric(quadric) => {
+                let pieces = quadric.pieces(fineness).into_iter();
+                faces.extend(pieces.flat_map(|piece| Face::of_outline(index, piece)));
+            }
             Shape::Sphere(sphere) => {
                 let triangles = sphere.triangles(fineness).into_iter();
-                faces.extend(triangles.flat_map(|triangle| Face::of_triangle(index, triangle)));
+                faces.extend(triangles.flat_map(|triangle| Face::of_outline(index, triangle.to_vec())));
             }
         }
     }
@@ -58,7 +66,7 @@ pub(crate) fn emits_from(scene: &Scene, surface: usize, is_back: bool) -> bool {
     scene.surfaces[surface].emits() && is_side_bright(scene, surface, is_back)
 }
 
-/// Whether a scene has disks or spheres, so that its faces depend on the tessellation level.
+/// Whether a scene has round shapes, so that its faces depend on the tessellation level.
 pub(crate) fn is_round(scene: &Scene) -> bool {
     round_surfaces(scene).next().is_some()
 }
@@ -69,7 +77,7 @@ pub(crate) fn has_round_holes(scene: &Scene, surface: usize) -> bool {
     polygon.is_some_and(|polygon| !polygon.round_holes().is_empty())
 }
 
-/// Returns the disks and spheres of a scene, each with the index of its surface.
+/// Returns the round shapes of a scene, each with the index of its surface.
 pub(crate) fn round_surfaces(scene: &Scene) -> impl Iterator<Item = (usize, &dyn Round)> {
     let surfaces = scene.surfaces.iter().enumerate();
     surfaces.filter_map(|(index, surface)| Some((index, surface.shape.as_round()?)))

@@ -1,4 +1,4 @@
-//! Shapes: vectors, polygons, meshes, spheres and disks. A list of vertices is checked and becomes a
+//! Shapes: vectors, polygons, meshes, and round shapes. A list of vertices is checked and becomes a
 //! polygon; polygons are clipped, intersected and divided into triangles. Nothing here occludes
 //! anything.
 
@@ -31,8 +31,8 @@ pub(crate) use plane::{Plane, closeness};
 pub use polygon::{Polygon, PolygonError};
 pub(crate) use polygon::{area, edges, intersection};
 pub(crate) use repair::{Repaired, repaired};
-pub(crate) use round::Round;
-pub use round::{Disk, Sphere};
+pub(crate) use round::{Crossing, Rim, Round};
+pub use round::{Disk, Profile, Quadric, Sphere};
 pub(crate) use tessellation_gap::bulge;
 pub use vector::Vector;
 pub(crate) use weld::Welded;

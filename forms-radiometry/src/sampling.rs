@@ -6,6 +6,7 @@
 mod choice;
 mod draws;
 mod frame;
+mod round;
 mod sequence;
 mod sobol;
 

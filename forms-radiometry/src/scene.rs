@@ -22,6 +22,7 @@ mod place;
 mod read;
 mod receiver;
 mod regions;
+mod round;
 mod simulated;
 mod solve;
 mod sources;

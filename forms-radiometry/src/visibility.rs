@@ -76,10 +76,15 @@ impl Face {
         polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece.clone(), normal))
     }
 
-    /// Returns front and back of a triangle; nothing if it is too narrow to have a normal.
-    pub(crate) fn of_triangle(surface: usize, [a, b, c]: [Vector; 3]) -> impl Iterator<Item = Self> {
-        let normal = (b - a).cross(c - a).unit();
-        normal.into_iter().flat_map(move |normal| Self::sides(surface, vec![a, b, c], normal))
+    /// Returns front and back of a triangle or trapezoid; nothing if it is too narrow to have a
+    /// normal.
+    pub(crate) fn of_outline(surface: usize, vertices: Vec<Vector>) -> impl Iterator<Item = Self> {
+        let (first, last) = (vertices[0], vertices.len() - 1);
+        let normal = match vertices[..] {
+            [a, b, c, d] => (c - a).cross(d - b).unit(),
+            _ => (vertices[1] - first).cross(vertices[last] - first).unit(),
+        };
+        normal.into_iter().flat_map(move |normal| Self::sides(surface, vertices.clone(), normal))
     }
 
     /// Returns front and back of a convex outline with this unit normal.

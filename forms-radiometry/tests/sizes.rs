@@ -1,7 +1,7 @@
 //! Scenes of any size: view factors, irradiance and radiance do not depend on the size, and a flux
 //! grows with the area.
 
-use forms_radiometry::geometry::{Disk, Polygon, Sphere, Vector};
+use forms_radiometry::geometry::{Disk, Polygon, Quadric, Sphere, Vector};
 use forms_radiometry::scene::{
     Effect, Force, ForcedEffect, LengthUnit, LightKind, ReceiverKind, Scene, Shape, read, read_with_files,
 };
@@ -59,9 +59,14 @@ fn resized(scene: &Scene, size: f64) -> Scene {
             &Shape::Sphere(Sphere { center, radius, inward }) => {
                 Shape::Sphere(Sphere { center: place(center), radius: size * radius, inward })
             }
-            &Shape::Disk(Disk { center, normal, radius }) => {
-                Shape::Disk(Disk { center: place(center), normal, radius: size * radius })
+            &Shape::Disk(Disk { center, normal, radius, hole }) => {
+                Shape::Disk(Disk { center: place(center), normal, radius: size * radius, hole: size * hole })
             }
+            &Shape::Quadric(quadric) => Shape::Quadric(Quadric {
+                ends: quadric.ends.map(place),
+                radii: quadric.radii.map(|radius| size * radius),
+                ..quadric
+            }),
         };
     }
     for receiver in &mut scene.receivers {

@@ -42,7 +42,7 @@ impl Flat {
     pub(crate) fn area(&self) -> f64 {
         match self {
             Self::Polygon(polygon) => polygon.area(),
-            Self::Disk(disk) => std::f64::consts::PI * disk.radius * disk.radius,
+            Self::Disk(disk) => disk.area(),
         }
     }
 
@@ -130,7 +130,7 @@ struct Intersection {
 #[derive(Clone, Copy)]
 enum Part<'s> {
     Pieces(&'s [Vec<Vector>], Vector),
-    Disk(&'s Disk, f64),
+    Disk(Disk, f64),
 }
 
 impl Flat {
@@ -138,9 +138,13 @@ impl Flat {
     /// polygon is its polygonal pieces minus its round holes.
     fn parts(&self) -> Vec<Part<'_>> {
         match self {
-            Self::Disk(disk) => vec![Part::Disk(disk, 1.0)],
+            Self::Disk(disk) if disk.is_annulus() => {
+                let [whole, hole] = disk.whole_and_hole();
+                vec![Part::Disk(whole, 1.0), Part::Disk(hole, -1.0)]
+            }
+            Self::Disk(disk) => vec![Part::Disk(*disk, 1.0)],
             Self::Polygon(polygon) => {
-                let holes = polygon.round_holes().iter().map(|disk| Part::Disk(disk, -1.0));
+                let holes = polygon.round_holes().iter().map(|disk| Part::Disk(*disk, -1.0));
                 [Part::Pieces(polygon.straight_pieces(), polygon.normal())].into_iter().chain(holes).collect()
             }
         }
@@ -165,10 +169,10 @@ impl Intersection {
             (Part::Pieces(a, normal), Part::Pieces(b, other)) => self.add_pieces((a, normal), (b, other)),
             (Part::Pieces(pieces, _), Part::Disk(disk, sign))
             | (Part::Disk(disk, sign), Part::Pieces(pieces, _)) => {
-                self.add_round(sign * circle::area_in_pieces(disk, pieces));
+                self.add_round(sign * circle::area_in_pieces(&disk, pieces));
             }
             (Part::Disk(a, sign), Part::Disk(b, other)) => {
-                self.add_round(sign * other * circle::area_in_disk(a, b));
+                self.add_round(sign * other * circle::area_in_disk(&a, &b));
             }
         }
     }
@@ -218,7 +222,12 @@ mod tests {
 
     fn disk(center: [f64; 3], radius: f64) -> Flat {
         let [x, y, z] = center;
-        Flat::Disk(Disk { center: Vector::new(x, y, z), normal: Vector::new(0.0, 0.0, -1.0), radius })
+        Flat::Disk(Disk {
+            center: Vector::new(x, y, z),
+            normal: Vector::new(0.0, 0.0, -1.0),
+            radius,
+            hole: 0.0,
+        })
     }
 
     #[test]

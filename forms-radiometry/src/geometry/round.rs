@@ -1,14 +1,24 @@
-//! Curved shapes: centre, radius and side of a sphere or a disk, and its tessellation into flat
-//! pieces of the same total area.
+//! Curved shapes: spheres, disks and annuli, and quadrics of revolution (cylinders, cones,
+//! paraboloids), and their tessellation into flat pieces.
 //!
 //! ```text
-//! disk ─▶ regular polygon of 24·2ᵏ edges
+//! disk ─▶ regular polygon of 24·2ᵏ edges         annulus, quadric ─▶ rings of 24·2ᵏ trapezoids
 //! sphere ─▶ icosahedron, its triangles quartered k + 1 times
 //! ```
 //! A regular polygon with the disk's area extends as far outside the circle as inside: the terms
 //! that are linear in the deviation average out, also for a receiver off the axis, up to the N-th
 //! harmonic, which is (R/d)ᴺ. A closed convex polyhedron with the sphere's area has the sphere's
-//! mean projected area over all directions, a quarter of the area (Cauchy 1832).
+//! mean projected area over all directions, a quarter of the area (Cauchy 1832). The rims of a
+//! quadric are those polygons too, so that a cylinder and the disks at its ends are closed.
+
+mod disk;
+mod quadric;
+mod sphere;
+
+pub use disk::Disk;
+pub(crate) use quadric::Crossing;
+pub use quadric::{Profile, Quadric};
+pub use sphere::Sphere;
 
 use super::Vector;
 use std::f64::consts::PI;
@@ -20,65 +30,6 @@ const ROUNDING: f64 = 2.0 * f64::EPSILON;
 const WITHIN: f64 = 1.0 - 1e-12;
 /// Number of edges of the coarsest polygon that approximates a disk.
 const EDGES: usize = 24;
-
-/// A sphere.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sphere {
-    /// The centre.
-    pub center: Vector,
-    /// The radius, above zero.
-    pub radius: f64,
-    /// Whether the front is the inside.
-    pub inward: bool,
-}
-
-/// A flat disk.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Disk {
-    /// The centre.
-    pub center: Vector,
-    /// The unit normal, which points to the front.
-    pub normal: Vector,
-    /// The radius, above zero.
-    pub radius: f64,
-}
-
-impl Disk {
-    /// Returns the disk with all lengths multiplied by this factor.
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        Self { center: factor * self.center, radius: factor * self.radius, ..self }
-    }
-
-    /// Returns the disk with front and back swapped.
-    pub(crate) fn reversed(self) -> Self {
-        Self { normal: -self.normal, ..self }
-    }
-
-    /// Returns opposite corners of its axis-aligned bounding box.
-    pub(crate) fn corners(&self) -> [Vector; 2] {
-        let reach =
-            self.normal.coordinates().map(|across| self.radius * (1.0 - across * across).max(0.0).sqrt());
-        let [x, y, z] = reach;
-        let reach = Vector::new(x, y, z);
-        [self.center - reach, self.center + reach]
-    }
-
-    /// Returns a regular polygon with the disk's area, counter-clockwise seen from its front. Each
-    /// step of `fineness` doubles the number of edges.
-    ///
-    /// A polygon of N edges with its vertices at the distance ρ has the area N/2 ρ² sin(2π/N).
-    pub(crate) fn polygon(&self, fineness: usize) -> Vec<Vector> {
-        let count = EDGES << fineness;
-        let step = 2.0 * PI / count as f64;
-        let reach = self.radius * (step / step.sin()).sqrt();
-        let [u, v] = across(self.normal);
-        let corner = |place: usize| {
-            let (sine, cosine) = (step * place as f64).sin_cos();
-            self.center + (reach * cosine) * u + (reach * sine) * v
-        };
-        (0..count).map(corner).collect()
-    }
-}
 
 /// A curved shape, from which the flat pieces of its tessellation deviate.
 pub(crate) trait Round {
@@ -96,81 +47,67 @@ pub(crate) trait Round {
     fn rounding(&self) -> f64;
     /// Bounds the distance of the pieces from the shape.
     fn deviation(&self, fineness: usize) -> f64;
-}
-
-impl Round for Disk {
-    fn center(&self) -> Vector {
-        self.center
+    /// Bounds the radius of the part of the shape that reaches at most `depth` beyond a plane, where
+    /// all of it reaches to this times the radius.
+    ///
+    /// Of a sphere it is a cap whose rim has the radius √(2R·depth).
+    fn cap(&self, depth: f64, reach: f64) -> f64 {
+        (2.0 * self.radius() * (depth / reach)).sqrt().min(self.radius())
     }
-
-    fn reach(&self, along: Vector) -> f64 {
-        self.normal.cross(along).length()
+    /// Whether the shape hides a convex outline from a point. What a ball or disk hides is convex.
+    fn hides(&self, point: Vector, outline: &[Vector]) -> bool {
+        outline.iter().all(|&corner| self.meets([point, corner]))
     }
-
-    fn meets(&self, [a, b]: [Vector; 2]) -> bool {
-        let [alpha, beta] = [a, b].map(|end| self.normal.dot(end - self.center));
-        let place = a + (alpha / (alpha - beta)) * (b - a);
-        alpha * beta < 0.0 && (place - self.center).length() <= WITHIN * self.radius
-    }
-
-    /// Returns the distance from the rim.
-    fn distance(&self, point: Vector) -> f64 {
-        let way = point - self.center;
-        let height = self.normal.dot(way);
-        ((way - height * self.normal).length() - self.radius).hypot(height)
-    }
-
-    fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    fn rounding(&self) -> f64 {
-        let along = self.normal.coordinates().map(|across| (1.0 - across * across).max(0.0).sqrt());
-        let lengths = self.center.coordinates().map(|center| center.abs() + self.radius);
-        let moved: f64 = lengths.into_iter().zip(along).map(|(length, along)| length * along).sum();
-        ROUNDING * moved
-    }
-
-    /// Exceeds both (1 − cos(π/N)) r and the distance of the vertices outside the circle.
-    fn deviation(&self, fineness: usize) -> f64 {
-        self.radius * (PI / (EDGES << fineness) as f64).powi(2)
+    /// Whether a point sees all of a convex outline through openings of the shape, up to the
+    /// deviation of its pieces.
+    fn shows_through(&self, _: Vector, _: &[Vector]) -> bool {
+        false
     }
 }
 
-impl Round for Sphere {
-    fn center(&self) -> Vector {
-        self.center
-    }
+/// A circle in which a shape ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Rim {
+    pub(crate) center: Vector,
+    /// The unit normal of the plane of the circle.
+    pub(crate) axis: Vector,
+    pub(crate) radius: f64,
+    /// The unit vector from the circle into the shape: its components away from the axis and along
+    /// it.
+    pub(crate) into: [f64; 2],
+    /// The unit normal of the shape's front, in the same components.
+    pub(crate) normal: [f64; 2],
+}
 
-    fn reach(&self, _: Vector) -> f64 {
-        1.0
-    }
+/// Returns the regular polygon of a disk of this centre, unit normal and radius: the polygon has the
+/// area of the disk. Each step of `fineness` doubles the number of edges.
+///
+/// A polygon of N edges with its vertices at the distance ρ has the area N/2 ρ² sin(2π/N).
+fn circle(center: Vector, normal: Vector, radius: f64, fineness: usize) -> Vec<Vector> {
+    let count = EDGES << fineness;
+    let step = 2.0 * PI / count as f64;
+    let reach = radius * (step / step.sin()).sqrt();
+    let [u, v] = across(normal);
+    let corner = |place: usize| {
+        let (sine, cosine) = (step * place as f64).sin_cos();
+        center + (reach * cosine) * u + (reach * sine) * v
+    };
+    (0..count).map(corner).collect()
+}
 
-    fn meets(&self, [a, b]: [Vector; 2]) -> bool {
-        let (along, to_center) = (b - a, self.center - a);
-        let share = (to_center.dot(along) / along.dot(along)).clamp(0.0, 1.0);
-        let is_inside = |end: Vector| (end - self.center).length() < self.radius;
-        (share * along - to_center).length() <= WITHIN * self.radius && !(is_inside(a) && is_inside(b))
-    }
-
-    fn distance(&self, point: Vector) -> f64 {
-        ((point - self.center).length() - self.radius).abs()
-    }
-
-    fn radius(&self) -> f64 {
-        self.radius
-    }
-
-    fn rounding(&self) -> f64 {
-        ROUNDING * (self.center.largest() + self.radius)
-    }
-
-    /// Exceeds the depth of a triangle's centre inside the sphere: its edges subtend no more than
-    /// the edges of the icosahedron, halved at each step.
-    fn deviation(&self, fineness: usize) -> f64 {
-        let edge = 2.0_f64.atan() / f64::from(2_u32 << fineness);
-        self.radius * 0.25 * edge * edge
-    }
+/// Returns the flat pieces between two such polygons, each counter-clockwise seen from outside where
+/// the polygons are counter-clockwise seen from the second one. Pieces without area are left out.
+fn ring([lower, upper]: [&[Vector]; 2]) -> Vec<Vec<Vector>> {
+    let piece = |place: usize| {
+        let next = (place + 1) % lower.len();
+        let mut piece = vec![lower[place], lower[next], upper[next], upper[place]];
+        piece.dedup();
+        if piece.first() == piece.last() {
+            piece.pop();
+        }
+        piece
+    };
+    (0..lower.len()).map(piece).filter(|piece| piece.len() > 2).collect()
 }
 
 /// Returns unit vectors u and v that form a right-handed basis u, v, `normal` with this unit
@@ -182,57 +119,6 @@ pub(crate) fn across(normal: Vector) -> [Vector; 2] {
     let u = Vector::new(axis[0], axis[1], axis[2]).cross(normal).unit();
     let u = u.expect("an axis at a right angle, or nearly so, to a unit vector");
     [u, normal.cross(u)]
-}
-
-impl Sphere {
-    /// Returns the sphere with all lengths multiplied by this factor.
-    pub(crate) fn scaled(self, factor: f64) -> Self {
-        Self { center: factor * self.center, radius: factor * self.radius, ..self }
-    }
-
-    /// Returns the triangles of a closed polyhedron with the sphere's area, each counter-clockwise
-    /// seen from the sphere's front. Each step of `fineness` splits every triangle into four.
-    pub(crate) fn triangles(&self, fineness: usize) -> Vec<[Vector; 3]> {
-        let mut triangles = icosahedron();
-        for _ in 0..=fineness {
-            triangles = triangles.into_iter().flat_map(quarters).collect();
-        }
-        let area: f64 = triangles.iter().map(|&[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum();
-        let reach = self.radius * (4.0 * PI / area).sqrt();
-        let placed = |[a, b, c]: [Vector; 3]| {
-            let outward = [a, b, c].map(|corner| self.center + reach * corner);
-            let [a, b, c] = outward;
-            if self.inward { [a, c, b] } else { outward }
-        };
-        triangles.into_iter().map(placed).collect()
-    }
-}
-
-/// Returns the triangles of the regular icosahedron with vertices at the distance 1,
-/// counter-clockwise seen from outside: vertices at the poles and on two circles of latitude ±atan
-/// ½.
-fn icosahedron() -> Vec<[Vector; 3]> {
-    let pole = |up: f64| Vector::new(0.0, 0.0, up);
-    let height = 0.2_f64.sqrt();
-    let corner = |tenth: usize| {
-        let (sine, cosine) = (PI / 5.0 * (tenth % 10) as f64).sin_cos();
-        let up = if tenth.is_multiple_of(2) { height } else { -height };
-        Vector::new(2.0 * height * cosine, 2.0 * height * sine, up)
-    };
-    let of_sector = |fifth: usize| {
-        let [a, b, c, d] = [0, 1, 2, 3].map(|tenth| corner(2 * fifth + tenth));
-        [[pole(1.0), a, c], [a, b, c], [b, d, c], [pole(-1.0), d, b]]
-    };
-    (0..5).flat_map(of_sector).collect()
-}
-
-/// Splits a triangle on the unit sphere into four at the midpoints of its edges, with all vertices
-/// on the sphere.
-fn quarters([a, b, c]: [Vector; 3]) -> [[Vector; 3]; 4] {
-    let middle =
-        |a: Vector, b: Vector| (a + b).unit().expect("corners of an edge are not opposite each other");
-    let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
 }
 
 #[cfg(test)]

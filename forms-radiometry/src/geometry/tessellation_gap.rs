@@ -17,7 +17,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Bounds the solid angle, over π, of the part of a convex outline that a sphere or disk hides from
 /// a point while the pieces of its tessellation hide nothing. The outline faces the point. A shape
-/// behind the outline, or below the horizon of this normal, hides nothing.
+/// behind the outline, below the horizon of this normal, or through which the point sees the outline
+/// hides nothing.
 pub(crate) fn bulge(
     shape: &dyn Round,
     (point, horizon): (Vector, Option<Vector>),
@@ -27,7 +28,10 @@ pub(crate) fn bulge(
     let rounding = ROUNDING * (point.largest() + shape.center().largest() + radius);
     // how far the shape reaches beyond the plane through the point with this normal
     let over = |normal: Vector| normal.dot(to_center) + shape.reach(normal) * radius + rounding;
-    if over(normal) < normal.dot(outline[0] - point) || horizon.is_some_and(|normal| over(normal) < 0.0) {
+    if over(normal) < normal.dot(outline[0] - point)
+        || horizon.is_some_and(|normal| over(normal) < 0.0)
+        || shape.shows_through(point, outline)
+    {
         return 0.0;
     }
     let middle = Vector::mean(outline) - point;
@@ -36,16 +40,16 @@ pub(crate) fn bulge(
         let across = (a - point).cross(b - point).unit()?;
         let inward = if across.dot(middle) < 0.0 { -across } else { across };
         let depth = over(inward);
-        Some(if depth <= 0.0 { 0.0 } else { cap(depth, shape.reach(inward), [to_center.length(), radius]) })
+        let half = || shape.cap(depth, shape.reach(inward));
+        Some(if depth <= 0.0 { 0.0 } else { cap(depth, half(), [to_center.length(), radius]) })
     });
     caps.fold(4.0, f64::min)
 }
 
 /// Returns a bound on the solid angle, over π, of the part of a shape that reaches at most `depth`
-/// beyond a plane through a point. The shape has this radius, and its centre is `far` away from the
-/// point.
-fn cap(depth: f64, reach: f64, [far, radius]: [f64; 2]) -> f64 {
-    let half = (2.0 * radius * (depth / reach)).sqrt().min(radius);
+/// beyond a plane through a point, in a part of the radius `half`. The shape has this radius, and
+/// its centre is `far` away from the point.
+fn cap(depth: f64, half: f64, [far, radius]: [f64; 2]) -> f64 {
     // the visible part of a ball ends where lines from the point are tangent to it
     let nearest = (far - radius).max(((far - radius) * (far + radius)).max(0.0).sqrt() - half);
     if nearest > 0.0 { 2.0 * (depth / nearest) * (half / nearest) / PI } else { f64::INFINITY }
@@ -93,7 +97,7 @@ mod tests {
 
     #[test]
     fn a_disk_reaches_no_farther_than_it_is_wide() {
-        let disk = |normal| Disk { center: Vector::new(0.8, 0.0, 1.0), normal, radius: 0.5 };
+        let disk = |normal| Disk { center: Vector::new(0.8, 0.0, 1.0), normal, radius: 0.5, hole: 0.0 };
         // an upright disk stays outside the shaft
         assert_eq!(of(&disk(Vector::new(1.0, 0.0, 0.0))), 0.0);
         assert!(of(&disk(UP)) > 0.0);

@@ -1,7 +1,8 @@
 //! Light sources: samples directions from which direct light arrives, with their densities.
 //!
 //! ```text
-//! triangle   uniform over its solid angle            disk   uniform over its area
+//! triangle   uniform over its solid angle            disk, cylinder, cone, paraboloid   uniform over
+//!                                                    its area
 //! sphere     outside, uniform over the cone that it subtends; inside, uniform over its area
 //! point, distant light: the only possible direction
 //! ```
@@ -18,9 +19,9 @@ use super::near_field::Near;
 use super::optics::largest;
 use super::warps::{
     spherical_triangle_pdf, spherical_triangle_sample, uniform_cone_pdf, uniform_cone_sample,
-    uniform_disk_sample, uniform_sphere_sample, uniform_triangle_sample,
+    uniform_triangle_sample,
 };
-use crate::geometry::{Disk, Sphere, Vector};
+use crate::geometry::{Disk, Quadric, Round, Sphere, Vector};
 use crate::sampling::{Frame, Samples, chosen, shares};
 use crate::scene::{LightKind, Scene};
 use crate::visibility::{Met, Wall};
@@ -69,6 +70,7 @@ enum Form {
     Triangle([Vector; 3]),
     Disk(Disk),
     Sphere(Sphere),
+    Quadric(Quadric),
     Point(Vector),
     /// The unit vector along which the light travels.
     Distant(Vector),
@@ -238,6 +240,7 @@ impl Form {
             }
             Self::Disk(disk) => near(self.area(), disk.center, disk.radius),
             Self::Sphere(sphere) => near(PI * sphere.radius * sphere.radius, sphere.center, sphere.radius),
+            Self::Quadric(quadric) => near(0.5 * self.area(), quadric.center(), quadric.radius()),
             Self::Point(position) => near(1.0, position, 0.0),
             Self::Distant(direction) => {
                 Weight { far: value, direction: Some(-direction), ..near(0.0, Vector::default(), 0.0) }
@@ -248,28 +251,23 @@ impl Form {
     fn area(&self) -> f64 {
         match self {
             Self::Triangle([a, b, c]) => 0.5 * (*b - *a).cross(*c - *a).length(),
-            Self::Disk(disk) => PI * disk.radius * disk.radius,
-            Self::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
+            Self::Disk(disk) => disk.area(),
+            Self::Sphere(sphere) => sphere.area(),
+            Self::Quadric(quadric) => quadric.area(),
             Self::Point(_) | Self::Distant(_) => 0.0,
         }
     }
 
-    /// Returns a point that is uniform over the area, and the normal there.
+    /// Returns a point that is uniform over the area, and the normal of a front that is curved.
     fn point(&self, [u, v]: [f64; 2]) -> (Vector, Vector) {
         match *self {
             Self::Triangle([a, b, c]) => {
                 let [p, q] = uniform_triangle_sample(u, v);
                 (a + p * (b - a) + q * (c - a), Vector::default())
             }
-            Self::Disk(disk) => {
-                let [x, y] = uniform_disk_sample(u, v);
-                (disk.center + disk.radius * Frame::about(disk.normal).place([x, y, 0.0]), disk.normal)
-            }
-            Self::Sphere(sphere) => {
-                let [x, y, z] = uniform_sphere_sample(u, v);
-                let outward = Vector::new(x, y, z);
-                (sphere.center + sphere.radius * outward, outward)
-            }
+            Self::Disk(disk) => disk.sample([u, v]),
+            Self::Sphere(sphere) => sphere.sample([u, v]),
+            Self::Quadric(quadric) => quadric.point([u, v]),
             Self::Point(position) => (position, Vector::default()),
             Self::Distant(direction) => (direction, Vector::default()),
         }
@@ -296,6 +294,10 @@ impl Form {
                 let direction = Frame::about(axis).place(uniform_cone_sample(height, square[0], square[1]));
                 Some((direction, f64::INFINITY, cone_density(height)))
             }
+            Self::Quadric(quadric) => {
+                let direction = (quadric.point(square).0 - from).unit()?;
+                Some((direction, f64::INFINITY, quadric_density(&quadric, from, direction)))
+            }
             Self::Disk(_) | Self::Sphere(_) => {
                 let (point, normal) = self.point(square);
                 let offset = point - from;
@@ -317,6 +319,7 @@ impl Form {
             Self::Sphere(sphere) if outside(&sphere, from).is_some() => {
                 outside(&sphere, from).map_or(0.0, |(_, height)| cone_density(height))
             }
+            Self::Quadric(quadric) => quadric_density(&quadric, from, direction),
             Self::Disk(_) | Self::Sphere(_) => {
                 let offset = met.position - from;
                 let covered =
@@ -343,7 +346,7 @@ impl Front {
             let normal = match wall {
                 Wall::Polygon { normal, .. } => Some(*normal),
                 Wall::Disk(disk) => Some(disk.normal),
-                Wall::Sphere(_) => None,
+                Wall::Sphere(_) | Wall::Quadric(_) => None,
             };
             for form in forms(wall) {
                 sum += form.area();
@@ -358,12 +361,8 @@ impl Front {
     pub(super) fn point(&self, samples: &mut Samples) -> Option<(usize, Vector, Vector)> {
         let along = samples.one() * self.areas.last()?;
         let (wall, form, normal) = &self.pieces[chosen(&self.areas, along)?];
-        let (position, outward) = form.point(samples.pair());
-        let normal = normal.unwrap_or(match form {
-            Form::Sphere(sphere) if sphere.inward => -outward,
-            _ => outward,
-        });
-        Some((*wall, position, normal))
+        let (position, curved) = form.point(samples.pair());
+        Some((*wall, position, normal.unwrap_or(curved)))
     }
 }
 
@@ -376,12 +375,24 @@ fn forms(wall: &Wall) -> Vec<Form> {
         }
         Wall::Disk(disk) => vec![Form::Disk(*disk)],
         Wall::Sphere(sphere) => vec![Form::Sphere(*sphere)],
+        Wall::Quadric(quadric) => vec![Form::Quadric(*quadric)],
     }
 }
 
 fn triangle_density([a, b, c]: [Vector; 3], direction: Vector) -> f64 {
     let Vector { x, y, z } = direction;
     spherical_triangle_pdf(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, x, y, z)
+}
+
+/// Returns the density of directions to points that are uniform over the area of a quadric: a line
+/// can meet it twice.
+fn quadric_density(quadric: &Quadric, from: Vector, direction: Vector) -> f64 {
+    let density = |distance: f64| {
+        let (_, normal) = quadric.foot(from + distance * direction);
+        measure_solid_angle_to_area(distance * distance, normal.dot(direction).abs()) / quadric.area()
+    };
+    let ahead = quadric.crossings(from, direction).into_iter().flatten().filter(|met| met.distance > 0.0);
+    ahead.map(|met| density(met.distance)).sum()
 }
 
 /// Returns, from outside a sphere, the direction to its centre, and 1 minus the cosine of its

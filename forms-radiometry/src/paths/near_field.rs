@@ -4,14 +4,14 @@
 //! ```text
 //! flat     it contains a disk about the foot of the point's perpendicular, whose radius is at
 //!          least the point's height: (1 − 1/√2)/2 = 0.146 of all directions, or more, lead to it
-//! sphere   the point is inside
+//! sphere, quadric of revolution   the point is inside
 //! ```
 //! From such points the light source is not sampled by next-event estimation: a direction to it
 //! costs more than it adds to the light that directions sampled by the law of a vertex find. Any
 //! rule would do, as long as it always gives the same result for the same point, since the MIS
 //! weights depend on it.
 
-use crate::geometry::{Disk, Sphere, Vector};
+use crate::geometry::{Disk, Quadric, Sphere, Vector};
 use crate::visibility::Wall;
 
 /// The points near a light source.
@@ -24,6 +24,7 @@ pub(crate) enum Near {
     },
     Disk(Disk),
     Sphere(Sphere),
+    Quadric(Quadric),
 }
 
 impl Near {
@@ -37,6 +38,7 @@ impl Near {
             }
             Wall::Disk(disk) => Self::Disk(*disk),
             Wall::Sphere(sphere) => Self::Sphere(*sphere),
+            Wall::Quadric(quadric) => Self::Quadric(*quadric),
         }
     }
 
@@ -47,12 +49,14 @@ impl Near {
                 let height = (point - *origin).dot(*normal).abs();
                 edges.iter().all(|[from, inwards]| (point - *from).dot(*inwards) >= height)
             }
-            Self::Disk(Disk { center, normal, radius }) => {
+            Self::Disk(Disk { center, normal, radius, hole }) => {
                 let offset = point - *center;
                 let height = offset.dot(*normal).abs();
-                let left = radius - height;
-                left >= 0.0 && offset.dot(offset) - height * height <= left * left
+                let (left, squared) = (radius - height, offset.dot(offset) - height * height);
+                let is_off_hole = *hole == 0.0 || squared >= (hole + height).powi(2);
+                left >= 0.0 && squared <= left * left && is_off_hole
             }
+            Self::Quadric(quadric) => quadric.holds(point),
             Self::Sphere(Sphere { center, radius, .. }) => {
                 let offset = point - *center;
                 offset.dot(offset) < radius * radius
@@ -77,7 +81,8 @@ mod tests {
 
     #[test]
     fn points_are_near_where_a_disk_as_wide_as_their_height_fits_in() {
-        let disk = Near::of(&Wall::Disk(Disk { center: Vector::default(), normal: UP, radius: 1.0 }));
+        let disk =
+            Near::of(&Wall::Disk(Disk { center: Vector::default(), normal: UP, radius: 1.0, hole: 0.0 }));
         let cases = [
             ([0.0, 0.0, 0.99], true),
             ([0.0, 0.0, -0.99], true),

@@ -107,6 +107,7 @@ pub(crate) fn walls_of(piece: Piece) -> Vec<Wall> {
         }
         Piece::Sphere(sphere) => vec![Wall::Sphere(sphere)],
         Piece::Disk(disk) => vec![Wall::Disk(disk)],
+        Piece::Quadric(quadric) => vec![Wall::Quadric(quadric)],
     }
 }
 

@@ -1,5 +1,5 @@
-//! Disks and spheres as points see them: their measure as a whole, and the occlusion that their
-//! tessellation misses.
+//! Round shapes as points see them: the measure of disks and spheres as a whole, and the occlusion
+//! that their tessellation misses.
 //!
 //! ```text
 //! sphere or disk ─ no occluder, nor the gap of another tessellation ─▶ its measure as a whole
@@ -48,7 +48,7 @@ impl Lights<'_> {
         let shape: &dyn SeenWhole = match &self.scene().surfaces[surface].shape {
             Shape::Sphere(sphere) => sphere,
             Shape::Disk(disk) => disk,
-            Shape::Polygon(_) | Shape::Mesh(_) => return None,
+            Shape::Polygon(_) | Shape::Mesh(_) | Shape::Quadric(_) => return None,
         };
         if self.scene().surfaces.len() > 1 {
             let (outline, normal) = shape.outline(point)?;
@@ -68,9 +68,8 @@ impl Lights<'_> {
         Some((measure.of_whole(point, shape)?, !shape.shows_front(point)))
     }
 
-    /// Whether a face that is fully occluded from a point is certainly hidden: no piece of a disk
-    /// or sphere is among the occluders, or the shape itself hides all of the face, that is each of
-    /// its corners.
+    /// Whether a face that is fully occluded from a point is certainly hidden: no piece of a round
+    /// shape is among the occluders, or the shape itself hides all of the face.
     pub(super) fn is_surely_hidden(
         &self,
         point: Vector,
@@ -80,8 +79,7 @@ impl Lights<'_> {
     ) -> bool {
         let surfaces = transport.screens.fronts(between).map(|front| transport.faces[front].surface);
         let round = surfaces.filter_map(|surface| self.scene().surfaces[surface].shape.as_round());
-        let mut corners = face.vertices.iter();
-        round.take(1).all(|shape| corners.all(|&corner| shape.meets([point, corner])))
+        round.take(1).all(|shape| shape.hides(point, &face.vertices))
     }
 }
 

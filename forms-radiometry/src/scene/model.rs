@@ -3,7 +3,7 @@
 use super::effect::ForcedEffect;
 use super::place::Place;
 use crate::camera::Camera;
-use crate::geometry::{Disk, Mesh, Polygon, Round, Sphere, Vector};
+use crate::geometry::{Disk, Mesh, Polygon, Quadric, Round, Sphere, Vector};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -173,8 +173,10 @@ pub enum Shape {
     Mesh(Arc<Mesh>),
     /// A sphere.
     Sphere(Sphere),
-    /// A disk.
+    /// A disk or an annulus.
     Disk(Disk),
+    /// A cylinder, a cone or a paraboloid.
+    Quadric(Quadric),
 }
 
 impl Shape {
@@ -183,11 +185,17 @@ impl Shape {
         self.as_round().is_some()
     }
 
+    /// Whether the shape is curved, and not only its border.
+    pub(crate) fn is_curved(&self) -> bool {
+        matches!(self, Self::Sphere(_) | Self::Quadric(_))
+    }
+
     /// Returns the shape if it is curved, or has a curved border.
     pub(crate) fn as_round(&self) -> Option<&dyn Round> {
         match self {
             Self::Sphere(sphere) => Some(sphere),
             Self::Disk(disk) => Some(disk),
+            Self::Quadric(quadric) => Some(quadric),
             Self::Polygon(_) | Self::Mesh(_) => None,
         }
     }
@@ -201,7 +209,7 @@ impl Shape {
     pub fn as_polygon(&self) -> Option<&Polygon> {
         match self {
             Self::Polygon(polygon) => Some(polygon),
-            Self::Mesh(_) | Self::Sphere(_) | Self::Disk(_) => None,
+            Self::Mesh(_) | Self::Sphere(_) | Self::Disk(_) | Self::Quadric(_) => None,
         }
     }
 }

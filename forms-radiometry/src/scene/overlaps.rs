@@ -64,7 +64,7 @@ impl<'s> Piece<'s> {
             let count = match shape {
                 Shape::Polygon(_) | Shape::Disk(_) => 1,
                 Shape::Mesh(mesh) => mesh.faces().len(),
-                Shape::Sphere(_) => 0,
+                Shape::Sphere(_) | Shape::Quadric(_) => 0,
             };
             (0..count).map(move |face| Self { surface, shape, face, flat: OnceCell::new() })
         })
@@ -77,7 +77,7 @@ impl<'s> Piece<'s> {
             Shape::Polygon(polygon) => polygon.vertices().to_vec(),
             Shape::Mesh(mesh) => mesh.corners(self.face).collect(),
             Shape::Disk(disk) => disk.corners().to_vec(),
-            Shape::Sphere(_) => Vec::new(),
+            Shape::Sphere(_) | Shape::Quadric(_) => Vec::new(),
         };
         let margin = 2.0 * closeness(points.iter().copied());
         (points, margin)
@@ -88,7 +88,7 @@ impl<'s> Piece<'s> {
             Shape::Mesh(mesh) => Flat::Polygon(mesh.polygon(self.face)),
             Shape::Polygon(polygon) => Flat::Polygon(polygon.clone()),
             Shape::Disk(disk) => Flat::Disk(*disk),
-            Shape::Sphere(_) => unreachable!("a sphere has no flat pieces"),
+            Shape::Sphere(_) | Shape::Quadric(_) => unreachable!("a curved shape has no flat pieces"),
         })
     }
 }

@@ -2,8 +2,8 @@
 //! closed, and exactly one medium must fill it.
 //!
 //! ```text
-//! polygons, meshes, spheres, disks ─ sheets ─┬─ sides that meet at an edge ─────┐
-//!                                            └─ sides that see each other ──────┴─ regions ─ media
+//! surfaces ─ sheets ─┬─ sides that meet at an edge ─────┐
+//!                    └─ sides that see each other ──────┴─ regions ─ media
 //! ```
 //! Every face has two sides. Around an edge, the sides that face each other bound the same region;
 //! at an edge that belongs to a single face, these are the two sides of that face. Bodies that
@@ -15,6 +15,7 @@ mod boundary;
 mod edges;
 mod interfaces;
 mod rays;
+mod rims;
 
 use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
@@ -236,8 +237,8 @@ impl Regions {
         node
     }
 
-    /// Joins the sides that face each other at edges. Also joins both sides of a disk, or the sides
-    /// of a disk with those of the surface on which it lies.
+    /// Joins the sides that face each other at edges, and the sides of a disk with those of the
+    /// surface on which it lies.
     fn join_at(&mut self, interfaces: &[Interface], edges: &[Edge]) {
         for (a, b) in edges.iter().flat_map(Edge::facing) {
             self.join(a, b);
@@ -248,8 +249,6 @@ impl Regions {
             if let Some(base) = interfaces.iter().position(|interface| interface.has_round_hole(disk)) {
                 self.join(Side::Front(index), Side::Front(base));
                 self.join(Side::Back(index), Side::Back(base));
-            } else {
-                self.join(Side::Front(index), Side::Back(index));
             }
         }
     }

@@ -37,9 +37,12 @@ impl Refusals {
     fn receiver(&mut self, scene: &Scene, receiver: &Receiver) {
         if let ReceiverKind::Surface { surface, grid: Some(_) } = receiver.kind {
             let shape = match scene.surfaces[surface].shape {
-                Shape::Polygon(_) | Shape::Disk(_) => return,
+                Shape::Polygon(_) => return,
+                Shape::Disk(disk) if !disk.is_annulus() => return,
+                Shape::Disk(_) => "annulus",
                 Shape::Mesh(_) => "mesh",
                 Shape::Sphere(_) => "sphere",
+                Shape::Quadric(quadric) => quadric.name(),
             };
             let what = format!("the map of a {shape}");
             self.refuse(&receiver.place, &what, "a receiver without `grid`");
@@ -74,7 +77,7 @@ impl Refusals {
                     [differs && !is_off(Effect::Refraction); 2]
                 }
             };
-            let is_curved = matches!(surface.shape, Shape::Sphere(_));
+            let is_curved = surface.shape.is_curved();
             if is_curved && mirrors {
                 let what = format!(
                     "light from point or distant lights that the curved surface `{}` reflects or refracts",

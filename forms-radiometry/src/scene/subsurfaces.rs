@@ -181,6 +181,7 @@ fn allowed_shapes(own: &Surface, base: &Surface) -> Result<[Vec<Flat>; 2], Probl
 fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
     match shape {
         Shape::Polygon(polygon) => Ok(vec![Flat::Polygon(polygon.clone())]),
+        Shape::Disk(disk) if disk.is_annulus() => Err("an annulus"),
         Shape::Disk(disk) => Ok(vec![Flat::Disk(*disk)]),
         Shape::Mesh(mesh) => {
             let faces: Vec<Flat> = mesh.polygons().map(Flat::Polygon).collect();
@@ -191,6 +192,11 @@ fn flat_shapes(shape: &Shape) -> Result<Vec<Flat>, &'static str> {
             if is_planar { Ok(faces) } else { Err("a mesh that is not planar") }
         }
         Shape::Sphere(_) => Err("a sphere"),
+        Shape::Quadric(quadric) => Err(match quadric.name() {
+            "cylinder" => "a cylinder",
+            "cone" => "a cone",
+            _ => "a paraboloid",
+        }),
     }
 }
 
@@ -208,7 +214,7 @@ fn cut_shape(shape: &Shape, openings: &[Opening]) -> Result<Shape, &'static str>
             let outlines: Vec<&Vec<Vector>> = left.iter().flat_map(Polygon::convex_pieces).collect();
             mesh_of(&outlines).map(|mesh| Shape::Mesh(Arc::new(mesh)))
         }
-        Shape::Sphere(_) | Shape::Disk(_) => Ok(shape.clone()),
+        Shape::Sphere(_) | Shape::Disk(_) | Shape::Quadric(_) => Ok(shape.clone()),
     }
 }
 

@@ -7,9 +7,10 @@ use super::known::Known;
 use super::mesh_file::MeshFiles;
 use super::mesh_keys;
 use super::model::{Shape, Surface};
+use super::round;
 use super::subsurfaces::OnKey;
-use super::value::{LENGTH, NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
-use crate::geometry::{Disk, Polygon, Sphere, Vector};
+use super::value::{NOT_NEGATIVE, Value, boolean, one_of, spectrum, text, vector};
+use crate::geometry::{Polygon, Vector};
 use std::f64::consts::PI;
 use std::ops::Range;
 
@@ -20,6 +21,10 @@ const KEYS: &[&str] = &[
     "mesh",
     "sphere",
     "disk",
+    "annulus",
+    "cylinder",
+    "cone",
+    "paraboloid",
     "split",
     "scale",
     "transform",
@@ -28,7 +33,7 @@ const KEYS: &[&str] = &[
     "exitance",
     "two_sided",
 ];
-const SHAPES: [&str; 4] = ["polygon", "mesh", "sphere", "disk"];
+const SHAPES: [&str; 8] = ["polygon", "mesh", "sphere", "disk", "annulus", "cylinder", "cone", "paraboloid"];
 
 /// The shapes of a `[[surface]]`, with the names of the groups of its mesh if it is split; and the
 /// place of its shape.
@@ -109,7 +114,7 @@ fn register(
 
 /// Returns the only shape of a surface, or those of the groups of its mesh.
 fn shapes(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Option<Shapes> {
-    const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front, or a `mesh`, a `sphere` or a `disk`";
+    const EXPECTED: &str = "polygon = [[x, y, z], …], counter-clockwise seen from the front, or a `mesh`, `sphere`, `disk`, `annulus`, `cylinder`, `cone` or `paraboloid`";
     let given: Vec<&str> = SHAPES.into_iter().filter(|shape| element.optional(shape).is_some()).collect();
     let [key] = given[..] else {
         let Some(&second) = given.get(1) else {
@@ -130,8 +135,7 @@ fn shapes(report: &mut Report, element: &Element, files: &mut MeshFiles) -> Opti
     mesh_keys::refuse(report, element);
     let shape = match key {
         "polygon" => polygon(report, value).map(Shape::Polygon),
-        "sphere" => sphere(report, value).map(Shape::Sphere),
-        _ => disk(report, value).map(Shape::Disk),
+        round => round::read(report, round, value),
     };
     Some((vec![(None, shape?)], value.span()))
 }
@@ -180,27 +184,6 @@ fn vertices(report: &mut Report, value: &Value, expected: &str) -> Option<Vec<Ve
     };
     let vertices: Vec<Option<Vector>> = list.iter().map(|item| vector(report, item, "a vertex")).collect();
     vertices.into_iter().collect()
-}
-
-fn sphere(report: &mut Report, value: &Value) -> Option<Sphere> {
-    const EXPECTED: &str = "sphere = { center = [x, y, z], radius = … }";
-    let element = Element::single(report, value, "`sphere`", "`sphere`", EXPECTED)?;
-    element.check_keys(report, &["center", "radius", "inward"]);
-    let (center, radius) = (element.point(report, "center"), element.number(report, "radius", &LENGTH));
-    let inward = match element.optional("inward") {
-        None => Some(false),
-        Some(value) => boolean(report, value, "`inward`"),
-    };
-    Some(Sphere { center: center?, radius: radius?, inward: inward? })
-}
-
-fn disk(report: &mut Report, value: &Value) -> Option<Disk> {
-    const EXPECTED: &str = "disk = { center = [x, y, z], normal = [x, y, z], radius = … }";
-    let element = Element::single(report, value, "`disk`", "`disk`", EXPECTED)?;
-    element.check_keys(report, &["center", "normal", "radius"]);
-    let (center, normal) = (element.point(report, "center"), element.direction(report, "normal"));
-    let radius = element.number(report, "radius", &LENGTH);
-    Some(Disk { center: center?, normal: normal?, radius: radius? })
 }
 
 /// Returns the radiance of a surface, given directly or by its exitance M = π L, and that exitance.

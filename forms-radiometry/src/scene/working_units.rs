@@ -14,7 +14,7 @@
 use super::model::{LengthUnit, Light, LightKind, ReceiverKind, Scene, Shape};
 use super::place::Place;
 use crate::geometry::scale;
-use crate::geometry::{Disk, Sphere, Vector};
+use crate::geometry::{Round, Sphere, Vector};
 use std::borrow::Cow;
 
 /// Largest ratio of lengths in one scene: if they differ by more, they cannot all be scaled near
@@ -167,10 +167,11 @@ impl Scene {
             (&surface.place, message, expected)
         });
         let lost = self.surfaces.iter().filter_map(|surface| {
-            let (center, radius) = match surface.shape {
-                Shape::Sphere(Sphere { center, radius, .. }) | Shape::Disk(Disk { center, radius, .. }) => {
-                    (center.largest(), radius)
-                }
+            let center = surface.shape.as_round()?.center().largest();
+            let radius = match surface.shape {
+                Shape::Sphere(Sphere { radius, .. }) => radius,
+                Shape::Disk(disk) => disk.width(),
+                Shape::Quadric(quadric) => quadric.least_extent(),
                 Shape::Polygon(_) | Shape::Mesh(_) => return None,
             };
             let message = format!(
@@ -203,6 +204,7 @@ impl Shape {
             Self::Mesh(mesh) => Self::Mesh(mesh.scaled(factor).into()),
             Self::Sphere(sphere) => Self::Sphere(sphere.scaled(factor)),
             Self::Disk(disk) => Self::Disk(disk.scaled(factor)),
+            Self::Quadric(quadric) => Self::Quadric(quadric.scaled(factor)),
         }
     }
 
@@ -212,7 +214,11 @@ impl Shape {
             Self::Polygon(polygon) => polygon.lengths(),
             Self::Mesh(mesh) => mesh.lengths(),
             Self::Sphere(sphere) => [sphere.center.largest() + sphere.radius, sphere.radius],
-            Self::Disk(disk) => [disk.center.largest() + disk.radius, disk.radius],
+            Self::Disk(disk) => [disk.center.largest() + disk.radius, disk.width()],
+            Self::Quadric(quadric) => {
+                let center = quadric.center().largest();
+                [center + quadric.radius(), quadric.least_extent()]
+            }
         }
     }
 }

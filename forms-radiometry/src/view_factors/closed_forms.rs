@@ -11,7 +11,7 @@
 
 use super::ViewFactor;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Disk, Polygon, Sphere, Vector};
+use crate::geometry::{Disk, Polygon, Round, Sphere, Vector};
 use crate::scene::{Scene, Shape, Surface};
 use forms_kernels::{
     solid_angle_triangle, view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres,
@@ -75,7 +75,9 @@ impl<'s> ClosedForms<'s> {
                 let share = area(shape)? / (4.0 * PI * sphere.radius * sphere.radius);
                 // the back of a flat shape takes as much light as its front, and sends none
                 let lost = if matches!(shape, Shape::Sphere(_)) { 1.0 } else { 2.0 };
-                (is_inside && is_convex(shape)).then_some(match (from == shell, to == shell) {
+                // an open shape takes light inside, too
+                let is_closed = !matches!(shape, Shape::Quadric(_));
+                (is_inside && is_closed && is_convex(shape)).then_some(match (from == shell, to == shell) {
                     (true, true) => 1.0 - lost * share,
                     (true, false) => share,
                     (false, true) => 1.0,
@@ -104,6 +106,7 @@ impl<'s> ClosedForms<'s> {
 fn is_convex(shape: &Shape) -> bool {
     match shape {
         Shape::Sphere(sphere) => !sphere.inward,
+        Shape::Quadric(quadric) => !quadric.inward,
         Shape::Polygon(_) | Shape::Disk(_) => true,
         Shape::Mesh(_) => false,
     }
@@ -112,8 +115,9 @@ fn is_convex(shape: &Shape) -> bool {
 fn area(shape: &Shape) -> Option<f64> {
     match shape {
         Shape::Polygon(polygon) => Some(polygon.area()),
-        Shape::Disk(disk) => Some(PI * disk.radius * disk.radius),
-        Shape::Sphere(sphere) => Some(4.0 * PI * sphere.radius * sphere.radius),
+        Shape::Disk(disk) => Some(disk.area()),
+        Shape::Sphere(sphere) => Some(sphere.area()),
+        Shape::Quadric(quadric) => Some(quadric.area()),
         Shape::Mesh(_) => None,
     }
 }
@@ -124,6 +128,7 @@ fn ball(shape: &Shape) -> (Vector, f64) {
         Shape::Sphere(Sphere { center, radius, .. }) | Shape::Disk(Disk { center, radius, .. }) => {
             return (*center, *radius);
         }
+        Shape::Quadric(quadric) => return (quadric.center(), quadric.radius()),
         Shape::Polygon(polygon) => Bounds::of(polygon.vertices().iter().copied()),
         Shape::Mesh(mesh) => Bounds::of((0..mesh.faces().len()).flat_map(|face| mesh.corners(face))),
     };
@@ -156,6 +161,7 @@ fn disks(a: &Disk, b: &Disk) -> Option<f64> {
     let is_coaxial = a.normal.cross(b.normal).length() <= COAXIAL && off <= COAXIAL * a.radius;
     let face_each_other = a.normal.dot(way) > 0.0 && b.normal.dot(way) < 0.0;
     match (is_coaxial, face_each_other) {
+        (true, true) if a.is_annulus() || b.is_annulus() => None,
         (true, true) => Some(view_factor_coaxial_disks(a.radius, b.radius, way.length())),
         (true, false) => Some(0.0),
         (false, _) => None,
@@ -168,7 +174,7 @@ fn sphere_to_flat(sphere: &Sphere, flat: &Shape) -> Option<f64> {
     let (point, normal) = match flat {
         Shape::Polygon(polygon) => (polygon.vertices()[0], polygon.normal()),
         Shape::Disk(disk) => (disk.center, disk.normal),
-        Shape::Sphere(_) | Shape::Mesh(_) => return None,
+        Shape::Sphere(_) | Shape::Mesh(_) | Shape::Quadric(_) => return None,
     };
     let height = normal.dot(sphere.center - point);
     if sphere.inward || height.abs() < sphere.radius {
@@ -180,9 +186,13 @@ fn sphere_to_flat(sphere: &Sphere, flat: &Shape) -> Option<f64> {
         Shape::Disk(disk) => {
             let is_coaxial =
                 (sphere.center - disk.center).cross(disk.normal).length() <= COAXIAL * disk.radius;
-            is_coaxial.then(|| view_factor_sphere_disk(disk.radius, height))
+            let [whole, hole] = disk.whole_and_hole();
+            let of_disk = |disk: Disk| {
+                if disk.radius > 0.0 { view_factor_sphere_disk(disk.radius, height) } else { 0.0 }
+            };
+            is_coaxial.then(|| of_disk(whole) - of_disk(hole))
         }
-        Shape::Sphere(_) | Shape::Mesh(_) => None,
+        Shape::Sphere(_) | Shape::Mesh(_) | Shape::Quadric(_) => None,
     }
 }
 

@@ -1,20 +1,19 @@
 //! Emitters: the surfaces of a scene as walls that rays start from and arrive at.
 //!
 //! ```text
-//! surface ─▶ triangles, disks and spheres, on each side that sends light
+//! surface ─▶ triangles and round shapes, on each side that sends light
 //! number of four dimensions ─▶ a piece by its area, a point on it, a direction by the cosine law
 //! ```
-//! Disks and spheres are exact. Pieces are in the order of a curve through space (Morton order), so
+//! Round shapes are exact. Pieces are in the order of a curve through space (Morton order), so
 //! that numbers near each other are points near each other, and low-discrepancy numbers give points
 //! that are evenly distributed over the surface.
 
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Disk, Sphere, Vector};
+use crate::geometry::{Disk, Quadric, Round, Sphere, Vector};
 use crate::paths::{walls_of, warps};
 use crate::sampling::{Frame, Samples, chosen, shares};
 use crate::scene::{Scene, sheets_without_edges};
 use crate::visibility::{Start, Wall, Walls};
-use std::f64::consts::PI;
 
 /// Bits of each coordinate in the order of pieces.
 const BITS: u32 = 10;
@@ -49,6 +48,7 @@ enum Shape {
     Triangle([Vector; 3], Vector),
     Disk(Disk),
     Sphere(Sphere),
+    Quadric(Quadric),
 }
 
 impl Emitters {
@@ -123,6 +123,7 @@ fn shapes(wall: &Wall) -> Vec<Shape> {
         }
         Wall::Disk(disk) => vec![Shape::Disk(*disk)],
         Wall::Sphere(sphere) => vec![Shape::Sphere(*sphere)],
+        Wall::Quadric(quadric) => vec![Shape::Quadric(*quadric)],
     }
 }
 
@@ -130,8 +131,9 @@ impl Shape {
     fn area(&self) -> f64 {
         match self {
             Self::Triangle([a, b, c], normal) => 0.5 * normal.dot((*b - *a).cross(*c - *a)).max(0.0),
-            Self::Disk(disk) => PI * disk.radius * disk.radius,
-            Self::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
+            Self::Disk(disk) => disk.area(),
+            Self::Sphere(sphere) => sphere.area(),
+            Self::Quadric(quadric) => quadric.area(),
         }
     }
 
@@ -140,6 +142,7 @@ impl Shape {
             Self::Triangle(corners, _) => Vector::mean(corners),
             Self::Disk(disk) => disk.center,
             Self::Sphere(sphere) => sphere.center,
+            Self::Quadric(quadric) => quadric.center(),
         }
     }
 
@@ -150,17 +153,9 @@ impl Shape {
                 let root = u.sqrt();
                 (*a + root * ((1.0 - v) * (*b - *a) + v * (*c - *a)), *normal)
             }
-            Self::Disk(disk) => {
-                let [x, y] = warps::uniform_disk_sample(u, v);
-                let offset = Frame::about(disk.normal).place([disk.radius * x, disk.radius * y, 0.0]);
-                (disk.center + offset, disk.normal)
-            }
-            Self::Sphere(sphere) => {
-                let [x, y, z] = warps::uniform_sphere_sample(u, v);
-                let outward = Vector::new(x, y, z);
-                let normal = if sphere.inward { -outward } else { outward };
-                (sphere.center + sphere.radius * outward, normal)
-            }
+            Self::Disk(disk) => disk.sample([u, v]),
+            Self::Sphere(sphere) => sphere.sample([u, v]),
+            Self::Quadric(quadric) => quadric.point([u, v]),
         }
     }
 }

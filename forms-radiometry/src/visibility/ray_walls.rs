@@ -1,4 +1,4 @@
-//! Walls: intersection of rays with convex polygons, disks and spheres, for rays that continue from
+//! Walls: intersection of rays with convex polygons and round shapes, for rays that continue from
 //! one wall to the next.
 //!
 //! ```text
@@ -16,7 +16,7 @@ use super::tree::Tree;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::plane::{ROUNDING, flatness};
 use crate::geometry::sides::sides;
-use crate::geometry::{Disk, Plane, Sphere, Vector};
+use crate::geometry::{Crossing, Disk, Plane, Quadric, Sphere, Vector};
 use std::ops::ControlFlow;
 
 /// A piece of a surface that rays intersect.
@@ -30,6 +30,7 @@ pub(crate) enum Wall {
     },
     Disk(Disk),
     Sphere(Sphere),
+    Quadric(Quadric),
 }
 
 /// The walls of a scene.
@@ -79,8 +80,8 @@ struct Ray<'w> {
 }
 
 impl Wall {
-    /// Returns points whose convex hull contains the wall: its own vertices, those of a polygon
-    /// around a disk, or those of a cube around a sphere.
+    /// Returns points whose convex hull contains the wall: its own vertices, those of polygons around
+    /// a disk or a quadric, or those of a cube around a sphere.
     pub(crate) fn corners(&self) -> Vec<Vector> {
         match self {
             Self::Polygon { vertices, .. } => vertices.clone(),
@@ -94,6 +95,7 @@ impl Wall {
                 let corner = |n: usize| *center + Vector::new(side(n, 0), side(n, 1), side(n, 2));
                 (0..8).map(corner).collect()
             }
+            Self::Quadric(quadric) => quadric.hull().collect(),
         }
     }
 
@@ -103,6 +105,7 @@ impl Wall {
             Self::Disk(Disk { center, radius, .. }) | Self::Sphere(Sphere { center, radius, .. }) => {
                 Bounds::of([*center].into_iter()).wider(*radius)
             }
+            Self::Quadric(quadric) => Bounds::of(quadric.hull()),
         }
     }
 
@@ -116,7 +119,7 @@ impl Wall {
         match self {
             Self::Polygon { vertices, normal } => Some(Plane { point: vertices[0], normal: *normal }),
             Self::Disk(disk) => Some(Plane { point: disk.center, normal: disk.normal }),
-            Self::Sphere(_) => None,
+            Self::Sphere(_) | Self::Quadric(_) => None,
         }
     }
 
@@ -132,6 +135,7 @@ impl Wall {
                 let outward = (position - *center).unit().unwrap_or(Vector::new(0.0, 0.0, 1.0));
                 (*center + *radius * outward, if *inward { -outward } else { outward })
             }
+            Self::Quadric(quadric) => quadric.foot(position),
         }
     }
 }
@@ -205,6 +209,7 @@ impl Way for Ray<'_> {
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
         let met = match &self.walls.walls[leaf] {
             Wall::Sphere(sphere) => self.sphere(leaf, sphere),
+            Wall::Quadric(quadric) => self.quadric(leaf, quadric),
             flat => self.flat(leaf, flat),
         };
         if let Some((distance, is_front)) = met {
@@ -232,11 +237,8 @@ impl Ray<'_> {
                 let relative = vertices.iter().map(|&v| v - position);
                 sides(relative, is_front).all(|side| side.dot(self.direction) >= 0.0)
             }
-            Wall::Disk(disk) => {
-                let off = position + distance * self.direction - disk.center;
-                off.dot(off) <= disk.radius * disk.radius
-            }
-            Wall::Sphere(_) => false,
+            Wall::Disk(disk) => disk.reaches(position + distance * self.direction),
+            Wall::Sphere(_) | Wall::Quadric(_) => false,
         };
         (distance < self.reach && is_inside).then_some((distance, is_front))
     }
@@ -280,11 +282,32 @@ impl Ray<'_> {
         }
         found(if is_on { -2.0 * b } else { far }, false)
     }
+
+    /// Returns the same for a quadric. A ray that starts on it meets it again only where it leaves
+    /// the inside.
+    fn quadric(&self, index: usize, quadric: &Quadric) -> Option<(f64, bool)> {
+        let Start { position, wall: left, is_front, clearance } = self.start;
+        let within = |distance: f64| (distance >= 0.0 && distance < self.reach).then_some(distance);
+        if left == Some(index) {
+            let goes_inside = is_front == quadric.inward;
+            let beyond = goes_inside.then(|| quadric.beyond(position, self.direction)).flatten();
+            return Some((within(beyond?)?, quadric.inward));
+        }
+        // a given start on the shape counts as on it, not in front of it
+        if quadric.height(position).is_some_and(|height| height.abs() <= clearance) {
+            return Some((within(quadric.beyond(position, self.direction)?)?, quadric.inward));
+        }
+        let crossings = quadric.crossings(position, self.direction).into_iter().flatten();
+        let mut found =
+            crossings.filter_map(|Crossing { distance, enters }| Some((within(distance)?, enters)));
+        found.next().map(|(distance, enters)| (distance, enters != quadric.inward))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Profile;
 
     const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 
@@ -298,7 +321,8 @@ mod tests {
     fn walls_are_met_where_they_are_and_on_the_side_that_is_turned_to_the_ray() {
         let sphere =
             |inward| Wall::Sphere(Sphere { center: Vector::new(0.0, 0.0, 5.0), radius: 1.0, inward });
-        let disk = Wall::Disk(Disk { center: Vector::new(0.0, 0.0, 3.0), normal: -UP, radius: 1.0 });
+        let disk =
+            Wall::Disk(Disk { center: Vector::new(0.0, 0.0, 3.0), normal: -UP, radius: 1.0, hole: 0.0 });
         let cases = [
             (
                 "a polygon from behind",
@@ -321,7 +345,7 @@ mod tests {
         }
     }
 
-    /// Traces rays that bounce in a closed box or sphere, moved far away, and scaled: none leaves,
+    /// Traces rays that bounce in a closed box, sphere, cylinder or cone, moved far away, and scaled: none leaves,
     /// and none hits the wall where it starts.
     #[test]
     fn no_ray_leaves_a_closed_room_or_meets_the_wall_it_leaves() {
@@ -329,12 +353,24 @@ mod tests {
             for offset in [0.0, 1e3, 1e8] {
                 let center = offset * scale * Vector::new(1.0, -0.7, 0.3);
                 let inside = Sphere { center, radius: scale, inward: true };
-                for walls in [vec![Wall::Sphere(inside)], cube(center, scale)] {
+                let cans =
+                    [can(center, [scale; 2]), can(center, [scale, 0.4 * scale]), can(center, [scale, 0.0])];
+                for walls in [vec![Wall::Sphere(inside)], cube(center, scale)].into_iter().chain(cans) {
                     let walls = Walls::of(walls);
                     bounce(&walls, center);
                 }
             }
         }
+    }
+
+    /// A cone with its base, or the two ends of a cylinder, closed by disks.
+    fn can(center: Vector, radii: [f64; 2]) -> Vec<Wall> {
+        let axis = Vector::new(0.48, -0.6, 0.64);
+        let ends = [center - 1.5 * radii[0] * axis, center + 1.5 * radii[0] * axis];
+        let side = Quadric { ends, radii, profile: Profile::Straight, inward: true };
+        let lid = |end: usize| Disk { center: ends[end], normal: axis, radius: radii[end], hole: 0.0 };
+        let lids = (0..2).map(lid).filter(|lid| lid.radius > 0.0).map(Wall::Disk);
+        [Wall::Quadric(side)].into_iter().chain(lids).collect()
     }
 
     fn cube(center: Vector, scale: f64) -> Vec<Wall> {

@@ -45,10 +45,11 @@ impl Change {
             Shape::Sphere(Sphere { center, radius, inward }) => {
                 Shape::Sphere(Sphere { center: self.place(center), radius: self.lengths * radius, inward })
             }
-            Shape::Disk(Disk { center, normal, radius }) => {
-                Shape::Disk(Disk { center: self.place(center), normal, radius: self.lengths * radius })
+            Shape::Disk(Disk { center, normal, radius, hole }) => {
+                let [radius, hole] = [radius, hole].map(|length| self.lengths * length);
+                Shape::Disk(Disk { center: self.place(center), normal, radius, hole })
             }
-            Shape::Mesh(_) => panic!("no claim has a mesh"),
+            Shape::Mesh(_) | Shape::Quadric(_) => panic!("no claim has a mesh or a quadric"),
         }
     }
 

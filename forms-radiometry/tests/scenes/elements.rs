@@ -68,8 +68,12 @@ fn there_are_four_shapes_of_surfaces() {
     let Shape::Sphere(sphere) = ball.shape else { panic!("the ball is a sphere") };
     assert_eq!(sphere, Sphere { center: Vector::new(0.0, 0.0, 4.0), radius: 0.5, inward: false });
     let Shape::Disk(disk) = lid.shape else { panic!("the lid is a disk") };
-    let expected =
-        Disk { center: Vector::new(0.0, 0.0, 8.0), normal: Vector::new(0.0, 0.0, -1.0), radius: 2.0 };
+    let expected = Disk {
+        center: Vector::new(0.0, 0.0, 8.0),
+        normal: Vector::new(0.0, 0.0, -1.0),
+        radius: 2.0,
+        hole: 0.0,
+    };
     assert_eq!(disk, expected);
     assert_eq!([floor.material, part.material, ball.material, lid.material], [0, 3, 2, 1]);
     assert_eq!([floor.two_sided, lid.two_sided], [false, true]);

@@ -191,6 +191,14 @@ impl Disk {
     }
 }
 
+impl Disk {
+    /// Returns a measure of an annulus: that of the whole disk less that of the hole.
+    fn without_hole(&self, of: impl Fn(&Self) -> Option<Rounded>) -> Option<Rounded> {
+        let [whole, hole] = self.whole_and_hole();
+        Some(of(&whole)? + of(&hole)?.times(-1.0))
+    }
+}
+
 impl SeenWhole for Disk {
     fn shows_front(&self, point: Vector) -> bool {
         matches!(self.seen_from(point), Some(Some(Above { is_before: true, .. })))
@@ -200,6 +208,9 @@ impl SeenWhole for Disk {
     /// the horizon of a plane does not cut the disk, the irradiance of the plane is the component
     /// of the vector irradiance along the plane's normal.
     fn form_factor(&self, point: Vector, direction: Vector, has_horizon: bool) -> Option<Rounded> {
+        if self.is_annulus() {
+            return self.without_hole(|disk| disk.form_factor(point, direction, has_horizon));
+        }
         let Some(above) = self.seen_from(point)? else { return Some(Rounded::exactly(0.0)) };
         let (axis, turned) = unit(direction);
         let radius = number(self.radius);
@@ -226,6 +237,9 @@ impl SeenWhole for Disk {
     }
 
     fn solid_angle_over_pi(&self, point: Vector) -> Option<Rounded> {
+        if self.is_annulus() {
+            return self.without_hole(|disk| disk.solid_angle_over_pi(point));
+        }
         let Some(above) = self.seen_from(point)? else { return Some(Rounded::exactly(0.0)) };
         let is_on_axis = above.tilted == 0.0 && above.away.to_f64() == 0.0;
         is_on_axis.then(|| {

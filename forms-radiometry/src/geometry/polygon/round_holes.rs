@@ -82,6 +82,7 @@ mod tests {
             center: Vector::new(x, 1.5, 1.0),
             normal: Vector::new(0.0, 0.0, 1.0),
             radius,
+            hole: 0.0,
         };
         let left = wall.without_disks(vec![disk(1.0, 0.5), disk(2.75, 1.0)]);
         let expected = 12.0 - 1.25 * PI;

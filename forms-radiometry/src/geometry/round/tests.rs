@@ -1,6 +1,8 @@
 //! Areas are exact, polyhedra are closed, and form factors converge to those of the curved shapes
 //! with the stated order.
 
+mod quadrics;
+
 use super::*;
 use crate::form_factor::form_factor;
 use crate::geometry::Polygon;
@@ -20,7 +22,7 @@ fn pieces_have_the_area_of_the_round_shape() {
                 [Vector::new(0.0, 0.0, 1.0), Vector::new(0.48, -0.6, 0.64), Vector::new(-1.0, 0.0, 0.0)]
             {
                 let center = radius * CENTER;
-                let polygon = Polygon::new(Disk { center, normal, radius }.polygon(fineness))
+                let polygon = Polygon::new(Disk { center, normal, radius, hole: 0.0 }.polygon(fineness))
                     .expect("a regular polygon");
                 let (expected, count) = (PI * radius * radius, EDGES << fineness);
                 assert_eq!(polygon.vertices().len(), count);
@@ -70,7 +72,7 @@ fn errors(expected: f64, at: impl Fn(usize) -> f64) -> [f64; 4] {
 
 #[test]
 fn the_form_factor_of_a_disk_comes_nearer_with_the_fourth_power_of_its_edges() {
-    let disk = Disk { center: CENTER, normal: Vector::new(0.0, 0.0, 1.0), radius: 1.0 };
+    let disk = Disk { center: CENTER, normal: Vector::new(0.0, 0.0, 1.0), radius: 1.0, hole: 0.0 };
     // height over the disk and distance from its axis; the largest error at fineness 0, and the
     // least order
     let cases = [

@@ -144,10 +144,10 @@ impl Work<'_> {
 /// Returns the area of the front of a surface.
 fn area(scene: &Scene, surface: usize) -> f64 {
     use crate::scene::Shape;
-    use std::f64::consts::PI;
     match &scene.surfaces[surface].shape {
-        Shape::Sphere(sphere) => 4.0 * PI * sphere.radius * sphere.radius,
-        Shape::Disk(disk) => PI * disk.radius * disk.radius,
+        Shape::Sphere(sphere) => sphere.area(),
+        Shape::Disk(disk) => disk.area(),
+        Shape::Quadric(quadric) => quadric.area(),
         Shape::Polygon(_) | Shape::Mesh(_) => {
             let faces = faces(scene, 0);
             faces.iter().filter(|face| face.is_front_of(surface)).map(|face| face.area).sum()

@@ -6,7 +6,7 @@
 //!                         ─▶ remaining change: S max(c₂, r₀ c₁) r/(1 − r),  r = c₂/c₁
 //! ```
 //! r₀ is the factor by which each step lessens the error where the shape is far: 1/16 for disks,
-//! 1/4 for spheres, whose silhouettes are polygons. A change may be small by chance, so it counts
+//! 1/4 for curved shapes, whose silhouettes are polygons. A change may be small by chance, so it counts
 //! as no less than r₀ times the change before. Where light is reflected, or passes from spheres to
 //! surfaces, fine tessellations take long: there, one change is the estimate.
 
@@ -30,7 +30,8 @@ const ON: f64 = 8.0;
 /// Readings with coarser tessellations, from the coarsest on.
 pub(crate) struct Shapes<'s> {
     scene: &'s Scene,
-    has_spheres: bool,
+    /// Whether a shape is curved, and not only its border.
+    is_curved: bool,
     /// Change of an answer by the rounding of the faces' corners, relative to the answer.
     rounding: f64,
     /// Whether finer tessellations are cheap.
@@ -41,11 +42,11 @@ pub(crate) struct Shapes<'s> {
 impl<'s> Shapes<'s> {
     /// Begins without any reading of a scene, whose light is direct (`is_straight`) or reflected.
     pub(crate) fn new(scene: &'s Scene, is_straight: bool, readings: &[Reading]) -> Self {
-        let has_spheres = scene.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Sphere(_)));
+        let is_curved = scene.surfaces.iter().any(|surface| surface.shape.is_curved());
         let has_means = readings.iter().any(Reading::is_mean);
-        let is_quick = is_straight && !(has_spheres && has_means);
+        let is_quick = is_straight && !(is_curved && has_means);
         let roundings = round_surfaces(scene).map(|(_, shape)| shape.rounding() / shape.radius());
-        Self { scene, has_spheres, rounding: roundings.fold(0.0, f64::max), is_quick, coarser: Vec::new() }
+        Self { scene, is_curved, rounding: roundings.fold(0.0, f64::max), is_quick, coarser: Vec::new() }
     }
 
     pub(crate) fn are_round(&self) -> bool {
@@ -84,7 +85,7 @@ impl<'s> Shapes<'s> {
         let change = (value - last).abs();
         let Some(before) = before.filter(|_| self.is_quick) else { return change };
         let earlier = (last - before).abs();
-        let fastest = if self.has_spheres { 0.25 } else { 0.0625 };
+        let fastest = if self.is_curved { 0.25 } else { 0.0625 };
         let change = change.max(fastest * earlier);
         let ratio = if earlier > 0.0 { (change / earlier).min(SLOWEST) } else { SLOWEST };
         SAFETY * change * ratio / (1.0 - ratio)

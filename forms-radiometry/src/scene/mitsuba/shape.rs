@@ -175,7 +175,7 @@ impl<'a> Reader<'a, '_, '_> {
             return None;
         };
         let normal = if flipped == to_world.mirrors() { normal } else { -normal };
-        Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius }))
+        Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius, hole: 0.0 }))
     }
 
     fn mesh(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {

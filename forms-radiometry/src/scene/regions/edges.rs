@@ -2,6 +2,7 @@
 //! that face each other there.
 
 use super::interfaces::{Interface, Piece, Side};
+use super::rims::rims;
 use crate::geometry::Vector;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
@@ -15,14 +16,20 @@ pub(super) struct Edge {
 
 /// A face that ends at an edge.
 #[derive(Clone, Copy)]
-struct Wing {
+pub(super) struct Wing {
     interface: usize,
     /// Whether the face runs along the edge from its first end to its second.
     forward: bool,
+    /// A vector across the edge into the face.
+    into: Vector,
     angle: f64,
 }
 
 impl Wing {
+    pub(super) fn new(interface: usize, forward: bool, into: Vector) -> Self {
+        Self { interface, forward, into, angle: 0.0 }
+    }
+
     /// Returns the side towards larger angles, and the side towards smaller angles. A face that
     /// runs forward has its inside on the left, seen from its front: its normal points to larger
     /// angles.
@@ -33,6 +40,20 @@ impl Wing {
 }
 
 impl Edge {
+    /// Creates an edge between two ends from the faces that end there.
+    pub(super) fn new(ends: [Vector; 2], mut around: Vec<Wing>) -> Self {
+        let axis = (ends[1] - ends[0]).unit().unwrap_or_default();
+        let zero = around.first().map_or(Vector::default(), |wing| wing.into);
+        let quarter = axis.cross(zero);
+        for wing in &mut around {
+            let angle = wing.into.dot(quarter).atan2(wing.into.dot(zero));
+            // an angle that rounding makes slightly negative stays first
+            wing.angle = if angle < -1e-9 { angle + TAU } else { angle };
+        }
+        around.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+        Self { ends, around }
+    }
+
     /// Returns the pairs of sides that bound the same region here: neighbours in the order of
     /// angles.
     pub(super) fn facing(&self) -> impl Iterator<Item = (Side, Side)> {
@@ -65,7 +86,7 @@ impl Edge {
 /// Two vertex numbers; for an undirected edge, the smaller one first.
 pub(super) type Ends = (usize, usize);
 
-/// Returns the edges of all faces. An edge that belongs to a single face is split at the ends of
+/// Returns the edges of all faces, and the rims of round shapes. An edge that belongs to a single face is split at the ends of
 /// other such edges on it.
 pub(super) fn edges(interfaces: &[Interface], vertices: &[Vector]) -> Vec<Edge> {
     let mut by_ends: HashMap<Ends, Vec<(usize, bool)>> = HashMap::new();
@@ -83,7 +104,7 @@ pub(super) fn edges(interfaces: &[Interface], vertices: &[Vector]) -> Vec<Edge> 
         .map(|(ends, faces)| (ends, edge(interfaces, [vertices[ends.0], vertices[ends.1]], &faces)))
         .collect();
     edges.sort_by_key(|(ends, _)| *ends);
-    edges.into_iter().map(|(_, edge)| edge).collect()
+    edges.into_iter().map(|(_, edge)| edge).chain(rims(interfaces)).collect()
 }
 
 /// Splits edges of a single face at the ends of others.
@@ -135,18 +156,9 @@ fn edge(interfaces: &[Interface], ends: [Vector; 2], faces: &[(usize, bool)]) ->
     let into = |interface: usize, forward: bool| match &interfaces[interface].shape {
         Piece::Face(polygon, _) if forward => polygon.normal().cross(axis),
         Piece::Face(polygon, _) => axis.cross(polygon.normal()),
-        Piece::Sphere(_) | Piece::Disk(_) => Vector::default(),
+        Piece::Sphere(_) | Piece::Disk(_) | Piece::Quadric(_) => Vector::default(),
     };
-    let zero = faces.first().map_or(Vector::default(), |&(interface, forward)| into(interface, forward));
-    let quarter = axis.cross(zero);
-    let wing = |&(interface, forward): &(usize, bool)| {
-        let into = into(interface, forward);
-        let angle = into.dot(quarter).atan2(into.dot(zero));
-        // an angle that rounding makes slightly negative stays first
-        let angle = if angle < -1e-9 { angle + TAU } else { angle };
-        Wing { interface, forward, angle }
-    };
-    let mut around: Vec<Wing> = faces.iter().map(wing).collect();
-    around.sort_by(|a, b| a.angle.total_cmp(&b.angle));
-    Edge { ends, around }
+    let wing =
+        |&(interface, forward): &(usize, bool)| Wing::new(interface, forward, into(interface, forward));
+    Edge::new(ends, faces.iter().map(wing).collect())
 }

@@ -1,7 +1,7 @@
 //! Sheets: splits every surface into faces with two sides; coincident vertices are shared.
 
 use super::boundary::boundary;
-use crate::geometry::{Disk, Mesh, Polygon, Sphere, Vector, Welded, closeness};
+use crate::geometry::{Disk, Mesh, Polygon, Quadric, Sphere, Vector, Welded, closeness};
 use crate::scene::model::{Scene, Shape};
 
 /// A piece of a surface.
@@ -18,6 +18,7 @@ pub(crate) enum Piece {
     Face(Polygon, Vec<[usize; 2]>),
     Sphere(Sphere),
     Disk(Disk),
+    Quadric(Quadric),
 }
 
 /// A side of a sheet, or the outside of the whole scene.
@@ -58,6 +59,7 @@ fn sheets(scene: &Scene, polygons: impl Fn(&Mesh) -> Vec<Polygon>) -> Vec<Interf
             }
             Shape::Sphere(sphere) => pieces.push((surface, Piece::Sphere(*sphere))),
             Shape::Disk(disk) => pieces.push((surface, Piece::Disk(*disk))),
+            Shape::Quadric(quadric) => pieces.push((surface, Piece::Quadric(*quadric))),
         }
     }
     pieces.into_iter().map(|(surface, shape)| Interface { surface, shape }).collect()
@@ -68,7 +70,7 @@ pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
     let mut interfaces = sheets(scene, |mesh| mesh.polygons().collect());
     let polygons = interfaces.iter().filter_map(|interface| match &interface.shape {
         Piece::Face(polygon, _) => Some(polygon),
-        Piece::Sphere(_) | Piece::Disk(_) => None,
+        Piece::Sphere(_) | Piece::Disk(_) | Piece::Quadric(_) => None,
     });
     let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
     for interface in &mut interfaces {

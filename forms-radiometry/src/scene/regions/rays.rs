@@ -2,7 +2,7 @@
 
 use super::edges::Edge;
 use super::interfaces::{Interface, Piece, Side};
-use crate::geometry::{Polygon, Vector};
+use crate::geometry::{Crossing, Polygon, Quadric, Round, Vector};
 
 /// A direction with which no model is aligned.
 const DIRECTION: Vector = Vector::new(0.486_204_391_7, 0.293_518_640_3, 0.823_106_872_9);
@@ -63,6 +63,7 @@ impl Body {
             }
             Piece::Sphere(sphere) => (sphere.center - middle).length() + sphere.radius,
             Piece::Disk(disk) => (disk.center - middle).length() + disk.radius,
+            Piece::Quadric(quadric) => (quadric.center() - middle).length() + quadric.radius(),
         };
         let radius = interfaces.iter().map(reach).fold(0.0, f64::max);
         Self { interfaces, middle, radius }
@@ -114,12 +115,13 @@ impl Hit {
     }
 }
 
-/// Returns a point within a sheet, or the centre of a sphere.
+/// Returns a point of a sheet, or the centre of a sphere.
 fn middle(piece: &Piece) -> Vector {
     match piece {
         Piece::Face(polygon, _) => Vector::mean(&polygon.convex_pieces()[0]),
         Piece::Sphere(sphere) => sphere.center,
-        Piece::Disk(disk) => disk.center,
+        Piece::Disk(disk) => disk.point([0.5, 0.0]),
+        Piece::Quadric(quadric) => quadric.point([0.5, 0.0]).0,
     }
 }
 
@@ -144,10 +146,17 @@ fn crossings(piece: &Piece, through: Vector) -> Vec<(f64, bool)> {
         }
         Piece::Disk(disk) => {
             let at = plane(disk.center, disk.normal, through);
-            let crosses = |at: &f64| (through + *at * DIRECTION - disk.center).length() <= disk.radius;
+            let crosses = |at: &f64| disk.reaches(through + *at * DIRECTION);
             at.filter(crosses).map(|at| (at, disk.normal.dot(DIRECTION) < 0.0)).into_iter().collect()
         }
+        Piece::Quadric(quadric) => crossings_of(quadric, through),
     }
+}
+
+/// Returns where the line through a point crosses a quadric, and whether from its front.
+fn crossings_of(quadric: &Quadric, through: Vector) -> Vec<(f64, bool)> {
+    let crossings = quadric.crossings(through, DIRECTION).into_iter().flatten();
+    crossings.map(|Crossing { distance, enters }| (distance, enters != quadric.inward)).collect()
 }
 
 /// Returns where the line through a point crosses a plane.

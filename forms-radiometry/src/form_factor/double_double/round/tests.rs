@@ -28,7 +28,7 @@ fn disks() -> impl Iterator<Item = Disk> {
         let [u, v] = across(normal);
         places.map(|(height, away)| {
             let center = HERE + (0.6 * away) * u - (0.8 * away) * v - height * normal;
-            Disk { center, normal, radius: 1.0 }
+            Disk { center, normal, radius: 1.0, hole: 0.0 }
         })
     })
 }
@@ -65,7 +65,8 @@ fn a_sphere_is_seen_as_the_disk_whose_rim_its_tangents_touch() {
             assert!(sphere.shows_front(HERE) && !Sphere { inward: true, ..sphere }.shows_front(HERE));
             let squared = (distance - radius) * (distance + radius);
             let center = HERE + (squared / distance) * towards;
-            let disk = Disk { center, normal: -towards, radius: radius * squared.sqrt() / distance };
+            let disk =
+                Disk { center, normal: -towards, radius: radius * squared.sqrt() / distance, hole: 0.0 };
             for direction in directions() {
                 for has_horizon in [false, true] {
                     let [expected, _] =
@@ -77,7 +78,7 @@ fn a_sphere_is_seen_as_the_disk_whose_rim_its_tangents_touch() {
         }
     }
     let sphere = Sphere { center: HERE + 2.0 * AXIS, radius: 1.0, inward: false };
-    let disk = Disk { center: HERE + 1.5 * AXIS, normal: -AXIS, radius: 0.75_f64.sqrt() };
+    let disk = Disk { center: HERE + 1.5 * AXIS, normal: -AXIS, radius: 0.75_f64.sqrt(), hole: 0.0 };
     let on_axis = |shape: &dyn SeenWhole| shape.solid_angle_over_pi(HERE).expect("on the axis");
     assert_close("solid angle", on_axis(&sphere), on_axis(&disk).nearest()[0]);
 }
@@ -96,7 +97,7 @@ fn from_inside_a_sphere_is_all_directions() {
 fn where_rounding_decides_the_side_there_is_no_measure() {
     let sphere = Sphere { center: Vector::default(), radius: 1.0, inward: false };
     assert!(sphere.form_factor(AXIS, AXIS, true).is_none() && sphere.solid_angle_over_pi(AXIS).is_none());
-    let disk = Disk { center: Vector::default(), normal: AXIS, radius: 1.0 };
+    let disk = Disk { center: Vector::default(), normal: AXIS, radius: 1.0, hole: 0.0 };
     let in_its_plane = disk.form_factor(Vector::new(2.0, 0.0, 0.0), AXIS, true).expect("exactly");
     assert_eq!(in_its_plane.nearest(), [0.0; 2]);
     assert!(disk.solid_angle_over_pi(Vector::new(0.1, 0.0, 1.0)).is_none(), "beside the axis");
