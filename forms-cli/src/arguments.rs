@@ -8,7 +8,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use forms::math::Instructions;
 use forms_radiometry::simulation::{Budget, Exposure};
 pub(crate) use simulate::SimulateArguments;
-pub(crate) use solve::{SolveArguments, ThreadArguments};
+pub(crate) use solve::{SolveArguments, ThreadArguments, TimeArguments};
 use std::net::IpAddr;
 use std::time::Duration;
 pub(crate) use view_factors::ViewFactorArguments;

@@ -43,6 +43,7 @@ mod reflectance;
 mod residual;
 mod round;
 mod shadows;
+mod shells;
 mod solution;
 mod system;
 #[cfg(test)]
@@ -65,6 +66,7 @@ pub(crate) use question::{Question, receiving};
 pub(crate) use refinement::{Asking, Refined};
 pub(crate) use reflectance::{is_reflecting, reflectance};
 pub(crate) use round::bulges;
+pub(crate) use shells::Shells;
 pub(crate) use solution::orders;
 pub(crate) use system::Radiosity;
 pub(crate) use transmitted::{Reached, Transmitted, has_exact_pieces};

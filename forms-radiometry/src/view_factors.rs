@@ -13,6 +13,7 @@
 //! error is an error of the scene ([`ViewFactors::contradictions`]).
 
 mod closed_forms;
+mod coaxial;
 mod emitters;
 mod enclosure;
 mod pairs;

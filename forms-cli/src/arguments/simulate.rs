@@ -1,6 +1,6 @@
 //! Arguments of `forms simulate`.
 
-use super::{SolveArguments, ThreadArguments, budget, exposure, instructions, interval};
+use super::{SolveArguments, ThreadArguments, TimeArguments, budget, exposure, instructions, interval};
 use clap::Args;
 use forms::math::Instructions;
 use forms_radiometry::simulation::{Budget, Exposure, Share};
@@ -38,6 +38,8 @@ pub(crate) struct SimulateArguments {
     pub(crate) exposure: Option<Exposure>,
     #[command(flatten)]
     pub(crate) solve: SolveArguments,
+    #[command(flatten)]
+    pub(crate) time: TimeArguments,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     /// Print one JSON object per line

@@ -3,6 +3,7 @@
 
 use clap::Args;
 use forms_radiometry::scene::{EffectList, Overrides};
+use std::time::{Duration, Instant};
 
 /// Largest number of threads; no processor has more.
 const MOST_THREADS: usize = 4096;
@@ -22,6 +23,14 @@ pub(crate) struct SolveArguments {
     effects: Option<EffectList>,
 }
 
+/// Option for the time of a run.
+#[derive(Clone, Copy, Debug, Args)]
+pub(crate) struct TimeArguments {
+    /// End after this time, from the start of the program, with the results so far and their errors
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = super::interval)]
+    seconds: Option<Duration>,
+}
+
 /// Option for the number of threads.
 #[derive(Clone, Copy, Debug, Args)]
 pub(crate) struct ThreadArguments {
@@ -35,6 +44,13 @@ impl SolveArguments {
     /// Returns the values that override the settings of a scene.
     pub(crate) fn overrides(&self) -> Overrides {
         Overrides { tolerance: self.tolerance, seed: self.seed, effects: self.effects.clone() }
+    }
+}
+
+impl TimeArguments {
+    /// Returns when a run that begins now ends, if its time is limited.
+    pub(crate) fn deadline(self) -> Option<Instant> {
+        self.seconds.and_then(|seconds| Instant::now().checked_add(seconds))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Arguments of `forms view-factors`.
 
-use super::ThreadArguments;
+use super::{ThreadArguments, TimeArguments};
 use clap::{Args, ValueEnum};
 use forms_radiometry::scene::{Division, Overrides};
 use forms_radiometry::simulation::Share;
@@ -32,6 +32,8 @@ pub(crate) struct ViewFactorArguments {
     /// by how much
     #[arg(long, conflicts_with = "shard")]
     pub(crate) enclose: bool,
+    #[command(flatten)]
+    pub(crate) time: TimeArguments,
     #[command(flatten)]
     pub(crate) threads: ThreadArguments,
     /// Print one JSON object per line, with the error of each factor

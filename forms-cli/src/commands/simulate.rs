@@ -32,6 +32,7 @@ use missed::Missed;
 pub(super) use progress::Progress;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 /// Options of the output of a simulation.
 struct OutputOptions<'a> {
@@ -42,6 +43,8 @@ struct OutputOptions<'a> {
     is_to_tolerance: bool,
     /// Whether the scene is solved by path tracing.
     is_by_paths: bool,
+    /// Whether the time of the run was over before its work was done.
+    ran_out_of_time: bool,
 }
 
 /// Scene with its sources and its plan.
@@ -53,6 +56,7 @@ struct Planned {
 
 /// Simulates a scene and prints the results.
 pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) -> io::Result<Status> {
+    let deadline = arguments.time.deadline();
     let prepared = arguments.isa.map_or(Ok(()), instructions::choose).and_then(|()| arguments.threads.make());
     if let Err(message) = prepared {
         return Ok(refuse(&message));
@@ -64,7 +68,7 @@ pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) ->
             return Ok(Status::Error);
         }
     };
-    let mut ready = match ready(arguments, &planned) {
+    let mut ready = match ready(arguments, &planned, deadline) {
         Ok(ready) => ready,
         Err(message) => return Ok(refuse(&message)),
     };
@@ -75,14 +79,17 @@ pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) ->
         Ok(found) => found,
         Err(message) => return Ok(refuse(&message)),
     };
-    let Ready { folder, kept, is_by_paths, .. } = ready;
+    let Ready { folder, kept, is_by_paths, progress, .. } = ready;
     let failure = kept.checkpoint.as_ref().and_then(Checkpoint::failure);
     failure.iter().for_each(|message| tell!("error: {message}"));
     let status = match &kept.part {
         Some(part) => shared(arguments, part, is_by_paths, &found, output)?,
         None => {
             let is_to_tolerance = arguments.samples.is_none();
-            let options = OutputOptions { scene, folder, json: arguments.json, is_to_tolerance, is_by_paths };
+            let ran_out_of_time = progress.ran_out_of_time();
+            let json = arguments.json;
+            let options =
+                OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths, ran_out_of_time };
             finish(&options, &found, output)?
         }
     };
@@ -127,7 +134,11 @@ struct Ready {
 }
 
 /// Checks, before the work begins, that it can be done as requested, and prepares its resources.
-fn ready(arguments: &SimulateArguments, planned: &Planned) -> Result<Ready, String> {
+fn ready(
+    arguments: &SimulateArguments,
+    planned: &Planned,
+    deadline: Option<Instant>,
+) -> Result<Ready, String> {
     let (mut kept, mut state) = (Kept::default(), None);
     let is_by_paths = planned.plan.is_by_paths();
     if !is_by_paths {
@@ -154,7 +165,7 @@ fn ready(arguments: &SimulateArguments, planned: &Planned) -> Result<Ready, Stri
     }
     let folder =
         arguments.out.as_deref().filter(|_| arguments.shard.is_none()).map(files::folder).transpose()?;
-    Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch()? })
+    Ok(Ready { folder, kept, state, is_by_paths, progress: Progress::watch(deadline)? })
 }
 
 /// Checks a request for a scene that is solved as a whole: it has no samples and cannot be divided
@@ -248,12 +259,16 @@ struct SharedRecord<'a> {
 
 /// Writes the files, then prints the answers: the reader of the output can go away.
 fn finish(options: &OutputOptions<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
-    let OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths } = options;
+    let OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths, ran_out_of_time } = options;
     let (written, refused) =
         folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
     refused.iter().for_each(|message| tell!("error: {message}"));
-    if found.stopped {
+    let is_late = found.stopped && *ran_out_of_time;
+    if is_late {
+        tell!("the time is over: answers may be missing or less accurate than requested");
+        status = status.max(Status::Missed);
+    } else if found.stopped {
         tell!("stopped: answers may be missing or less accurate than requested");
         status = Status::Stopped;
     }
@@ -268,7 +283,7 @@ fn finish(options: &OutputOptions<'_>, found: &Simulation, output: &mut dyn Writ
             writeln!(output, "{}", Palette::of_output().quiet(&line))?;
         }
     }
-    let Some(sentence) = missed.sentence().filter(|_| !found.stopped) else { return Ok(status) };
+    let Some(sentence) = missed.sentence().filter(|_| is_late || !found.stopped) else { return Ok(status) };
     output.flush()?;
     tell!("missed: {sentence}");
     Ok(status.max(Status::Missed))

@@ -20,6 +20,7 @@ use forms_radiometry::{Row, Rows, ViewFactors};
 use journal::Journal;
 use std::io::{self, Write};
 use std::path::Path;
+use std::time::Instant;
 use writer::Writer;
 
 /// Number of surfaces that a closing sentence names.
@@ -29,11 +30,14 @@ const NAMED: usize = 5;
 struct Found {
     rows: Vec<(usize, Row)>,
     is_stopped: bool,
+    /// Whether they were stopped because their time was over.
+    is_late: bool,
     failure: Option<String>,
 }
 
 /// Prints the view factors of the scene in a file.
 pub(crate) fn view_factors(arguments: &ViewFactorArguments, output: &mut dyn Write) -> io::Result<Status> {
+    let deadline = arguments.time.deadline();
     if let Err(message) = arguments.threads.make() {
         return Ok(refuse(&message));
     }
@@ -67,7 +71,7 @@ pub(crate) fn view_factors(arguments: &ViewFactorArguments, output: &mut dyn Wri
         }
         Ok(())
     };
-    let found = match found(arguments, rows, journal, each) {
+    let found = match found(arguments, rows, journal, deadline, each) {
         Ok(found) => found?,
         Err(message) => return Ok(refuse(&message)),
     };
@@ -79,12 +83,14 @@ fn found(
     arguments: &ViewFactorArguments,
     mut rows: Rows,
     mut journal: Option<Journal>,
+    deadline: Option<Instant>,
     each: &mut dyn FnMut(usize, &Row) -> io::Result<()>,
 ) -> Result<io::Result<Found>, String> {
-    let progress = Progress::watch()?;
+    let progress = Progress::watch(deadline)?;
     let share = arguments.shard.unwrap_or(Share::WHOLE);
     let own: Vec<usize> = (0..rows.names().len()).filter(|&surface| share.has(surface)).collect();
-    let mut found = Found { rows: Vec::with_capacity(own.len()), is_stopped: false, failure: None };
+    let mut found =
+        Found { rows: Vec::with_capacity(own.len()), is_stopped: false, is_late: false, failure: None };
     for (place, &surface) in own.iter().enumerate() {
         let kept = journal.as_mut().and_then(|journal| journal.take(surface));
         let is_new = kept.is_none();
@@ -106,6 +112,7 @@ fn found(
         }
     }
     progress.end();
+    found.is_late = found.is_stopped && progress.ran_out_of_time();
     Ok(Ok(found))
 }
 
@@ -117,7 +124,7 @@ fn finish(
     found: Found,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
-    let Found { rows, is_stopped, failure } = found;
+    let Found { rows, is_stopped, is_late, failure } = found;
     let names: Vec<String> = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
     let mut status = Status::AsStated;
     if let Some(message) = failure {
@@ -138,8 +145,9 @@ fn finish(
         .collect();
     if is_stopped {
         let rest = if arguments.checkpoint.is_some() { "; the same call resumes it" } else { "" };
-        tell!("stopped: {} rows are complete{rest}", rows.len());
-        return Ok(Status::Stopped);
+        let why = if is_late { "the time is over" } else { "stopped" };
+        tell!("{why}: {} rows are complete{rest}", rows.len());
+        return Ok(if is_late { status.max(Status::Missed) } else { Status::Stopped });
     }
     if rows.len() == names.len() {
         let rows = rows.into_iter().map(|(_, row)| row).collect();

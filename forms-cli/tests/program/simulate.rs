@@ -1,5 +1,6 @@
 //! `forms simulate`: its output, its files, and its error messages.
 
+use crate::hall::hall;
 use crate::process::{Folder, forms, interrupted};
 use serde_json::Value;
 use std::collections::HashMap;
@@ -284,6 +285,22 @@ fn work_that_is_stopped_gives_what_there_is() {
     assert_eq!(run.status, 130, "{}", run.errors);
     assert!(run.errors.contains("stopped: answers may be missing"), "{}", run.errors);
     assert!(folder.read("out/results.csv").starts_with(b"receiver,quantity,"));
+}
+
+#[test]
+fn work_whose_time_is_over_gives_what_there_is_and_says_what_misses_the_tolerance() {
+    let folder = Folder::with(&[("hall.toml", &hall(1e-9))]);
+    let run = |seconds: &str| forms(&folder, &["simulate", "hall.toml", "--json", "--seconds", seconds]);
+    let late = run("0.3");
+    assert_eq!(late.status, 3, "{}", late.errors);
+    assert!(late.errors.starts_with("the time is over: answers may be missing"), "{}", late.errors);
+    let answers = late.output.lines().map(|line| object(line).1);
+    assert!(answers.filter(|line| line["receiver"].is_string()).all(|line| line["missed"] == true));
+    for wrong in ["-1", "soon", "nan"] {
+        let run = run(wrong);
+        assert_eq!(run.status, 2, "{}", run.errors);
+        assert!(run.errors.contains("expected a number of seconds"), "{}", run.errors);
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use super::working_scene::SimulatedScene;
 use crate::faces::faces;
 use crate::paths;
 use crate::radiosity::driver::readings::Reading;
-use crate::radiosity::{Question, is_precise, kernels};
+use crate::radiosity::{Question, Shells, is_precise, kernels};
 use crate::scene::{Receiver, Scene};
 use crate::used_kernel::UsedKernel;
 
@@ -27,6 +27,7 @@ pub(super) fn of(simulated: &SimulatedScene, solver: &Solver) -> Vec<UsedKernel>
             kernels
         }
         Solver::Radiosity => of_radiosity(simulated),
+        Solver::Shells(_) => Shells::kernels(scene),
     }
 }
 

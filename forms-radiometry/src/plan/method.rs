@@ -1,6 +1,7 @@
 //! Methods: how the answers of a plan are found, decided once.
 //!
 //! ```text
+//! concentric spheres ─▶ closed forms
 //! diffuse surfaces in a vacuum
 //!   no reflections ─▶ closed forms, integrated over surfaces ┐ path tracing where that is
 //!   reflections    ─▶ radiosity                              ┘ expected to cost far less
@@ -20,7 +21,7 @@ use crate::effects::{EffectSet, Hiding, SimulatedEffects};
 use crate::faces::{faces, is_round};
 use crate::paths::driver::{Computable, expected_rays};
 use crate::paths::{Limits, World};
-use crate::radiosity::{Question, expected_cost};
+use crate::radiosity::{Question, Shells, expected_cost};
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
 use std::sync::Arc;
 
@@ -79,6 +80,8 @@ pub struct ReceiverMethod {
 pub(crate) enum Solver {
     /// The scene is solved as a whole.
     Radiosity,
+    /// The scene is concentric spheres, whose reflections have a closed form.
+    Shells(Arc<Shells>),
     /// Path tracing in this world, except for the kinds of receivers whose answers need no samples.
     Paths { world: Arc<World>, computable: Computable },
 }
@@ -120,6 +123,9 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
 /// path tracing if there is a reason for it, or if that is expected to cost far less.
 pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
+    if let Some(shells) = Shells::of(scene, effects).filter(|_| paths.is_none()) {
+        return (Solver::Shells(Arc::new(shells)), of_shells(scene));
+    }
     let computable = Computable::of(scene, &Limits::of(effects));
     let by_paths = match paths {
         Some(reason) => Some((world_of(simulated), computable, reason)),
@@ -191,6 +197,17 @@ fn reason_for_radiosity(effects: &SimulatedEffects) -> &'static str {
         Some(0) => "surfaces are diffuse, in a vacuum, and no reflection is simulated",
         _ => "surfaces are diffuse, in a vacuum, and reflect light",
     }
+}
+
+/// Returns the methods of a scene of concentric spheres.
+fn of_shells(scene: &Scene) -> Vec<ReceiverMethod> {
+    let why = "surfaces are concentric spheres in a vacuum: their light is the same at all points of a side";
+    let of_receiver = |receiver: &Receiver| ReceiverMethod {
+        receiver: receiver.name.clone(),
+        methods: vec![Method::ClosedForms],
+        why: why.to_owned(),
+    };
+    scene.receivers.iter().map(of_receiver).collect()
 }
 
 /// Returns the methods of a scene that is solved as a whole.

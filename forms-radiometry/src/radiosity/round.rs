@@ -20,7 +20,7 @@ use forms::math::Real;
 
 impl Measure {
     /// Returns the measure, over π, of a disk or sphere without occluders, if it has a closed form.
-    fn of_whole(self, point: Vector, shape: &dyn SeenWhole) -> Option<Rounded> {
+    pub(super) fn of_whole(self, point: Vector, shape: &dyn SeenWhole) -> Option<Rounded> {
         match self {
             Self::Plane(normal) => shape.form_factor(point, normal, true),
             Self::Flow(axis) => Some(shape.form_factor(point, axis, false)?.times(-1.0)),

@@ -20,6 +20,7 @@ mod rims;
 use super::error::Report;
 use super::model::{Material, MaterialKind, Scene, Surface};
 use super::working_units::WorkingScene;
+use crate::geometry::Vector;
 use edges::{Edge, edges};
 pub(crate) use interfaces::sheets_without_edges;
 pub(crate) use interfaces::{Interface, Piece};
@@ -151,11 +152,15 @@ fn open_boundaries(
         let nearest = of_surfaces.get(&interface.surface).or_else(|| of_regions.get(&region));
         let gap = nearest.map_or(String::new(), |edge| {
             let of = &scene.surfaces[interfaces[edge.first()].surface].name;
-            let [a, b] = edge.ends.map(|v| {
+            let place = |v: Vector| {
                 let v = working.units.factor.recip() * v;
                 format!("[{}, {}, {}]", v.x, v.y, v.z)
-            });
-            format!(": the edge of `{of}` from {a} to {b} meets no other surface")
+            };
+            let border = match (edge.center, edge.ends.map(place)) {
+                (Some(center), _) => format!("rim of `{of}` around {}", place(center)),
+                (None, [a, b]) => format!("edge of `{of}` from {a} to {b}"),
+            };
+            format!(": the {border} meets no other surface")
         });
         let medium = &scene.media[medium].name;
         let message = format!("the boundary of `{medium}` at `{}` is not closed{gap}", surface.name);

@@ -14,7 +14,6 @@ use crate::job::{Budget, Share};
 use crate::paths::driver::{self, Division, Task};
 use crate::plan::Plan;
 use crate::plan::method::Solver;
-use crate::plan::working_scene::SimulatedScene;
 use crate::progress::Progress;
 use crate::radiosity::driver::solved;
 use crate::watch::{Unwatched, Watch};
@@ -34,7 +33,11 @@ pub fn simulate_job(plan: &Plan, job: Job<'_>, watch: &dyn Watch) -> Result<Simu
     let simulated = &plan.simulated;
     let found = match &plan.solver {
         Solver::Paths { world, computable } => by_paths(simulated.task(world, *computable), job, &progress)?,
-        Solver::Radiosity => in_one_piece(simulated, job, &progress)?,
+        Solver::Radiosity => {
+            let all = || solved(simulated.scene(), simulated.effects, simulated.first_faces(), &progress);
+            in_one_piece(job, all)?
+        }
+        Solver::Shells(shells) => in_one_piece(job, || shells.simulation(simulated.scene(), &progress))?,
     };
     Ok(simulated.finished(found))
 }
@@ -52,7 +55,7 @@ pub fn merge(plan: &Plan, budget: Option<Budget>, parts: Vec<(Share, State)>) ->
             let division = Division { budget, share: Share::WHOLE };
             driver::merge(simulated.task(world, *computable), division, parts, &Progress::new(&Unwatched))?
         }
-        Solver::Radiosity => {
+        Solver::Radiosity | Solver::Shells(_) => {
             let piece = parts.into_iter().map(|(share, state)| piece(share, state));
             let piece = piece.collect::<Result<Vec<_>, _>>()?;
             piece.into_iter().flatten().next().ok_or(Misfit)?
@@ -76,17 +79,10 @@ const PIECE: usize = 0;
 
 /// Solves a scene as a whole, if the shard has that unit of work. The checkpoint is kept at the
 /// end, and only there.
-fn in_one_piece(
-    simulated: &SimulatedScene,
-    job: Job<'_>,
-    progress: &Progress<'_>,
-) -> Result<Simulation, Misfit> {
+fn in_one_piece(job: Job<'_>, all: impl FnOnce() -> Simulation) -> Result<Simulation, Misfit> {
     let found = match job.state {
         Some(state) => piece(job.share, state)?,
-        None => {
-            let all = || solved(simulated.scene(), simulated.effects, simulated.first_faces(), progress);
-            job.share.has(PIECE).then(all)
-        }
+        None => job.share.has(PIECE).then(all),
     };
     let is_done = found.as_ref().is_none_or(|found| !found.stopped);
     if let Some(keeper) = job.keeper.filter(|_| is_done) {

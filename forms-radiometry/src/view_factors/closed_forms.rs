@@ -3,25 +3,23 @@
 //! ```text
 //! sphere and sphere      a quadrature of one smooth integrand (`view_factor_spheres`)
 //! sphere and flat piece  Ω/4π, Ω the solid angle from the centre, if the sphere is in front of its plane
-//! disk and disk          coaxial (Howell C-41)
+//! shapes about one axis  sums over disks ([`coaxial`])
 //! sphere around a convex surface   1, and by A₁F₁₂ = A₂F₂₁ and the sum of the row the others
 //! ```
 //! What leaves a sphere evenly arrives at a surface element in front of it like light from its
 //! centre, because the element sees all of the sphere above its horizon.
 
-use super::ViewFactor;
+use super::{ViewFactor, coaxial};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Disk, Polygon, Round, Sphere, Vector};
 use crate::scene::{Scene, Shape, Surface};
-use forms_kernels::{
-    solid_angle_triangle, view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres,
-};
+use forms_kernels::{solid_angle_triangle, view_factor_sphere_disk, view_factor_spheres};
 use std::f64::consts::PI;
 
 /// Rounding error of a view factor, relative to it.
-const ROUNDING: f64 = 256.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 256.0 * f64::EPSILON;
 /// Largest sine of the angle, and distance in radii, within which two axes coincide.
-const COAXIAL: f64 = 1e-14;
+pub(super) const COAXIAL: f64 = 1e-14;
 
 /// The surfaces of a scene, each with a ball around it.
 pub(super) struct ClosedForms<'s> {
@@ -38,8 +36,12 @@ impl<'s> ClosedForms<'s> {
     pub(super) fn row(&self, surface: usize) -> Vec<Option<ViewFactor>> {
         (0..self.surfaces.len())
             .map(|other| {
-                let value = self.factor(surface, other)?;
-                Some(ViewFactor { value, error: ROUNDING * value })
+                let value = self.factor(surface, other);
+                value.map(|value| ViewFactor { value, error: ROUNDING * value }).or_else(|| {
+                    let is_one_sided = |index: usize| !self.surfaces[index].two_sided;
+                    let are_one_sided = is_one_sided(surface) && is_one_sided(other);
+                    are_one_sided.then(|| coaxial::factor(self.surfaces, surface, other)).flatten()
+                })
             })
             .collect()
     }
@@ -112,7 +114,7 @@ fn is_convex(shape: &Shape) -> bool {
     }
 }
 
-fn area(shape: &Shape) -> Option<f64> {
+pub(super) fn area(shape: &Shape) -> Option<f64> {
     match shape {
         Shape::Polygon(polygon) => Some(polygon.area()),
         Shape::Disk(disk) => Some(disk.area()),
@@ -139,7 +141,6 @@ fn ball(shape: &Shape) -> (Vector, f64) {
 fn unobstructed(one: &Shape, other: &Shape) -> Option<f64> {
     match (one, other) {
         (Shape::Sphere(a), Shape::Sphere(b)) => spheres(a, b),
-        (Shape::Disk(a), Shape::Disk(b)) => disks(a, b),
         (Shape::Sphere(sphere), flat) => sphere_to_flat(sphere, flat),
         (flat, Shape::Sphere(sphere)) => {
             let ratio = 4.0 * PI * sphere.radius * sphere.radius / area(flat)?;
@@ -153,19 +154,6 @@ fn spheres(a: &Sphere, b: &Sphere) -> Option<f64> {
     let distance = (b.center - a.center).length();
     (!a.inward && !b.inward && distance >= a.radius + b.radius)
         .then(|| view_factor_spheres(a.radius, b.radius, distance))
-}
-
-fn disks(a: &Disk, b: &Disk) -> Option<f64> {
-    let way = b.center - a.center;
-    let off = way.cross(a.normal).length();
-    let is_coaxial = a.normal.cross(b.normal).length() <= COAXIAL && off <= COAXIAL * a.radius;
-    let face_each_other = a.normal.dot(way) > 0.0 && b.normal.dot(way) < 0.0;
-    match (is_coaxial, face_each_other) {
-        (true, true) if a.is_annulus() || b.is_annulus() => None,
-        (true, true) => Some(view_factor_coaxial_disks(a.radius, b.radius, way.length())),
-        (true, false) => Some(0.0),
-        (false, _) => None,
-    }
 }
 
 /// Returns the view factor from a sphere to the front of a flat shape, if the sphere is on one side

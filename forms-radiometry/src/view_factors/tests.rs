@@ -1,5 +1,7 @@
 //! Tests of view factors.
 
+mod coaxial;
+
 use super::*;
 use crate::scene::{Division, read, read_with_files};
 use forms_kernels::{view_factor_coaxial_disks, view_factor_sphere_disk, view_factor_spheres};

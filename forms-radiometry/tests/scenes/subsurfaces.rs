@@ -12,7 +12,7 @@ fn area(scene: &Scene, name: &str) -> f64 {
     match &surface.shape {
         Shape::Polygon(polygon) => polygon.area(),
         Shape::Mesh(mesh) => mesh.polygons().map(|polygon| polygon.area()).sum(),
-        Shape::Sphere(_) | Shape::Disk(_) => panic!("{name} is round"),
+        Shape::Sphere(_) | Shape::Disk(_) | Shape::Quadric(_) => panic!("{name} is round"),
     }
 }
 

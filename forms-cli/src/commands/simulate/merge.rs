@@ -57,7 +57,14 @@ pub(crate) fn merge(
             plan::show(&planned, &scene, json, output)?;
             let is_by_paths = planned.is_by_paths();
             finish(
-                &OutputOptions { scene: &scene, folder, json, is_to_tolerance, is_by_paths },
+                &OutputOptions {
+                    scene: &scene,
+                    folder,
+                    json,
+                    is_to_tolerance,
+                    is_by_paths,
+                    ran_out_of_time: false,
+                },
                 &found,
                 output,
             )

@@ -1,5 +1,5 @@
 //! Progress of the work: a bar with the remaining time on a terminal, nothing elsewhere. It also
-//! stops the work on Ctrl-C.
+//! stops the work on Ctrl-C, and when its time is over.
 
 use crate::status::Status;
 use forms_radiometry::simulation::Watch;
@@ -21,6 +21,8 @@ const PARTS: u64 = 1000;
 /// Shows the progress of the work, and stops it at the user's request.
 pub(in crate::commands) struct Progress {
     stopped: Arc<AtomicBool>,
+    /// When the work ends in any case.
+    deadline: Option<Instant>,
     /// Progress bar, if standard error is a terminal.
     bar: Option<Bar>,
 }
@@ -38,8 +40,8 @@ struct End(Arc<Mutex<Option<Instant>>>);
 
 impl Progress {
     /// Installs the handler of Ctrl-C: the first Ctrl-C stops the work, the second one ends the
-    /// program.
-    pub(in crate::commands) fn watch() -> Result<Self, String> {
+    /// program. The work stops at the deadline, too.
+    pub(in crate::commands) fn watch(deadline: Option<Instant>) -> Result<Self, String> {
         let stopped = Arc::new(AtomicBool::new(false));
         let asked = Arc::clone(&stopped);
         let stop = move || {
@@ -49,7 +51,16 @@ impl Progress {
         };
         ctrlc::set_handler(stop).map_err(|error| format!("cannot install the Ctrl-C handler: {error}"))?;
         let bar = std::io::stderr().is_terminal().then(Bar::new);
-        Ok(Self { stopped, bar })
+        Ok(Self { stopped, deadline, bar })
+    }
+
+    /// Whether the work was stopped by its deadline, and not by the user.
+    pub(in crate::commands) fn ran_out_of_time(&self) -> bool {
+        self.is_late() && !self.stopped.load(Ordering::Relaxed)
+    }
+
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Removes the bar.
@@ -74,7 +85,7 @@ impl Watch for Progress {
     }
 
     fn is_stopped(&self) -> bool {
-        self.stopped.load(Ordering::Relaxed)
+        self.stopped.load(Ordering::Relaxed) || self.is_late()
     }
 }
 
@@ -129,7 +140,7 @@ mod tests {
         let drawn = ProgressBar::with_draw_target(Some(PARTS), ProgressDrawTarget::hidden());
         let (stage, end) = (Mutex::default(), End::default());
         let bar = Bar { start: Instant::now() - PATIENCE, drawn, stage, end };
-        let progress = Progress { stopped: Arc::new(AtomicBool::new(false)), bar: Some(bar) };
+        let progress = Progress { stopped: Arc::new(AtomicBool::new(false)), deadline: None, bar: Some(bar) };
         progress.progress("factors", 0.9);
         std::thread::scope(|scope| {
             (0..4).for_each(|part| {

@@ -7,9 +7,11 @@ use crate::geometry::Vector;
 use std::collections::HashMap;
 use std::f64::consts::TAU;
 
-/// A line segment at which faces end.
+/// A line segment at which faces end, or the tangent of a circle.
 pub(super) struct Edge {
     pub(super) ends: [Vector; 2],
+    /// The centre of the circle to which it is the tangent, if the faces end in a circle.
+    pub(super) center: Option<Vector>,
     /// The faces in the order of their angle around the segment.
     around: Vec<Wing>,
 }
@@ -51,7 +53,7 @@ impl Edge {
             wing.angle = if angle < -1e-9 { angle + TAU } else { angle };
         }
         around.sort_by(|a, b| a.angle.total_cmp(&b.angle));
-        Self { ends, around }
+        Self { ends, center: None, around }
     }
 
     /// Returns the pairs of sides that bound the same region here: neighbours in the order of

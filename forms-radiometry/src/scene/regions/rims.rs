@@ -57,7 +57,9 @@ fn edge(circle: &[(usize, Rim)]) -> Edge {
         Wing::new(interface, normal.cross(tangent).dot(into) > 0.0, into)
     };
     let point = first.point();
-    Edge::new([point, point + first.radius * tangent], circle.iter().map(wing).collect())
+    let mut edge = Edge::new([point, point + first.radius * tangent], circle.iter().map(wing).collect());
+    edge.center = Some(first.center);
+    edge
 }
 
 impl Rim {

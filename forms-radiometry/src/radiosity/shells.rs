@@ -1,0 +1,280 @@
+//! Shells: scenes of concentric spheres, whose light is the same at all points of a side, so that
+//! the Neumann series of all reflections has a closed form.
+//!
+//! ```text
+//! spheres, by radius ─▶ gaps between them ─ two equations ─▶ radiance of both sides of a gap
+//! receiver ─ its gap ─▶ the radiance of the inner sphere where it is seen, of the outer one elsewhere
+//! ```
+//! Between an outer side b and an inner side a with the radii R > r, q = r²/R² of what leaves b
+//! arrives at a, and the rest at b again; all that leaves a arrives at b:
+//! ```text
+//! Lₐ = Lₑₐ + ρₐ L_b        L_b = Lₑ_b + ρ_b (q Lₐ + (1 − q) L_b)
+//! ```
+//! The first sphere has nothing inside, and around the last one are the surroundings.
+
+use super::measure::Measure;
+use super::reflectance;
+use crate::answer::{Answer, ErrorKind, ErrorParts, Moment, Quantity, Simulation};
+use crate::effects::{Hiding, SimulatedEffects};
+use crate::form_factor::double_double::SeenWhole;
+use crate::geometry::{Sphere, Vector};
+use crate::progress::Progress;
+use crate::radiosity::driver::ROUNDING;
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use crate::used_kernel::UsedKernel;
+use forms_kernels::{form_factor_point_sphere, solid_angle_sphere};
+use std::f64::consts::PI;
+
+/// Concentric spheres, from the smallest on, and the light between them.
+#[derive(Clone, Debug)]
+pub(crate) struct Shells {
+    spheres: Vec<(usize, Sphere)>,
+    /// The gap inside the first sphere, those between spheres, and the space around the last one.
+    gaps: Vec<Gap>,
+}
+
+/// The radiance, in each band, that leaves the inner and the outer side of a gap, and their
+/// irradiance.
+#[derive(Clone, Debug)]
+struct Gap {
+    radiance: [Vec<f64>; 2],
+    irradiance: [Vec<f64>; 2],
+}
+
+/// A side of a gap in one band: what it emits, and what part it reflects.
+#[derive(Clone, Copy, Default)]
+struct Side {
+    emitted: f64,
+    reflectance: f64,
+}
+
+impl Shells {
+    /// Returns the shells of a scene of diffuse surfaces in a vacuum, if it consists of nothing else
+    /// and its receivers are surfaces, points that are not on a sphere, and rays.
+    pub(crate) fn of(scene: &Scene, effects: &SimulatedEffects) -> Option<Self> {
+        let simulates_light = effects.has(Effect::Direct) && effects.hiding != Hiding::LeftOut;
+        let diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
+        let are_diffuse = scene.surfaces.iter().all(|one| diffuse(&scene.materials[one.material].kind));
+        if !simulates_light || !are_diffuse || !scene.lights.is_empty() {
+            return None;
+        }
+        let spheres = concentric(scene)?;
+        let mut shells = Self { spheres, gaps: Vec::new() };
+        shells.gaps = (0..=shells.spheres.len()).map(|gap| shells.solved(scene, effects, gap)).collect();
+        let are_answered = scene.receivers.iter().all(|receiver| shells.values(scene, receiver).is_some());
+        are_answered.then_some(shells)
+    }
+
+    /// Returns the sphere on a side of a gap, and whether the side is its inside.
+    fn sphere(&self, gap: usize, is_outer: bool) -> Option<&(usize, Sphere)> {
+        if is_outer { self.spheres.get(gap) } else { self.spheres.get(gap.checked_sub(1)?) }
+    }
+
+    /// Returns a side of a gap.
+    fn side(&self, scene: &Scene, (gap, is_outer): (usize, bool), band: usize) -> Side {
+        let Some(&(index, sphere)) = self.sphere(gap, is_outer) else {
+            let emitted = if is_outer { scene.ambient.radiance[band] } else { 0.0 };
+            return Side { emitted, reflectance: 0.0 };
+        };
+        let surface = &scene.surfaces[index];
+        if sphere.inward == is_outer || surface.two_sided {
+            Side { emitted: surface.radiance[band], reflectance: reflectance(scene, index)[band] }
+        } else {
+            Side::default()
+        }
+    }
+
+    /// Returns the light in a gap after the orders of reflection that are simulated.
+    fn solved(&self, scene: &Scene, effects: &SimulatedEffects, gap: usize) -> Gap {
+        let radius = |is_outer: bool| self.sphere(gap, is_outer).map(|(_, sphere)| sphere.radius);
+        let q = match [radius(false), radius(true)] {
+            [Some(inner), Some(outer)] => (inner / outer).powi(2),
+            _ => 0.0,
+        };
+        let has_outer = radius(true).is_some();
+        let of_band = |band: usize| {
+            let [inner, outer] = [false, true].map(|is_outer| self.side(scene, (gap, is_outer), band));
+            let arriving = |[a, b]: [f64; 2]| [b, if has_outer { q * a + (1.0 - q) * b } else { 0.0 }];
+            let radiance = match effects.orders {
+                None => all_orders(inner, outer, q),
+                Some(orders) => reflected([inner, outer], orders, arriving),
+            };
+            (radiance, arriving(radiance))
+        };
+        let bands: Vec<([f64; 2], [f64; 2])> = (0..scene.band_count()).map(of_band).collect();
+        let each = |of: fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
+            [0, 1].map(|side| bands.iter().map(|band| of(band)[side]).collect())
+        };
+        let [inner, outer] = each(|band| band.1);
+        let irradiance = [inner, outer].map(|side: Vec<f64>| side.iter().map(|value| PI * value).collect());
+        Gap { radiance: each(|band| band.0), irradiance }
+    }
+
+    /// Returns the index of the gap around a point; `None` for a point on a sphere, up to rounding.
+    fn gap(&self, point: Vector) -> Option<usize> {
+        let away = self.spheres.first().map(|(_, sphere)| (point - sphere.center).length())?;
+        let is_on = |sphere: &Sphere| (away - sphere.radius).abs() <= ROUNDING * away;
+        let is_clear = !self.spheres.iter().any(|(_, sphere)| is_on(sphere));
+        is_clear.then(|| self.spheres.iter().filter(|(_, sphere)| sphere.radius < away).count())
+    }
+
+    /// Returns what a receiver asks for, each with its values in all bands and a bound on their
+    /// error; `None` if that has no closed form.
+    fn values(&self, scene: &Scene, receiver: &Receiver) -> Option<Vec<(Quantity, Vec<[f64; 2]>)>> {
+        if receiver.time.is_some() {
+            return None;
+        }
+        match receiver.kind {
+            ReceiverKind::Surface { surface, grid: None } => self.at_surface(surface),
+            ReceiverKind::Point { position, normal } => {
+                Some(vec![(Quantity::Irradiance, self.at(scene, position, Measure::Plane(normal))?)])
+            }
+            ReceiverKind::Sphere { position } => {
+                let quantities =
+                    std::iter::once(Quantity::FluenceRate).chain((0..3).map(Quantity::VectorIrradiance));
+                let measured = quantities.zip(Measure::ALL_SIDES);
+                measured
+                    .map(|(quantity, measure)| Some((quantity, self.at(scene, position, measure)?)))
+                    .collect()
+            }
+            ReceiverKind::Ray { origin, direction } => {
+                let gap = &self.gaps[self.gap(origin)?];
+                let is_outer = !self.meets_inner(origin, direction)?;
+                let radiance = gap.radiance[usize::from(is_outer)].iter();
+                Some(vec![(Quantity::Radiance, radiance.map(|&value| [value, ROUNDING * value]).collect())])
+            }
+            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
+        }
+    }
+
+    /// Returns irradiance and flux of the front of a surface.
+    fn at_surface(&self, surface: usize) -> Option<Vec<(Quantity, Vec<[f64; 2]>)>> {
+        let place = self.spheres.iter().position(|(index, _)| *index == surface)?;
+        let sphere = self.spheres[place].1;
+        // the inside of a sphere is the outer side of the gap within it
+        let values =
+            if sphere.inward { &self.gaps[place].irradiance[1] } else { &self.gaps[place + 1].irradiance[0] };
+        let scaled = |factor: f64| {
+            values.iter().map(|&value| factor * value).map(|value| [value, ROUNDING * value]).collect()
+        };
+        Some(vec![(Quantity::Irradiance, scaled(1.0)), (Quantity::Flux, scaled(sphere.area()))])
+    }
+
+    /// Returns a measure at a point: that of the inner sphere, and that of all directions without it.
+    fn at(&self, scene: &Scene, point: Vector, measure: Measure) -> Option<Vec<[f64; 2]>> {
+        let index = self.gap(point)?;
+        let of_inner = match self.sphere(index, false) {
+            Some((_, sphere)) => {
+                let seen: &dyn SeenWhole = sphere;
+                measure.of_whole(point, seen)?.nearest()
+            }
+            None => [0.0; 2],
+        };
+        let all = match measure {
+            Measure::Plane(_) => 1.0,
+            Measure::Sphere => 4.0,
+            Measure::Flow(_) => 0.0,
+        };
+        let radiance = &self.gaps[index].radiance;
+        let value = |band: usize| {
+            let [inner, outer] = [radiance[0][band], radiance[1][band]];
+            let value = PI * (of_inner[0] * inner + (all - of_inner[0]) * outer);
+            let error = PI * (of_inner[1] + ROUNDING * all.max(of_inner[0].abs())) * (inner + outer);
+            [value, error]
+        };
+        Some((0..scene.band_count()).map(value).collect())
+    }
+
+    /// Whether a ray meets the inner sphere of its gap; `None` if it grazes it, up to rounding.
+    fn meets_inner(&self, origin: Vector, direction: Vector) -> Option<bool> {
+        let Some((_, sphere)) = self.sphere(self.gap(origin)?, false) else { return Some(false) };
+        let way = sphere.center - origin;
+        let along = way.dot(direction);
+        let beside = (way - along * direction).length() - sphere.radius;
+        let grazes = beside.abs() <= ROUNDING * way.length();
+        (!grazes).then_some(along > 0.0 && beside < 0.0)
+    }
+
+    /// Returns the kernels that its answers run.
+    pub(crate) fn kernels(scene: &Scene) -> Vec<UsedKernel> {
+        let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|receiver| is(&receiver.kind));
+        let points = asks(|kind| matches!(kind, ReceiverKind::Point { .. }));
+        let spheres = asks(|kind| matches!(kind, ReceiverKind::Sphere { .. }));
+        let of_point = points.then(|| {
+            let operations = form_factor_point_sphere::OPERATIONS;
+            UsedKernel::whole("form_factor_point_sphere", operations, "form factor of a whole sphere")
+        });
+        let of_sphere = spheres.then(|| {
+            UsedKernel::whole(
+                "solid_angle_sphere",
+                solid_angle_sphere::OPERATIONS,
+                "solid angle of a whole sphere",
+            )
+        });
+        of_point.into_iter().chain(of_sphere).collect()
+    }
+
+    /// Returns the results.
+    pub(crate) fn simulation(&self, scene: &Scene, progress: &Progress<'_>) -> Simulation {
+        let mut answers = Vec::new();
+        for receiver in &scene.receivers {
+            for (quantity, values) in self.values(scene, receiver).into_iter().flatten() {
+                let count = values.len();
+                answers.extend(values.into_iter().enumerate().map(|(band, [value, error])| Answer {
+                    receiver: receiver.name.clone(),
+                    quantity,
+                    band: (count > 1).then_some(band),
+                    bin: None,
+                    value,
+                    error,
+                    parts: ErrorParts { rounding: error, ..ErrorParts::default() },
+                    kind: ErrorKind::Bound,
+                    seconds: 0.0,
+                }));
+            }
+        }
+        let relative =
+            |answer: &Answer| if answer.error > 0.0 { answer.error / answer.value.abs() } else { 0.0 };
+        let error = answers.iter().map(relative).filter(|error| error.is_finite()).fold(0.0, f64::max);
+        let seconds = progress.seconds();
+        Simulation { answers, history: vec![Moment { seconds, error }], seconds, ..Simulation::default() }
+    }
+}
+
+/// Returns the spheres of a scene of nothing else, each with its index, from the smallest on, if they
+/// have one centre and no two have one radius.
+fn concentric(scene: &Scene) -> Option<Vec<(usize, Sphere)>> {
+    let sphere = |(index, surface): (usize, &crate::scene::Surface)| match surface.shape {
+        Shape::Sphere(sphere) => Some((index, sphere)),
+        _ => None,
+    };
+    let mut spheres = scene.surfaces.iter().enumerate().map(sphere).collect::<Option<Vec<_>>>()?;
+    spheres.sort_by(|(_, a), (_, b)| a.radius.total_cmp(&b.radius));
+    let center = spheres.first()?.1.center;
+    let are_distinct = spheres.windows(2).all(|pair| pair[0].1.radius < pair[1].1.radius);
+    (are_distinct && spheres.iter().all(|(_, sphere)| sphere.center == center)).then_some(spheres)
+}
+
+/// Returns the radiance of the inner and of the outer side after all reflections.
+fn all_orders(inner: Side, outer: Side, q: f64) -> [f64; 2] {
+    let [a, b] = [inner.reflectance, outer.reflectance];
+    let sent = outer.emitted + b * q * inner.emitted;
+    let radiance = if sent > 0.0 { sent / ((1.0 - b) + b * q * (1.0 - a)) } else { 0.0 };
+    [inner.emitted + a * radiance, radiance]
+}
+
+/// Returns the same after up to this many reflections.
+fn reflected([inner, outer]: [Side; 2], orders: u32, arriving: impl Fn([f64; 2]) -> [f64; 2]) -> [f64; 2] {
+    let mut radiance = [inner.emitted, outer.emitted];
+    for _ in 0..orders {
+        let [a, b] = arriving(radiance);
+        let next = [inner.emitted + inner.reflectance * a, outer.emitted + outer.reflectance * b];
+        if std::mem::replace(&mut radiance, next) == next {
+            break;
+        }
+    }
+    radiance
+}
+
+#[cfg(test)]
+mod tests;
