@@ -4,7 +4,7 @@
 //! ```text
 //! scene ─▶ plan ──▶ table or JSON
 //!           └─ simulate (progress: a bar, Ctrl-C; kept: checkpoint, part) ─▶ answers ─┬─▶ table or JSON
-//!                                                            parts ─▶ merge ─▶ answers └─▶ files: CSV, EXR, PNG, SVG
+//!                                                            parts ─▶ merge ─▶ answers └─▶ files: CSV, EXR, PNG, SVG, VTU
 //! ```
 
 mod answers;
@@ -37,6 +37,8 @@ use std::path::{Path, PathBuf};
 struct OutputOptions<'a> {
     scene: &'a Scene,
     folder: Option<PathBuf>,
+    /// Whether files of VTK are written, too.
+    vtu: bool,
     json: bool,
     /// Whether the work continues until the tolerance is met, instead of for a number of samples.
     is_to_tolerance: bool,
@@ -82,7 +84,8 @@ pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) ->
         Some(part) => shared(arguments, part, is_by_paths, &found, output)?,
         None => {
             let is_to_tolerance = arguments.samples.is_none();
-            let options = OutputOptions { scene, folder, json: arguments.json, is_to_tolerance, is_by_paths };
+            let (vtu, json) = (arguments.vtu, arguments.json);
+            let options = OutputOptions { scene, folder, vtu, json, is_to_tolerance, is_by_paths };
             finish(&options, &found, output)?
         }
     };
@@ -248,9 +251,9 @@ struct SharedRecord<'a> {
 
 /// Writes the files, then prints the answers: the reader of the output can go away.
 fn finish(options: &OutputOptions<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
-    let OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths } = options;
+    let OutputOptions { scene, folder, vtu, json, is_to_tolerance, is_by_paths } = options;
     let (written, refused) =
-        folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
+        folder.as_ref().map(|folder| files::write(scene, found, (folder, *vtu))).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
     refused.iter().for_each(|message| tell!("error: {message}"));
     if found.stopped {

@@ -27,7 +27,7 @@ struct Part<'a> {
 /// Combines parts and prints the results.
 pub(crate) fn merge(
     files: &[String],
-    out: Option<&str>,
+    (out, vtu): (Option<&str>, bool),
     json: bool,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
@@ -57,7 +57,7 @@ pub(crate) fn merge(
             plan::show(&planned, &scene, json, output)?;
             let is_by_paths = planned.is_by_paths();
             finish(
-                &OutputOptions { scene: &scene, folder, json, is_to_tolerance, is_by_paths },
+                &OutputOptions { scene: &scene, folder, vtu, json, is_to_tolerance, is_by_paths },
                 &found,
                 output,
             )

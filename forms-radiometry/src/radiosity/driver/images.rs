@@ -19,7 +19,7 @@ use super::estimate::Found;
 use super::readings::Reading;
 use super::scales::{Watched, mean_scale};
 use super::{ROUNDING, Work};
-use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
+use crate::answer::{Answer, ErrorKind, ErrorParts, Layout, Map, Quantity};
 use crate::camera::Camera;
 use crate::parallelism::Parallelism;
 use crate::radiosity::{Radiosity, Scratch, Transport};
@@ -155,7 +155,7 @@ impl Work<'_> {
             values,
             errors,
             kind: ErrorKind::Estimate,
-            is_image: true,
+            layout: Layout::Image,
         }
     }
 

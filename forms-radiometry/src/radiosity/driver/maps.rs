@@ -7,7 +7,7 @@ use super::estimate::Found;
 use super::grid::Grid;
 use super::readings::{OF_PRODUCT, Reading, groups};
 use super::scales::{Watched, mean_scale};
-use crate::answer::{ErrorKind, Map, Quantity};
+use crate::answer::{ErrorKind, Layout, Map, Quantity};
 use crate::parallelism::Parallelism;
 use crate::progress::times::timed;
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
@@ -25,12 +25,10 @@ impl Work<'_> {
     /// Returns the requested maps: the index of the receiver, and its cells.
     pub(crate) fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
         let receivers = self.scene.receivers.iter().enumerate();
-        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
-            ReceiverKind::Surface { surface, grid: Some(size) } => {
-                let shape = &self.scene.surfaces[surface].shape;
-                Grid::over(transport, (surface, shape), size).map(|grid| (index, grid))
-            }
-            _ => None,
+        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| {
+            let ReceiverKind::Surface { surface, grid: Some(size), .. } = receiver.kind else { return None };
+            let (side, shape) = (receiver.kind.side()?, &self.scene.surfaces[surface].shape);
+            Grid::over(transport, (side, shape), size).map(|grid| (index, grid))
         };
         receivers.filter_map(grid).collect()
     }
@@ -42,7 +40,7 @@ impl Work<'_> {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
-        self.emitted = vec![Vec::new(); self.readings.len() - self.answers];
+        self.emitted = vec![Vec::new(); self.readings.len() - self.requested];
         let pixels = self.watched_pixels();
         let emitted = |reading: &Reading| {
             let of_band = |[emitted, _]: [f64; 2]| emitted;
@@ -147,7 +145,7 @@ impl Work<'_> {
             values,
             errors,
             kind,
-            is_image: false,
+            layout: Layout::Grid,
         }
     }
 }
