@@ -20,10 +20,12 @@ use crate::faces::emits;
 use crate::form_factor::double_double::Rounded;
 use crate::form_factor::{Exchange, exchange_of, exchange_precisely, exchange_with};
 use crate::geometry::Vector;
+use crate::parallelism::Parallelism;
 use crate::scene::{LightKind, Scene};
 use crate::visibility::{Face, ReceivingArea};
 use crate::watch::Watch;
 use forms_kernels::gathered_light::Effects as LightKinds;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::f64::consts::PI;
 
 /// Maximum numbers of edge pairs, each with the relative error to which unoccluded faces exchange
@@ -66,6 +68,16 @@ pub(super) struct Integral {
 impl Integral {
     fn of_nothing(bands: usize) -> Self {
         Self { flux: vec![Rounded::exactly(0.0); bands], of_rules: vec![0.0; bands], kinds: LightKinds::NONE }
+    }
+
+    /// Adds the light onto another area, of the same kinds.
+    fn take(&mut self, other: &Self) {
+        self.add(&other.flux);
+        self.of_rules.iter_mut().zip(&other.of_rules).for_each(|(sum, rules)| *sum += rules);
+        if other.kinds != self.kinds {
+            // the work was stopped between the two
+            self.kinds = LightKinds::NONE;
+        }
     }
 
     fn add(&mut self, flux: &[Rounded]) {
@@ -183,10 +195,35 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
+    /// Returns the direct flux onto each of these areas. The flux onto a side whose faces are areas,
+    /// too, is the sum of theirs.
+    pub(super) fn fluxes(
+        &self,
+        (areas, is_all): (&[ReceivingArea], bool),
+        transport: &Transport,
+        shadows: &Shadows,
+        watch: &dyn Watch,
+    ) -> FxHashMap<ReceivingArea, Integral> {
+        let side = |area: &ReceivingArea| ReceivingArea { face: None, ..*area };
+        let faces = || areas.iter().filter(|area| area.face.is_some());
+        let divided: FxHashSet<ReceivingArea> = faces().map(side).collect();
+        let computed: Vec<ReceivingArea> =
+            areas.iter().filter(|area| !divided.contains(area)).copied().collect();
+        let flux =
+            |_: &mut (), &area: &ReceivingArea| (area, self.flux((area, is_all), transport, shadows, watch));
+        let parallelism = if transport.occlusion { Parallelism::Shared } else { Parallelism::Alone };
+        let mut fluxes: FxHashMap<_, _> = parallelism.map(&computed, flux).into_iter().collect();
+        for face in faces() {
+            let Some(own) = fluxes.get(face).cloned() else { continue };
+            fluxes.entry(side(face)).and_modify(|sum| sum.take(&own)).or_insert(own);
+        }
+        fluxes
+    }
+
     /// Returns the direct flux onto an area as integrals over it. A sum over points
     /// could miss light near an edge or in a shadow. `is_all` is set if nothing is reflected. No
     /// kind of light is included if the work is stopped.
-    pub(super) fn flux(
+    fn flux(
         &self,
         (area, is_all): (ReceivingArea, bool),
         transport: &Transport,

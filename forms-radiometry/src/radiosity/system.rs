@@ -87,11 +87,7 @@ impl<'t> Radiosity<'t> {
     ) -> Self {
         let is_all = question.orders == Some(0);
         let shadows = Shadows::on(scene, transport, &question, watch);
-        let flux = |_: &mut (), &area: &ReceivingArea| {
-            (area, lights.flux((area, is_all), transport, &shadows, watch))
-        };
-        let parallelism = if transport.occlusion { Parallelism::Shared } else { Parallelism::Alone };
-        let straight: FxHashMap<_, _> = parallelism.map(question.receives.all(), flux).into_iter().collect();
+        let straight = lights.fluxes((question.receives.all(), is_all), transport, &shadows, watch);
         let summed = straight.iter().filter(|(_, integral)| integral.kinds != lights.kinds());
         let summed: FxHashSet<[usize; 2]> =
             summed.map(|(area, _)| [area.surface, usize::from(area.is_back)]).collect();

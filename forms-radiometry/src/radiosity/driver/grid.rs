@@ -127,11 +127,6 @@ impl Grid {
         self.normal
     }
 
-    /// Returns the number of cells along each side.
-    pub(crate) fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
     /// Returns the centres of the cells, row by row, where they lie on the surface.
     pub(crate) fn cells(&self) -> Vec<Option<Vector>> {
         let mut cells = vec![None; self.size[0] * self.size[1]];

@@ -19,7 +19,7 @@ use super::estimate::Found;
 use super::readings::Reading;
 use super::scales::{Watched, mean_scale};
 use super::{ROUNDING, Work};
-use crate::answer::{Answer, ErrorKind, ErrorParts, Layout, Map, Quantity};
+use crate::answer::{Answer, ErrorKind, ErrorParts, Map, Quantity};
 use crate::camera::Camera;
 use crate::parallelism::Parallelism;
 use crate::radiosity::{Radiosity, Scratch, Transport};
@@ -145,18 +145,9 @@ impl Work<'_> {
             }
         }
         let lit = |values: &Vec<f64>| mean_scale(values.iter().copied().zip(sees_emitter.iter().copied()));
-        let name = self.scene.receivers[receiver].name.clone();
-        let quantity = Quantity::Radiance;
-        Map {
-            receiver: name,
-            quantity,
-            size: camera.resolution,
-            scales: values.iter().map(lit).collect(),
-            values,
-            errors,
-            kind: ErrorKind::Estimate,
-            layout: Layout::Image,
-        }
+        let scales = values.iter().map(lit).collect();
+        let numbers = (values, errors, scales);
+        Map::of_cells(&self.scene.receivers[receiver], Quantity::Radiance, numbers, ErrorKind::Estimate)
     }
 
     /// Returns the mean of an image for each band; empty if the image is not complete.

@@ -7,7 +7,7 @@ use super::estimate::Found;
 use super::grid::Grid;
 use super::readings::{OF_PRODUCT, Reading, groups};
 use super::scales::{Watched, mean_scale};
-use crate::answer::{ErrorKind, Layout, Map, Quantity};
+use crate::answer::{ErrorKind, Map, Quantity};
 use crate::parallelism::Parallelism;
 use crate::progress::times::timed;
 use crate::radiosity::{Group, Lights, Radiosity, Scratch, Transport};
@@ -137,15 +137,7 @@ impl Work<'_> {
         // an emitter is visible in no cell
         let scale =
             |values: &Vec<f64>| mean_scale(values.iter().filter(|v| !v.is_nan()).map(|&v| (v, false)));
-        Map {
-            receiver: self.scene.receivers[receiver].name.clone(),
-            quantity: Quantity::Irradiance,
-            size: grid.size(),
-            scales: values.iter().map(scale).collect(),
-            values,
-            errors,
-            kind,
-            layout: Layout::Grid,
-        }
+        let scales = values.iter().map(scale).collect();
+        Map::of_cells(&self.scene.receivers[receiver], Quantity::Irradiance, (values, errors, scales), kind)
     }
 }

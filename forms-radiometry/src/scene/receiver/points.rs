@@ -32,39 +32,41 @@ enum Places {
 /// Reads a receiver of irradiance at points.
 pub(super) fn irradiance(report: &mut Report, element: &Element, files: &MeshFiles) -> Option<ReceiverKind> {
     let places = places(report, element, files, true);
-    let has_normals = match &places {
-        Some(Places::Plane { .. }) => true,
-        Some(Places::File(file)) => file.normals.is_some(),
-        // the columns of an invalid file are not known
-        None => element.optional("position").is_none(),
-        Some(Places::One(_) | Places::Line(_)) => false,
-    };
-    if let (Some(value), Some(Places::File(PointFile { normals: Some(_), .. }))) =
-        (element.optional("normal"), &places)
-    {
-        let message = "the receiver has a `normal`, and its points have normals in their file";
-        report.error(value.span(), message, "one of them");
-        return None;
-    }
-    let is_given = element.optional("normal").is_some();
-    let normal = (is_given || !has_normals).then(|| element.direction(report, "normal"));
-    let normal = match normal {
-        None => None,
-        Some(normal) => Some(normal?),
-    };
-    Some(match places? {
-        Places::One(position) => ReceiverKind::Point { position, normal: normal? },
-        Places::Line(positions) => ReceiverKind::Points(with_normal(positions, normal?, None)),
-        Places::Plane { positions, grid, normal: own } => {
-            ReceiverKind::Points(with_normal(positions, normal.unwrap_or(own), Some(grid)))
-        }
-        Places::File(PointFile { positions, normals: Some(normals) }) => {
+    let normal = normal(report, element, places.as_ref());
+    let (places, normal) = (places?, normal?);
+    Some(match (places, normal) {
+        (Places::One(position), normal) => ReceiverKind::Point { position, normal: normal? },
+        (Places::File(PointFile { positions, normals: Some(normals) }), _) => {
             ReceiverKind::Points(Points { positions, normals: Some(normals), grid: None })
         }
-        Places::File(PointFile { positions, normals: None }) => {
+        (Places::Line(positions) | Places::File(PointFile { positions, normals: None }), normal) => {
             ReceiverKind::Points(with_normal(positions, normal?, None))
         }
+        (Places::Plane { positions, grid, normal: own }, normal) => {
+            ReceiverKind::Points(with_normal(positions, normal.unwrap_or(own), Some(grid)))
+        }
     })
+}
+
+/// Reads the normal of all points, which is required where the points have none of their own.
+fn normal(report: &mut Report, element: &Element, places: Option<&Places>) -> Option<Option<Vector>> {
+    let value = element.optional("normal");
+    let has_own = match places {
+        Some(Places::File(PointFile { normals, .. })) => normals.is_some(),
+        Some(Places::Plane { .. }) => true,
+        Some(Places::One(_) | Places::Line(_)) => false,
+        // the columns of an invalid file are not known
+        None => element.optional("position").is_none(),
+    };
+    match (value, places) {
+        (Some(value), Some(Places::File(_))) if has_own => {
+            let message = "the receiver has a `normal`, and its points have normals in their file";
+            report.error(value.span(), message, "one of them");
+            None
+        }
+        (None, _) if has_own => Some(None),
+        _ => element.direction(report, "normal").map(Some),
+    }
 }
 
 /// Reads a receiver of light from all sides at points.
