@@ -18,7 +18,7 @@ impl Work<'_> {
         for (index, receiver) in self.scene.receivers.iter().enumerate() {
             match &receiver.kind {
                 ReceiverKind::Camera(_) | ReceiverKind::Points(_) => {
-                    answers.extend(self.means_of_cells(index))
+                    answers.extend(self.means_of_cells(index));
                 }
                 _ => {
                     let is_number = |request: &&Request| {
