@@ -165,6 +165,10 @@ pub(crate) enum Command {
         /// Write results.csv, error.svg, and for each map an EXR and a PNG file into this folder
         #[arg(long, value_name = "DIR")]
         out: Option<String>,
+        /// Also write into the folder --out a .vtu file for each receiver of points, faces or maps,
+        /// with its results on its geometry, and scene.vtu with all surfaces, for ParaView
+        #[arg(long, requires = "out")]
+        vtu: bool,
         #[command(flatten)]
         threads: ThreadArguments,
         /// Print one JSON object per line

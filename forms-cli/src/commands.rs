@@ -65,8 +65,8 @@ pub(crate) fn run_with_input(
             accuracy::accuracy(&request, output)
         }
         Some(Command::Simulate(arguments)) => simulate::simulate(arguments, output),
-        Some(Command::Merge { parts, out, threads, json }) => match threads.make() {
-            Ok(()) => simulate::merge(parts, out.as_deref(), *json, output),
+        Some(Command::Merge { parts, out, vtu, threads, json }) => match threads.make() {
+            Ok(()) => simulate::merge(parts, (out.as_deref(), *vtu), *json, output),
             Err(message) => Ok(refuse(&message)),
         },
         Some(Command::ViewFactors(arguments)) => view_factors::view_factors(arguments, output),

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! polygon ─▶ its convex pieces          mesh ─▶ the convex pieces of its flat parts
+//!                                       or its faces, where receivers measure them one by one
 //! disk ─▶ a regular polygon             sphere ─▶ the triangles of a closed polyhedron
 //! annulus, cylinder, cone, paraboloid ─▶ rings of trapezoids
 //! ```
@@ -16,11 +17,17 @@ use crate::visibility::Face;
 /// around a round shape, and around the hole for a disk that lies on a polygon.
 pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
     let mut faces = Vec::new();
+    let are_measured = scene.are_faces_measured();
     for (index, surface) in scene.surfaces.iter().enumerate() {
         match &surface.shape {
             Shape::Polygon(polygon) => {
                 let pieces = polygon.pieces_at(fineness).into_owned().into_iter();
                 faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
+            }
+            Shape::Mesh(mesh) if are_measured[index] => {
+                for (part, polygon) in mesh.polygons().enumerate() {
+                    faces.extend(Face::of(index, &polygon).map(|face| Face { part, ..face }));
+                }
             }
             Shape::Mesh(mesh) => {
                 mesh.flat_parts().for_each(|polygon| faces.extend(Face::of(index, &polygon)));

@@ -3,6 +3,7 @@
 //! anything.
 
 mod affine;
+mod bounding_rectangle;
 pub(crate) mod bounds;
 pub(crate) mod clip;
 pub(crate) mod edges;
@@ -22,6 +23,7 @@ mod vector;
 mod weld;
 
 pub(crate) use affine::Affine;
+pub(crate) use bounding_rectangle::BoundingRectangle;
 pub(crate) use clip::split;
 pub(crate) use edges::{Edges, fill};
 pub(crate) use face_list::FaceList;

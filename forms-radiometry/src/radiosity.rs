@@ -62,7 +62,7 @@ pub(crate) use first_faces::FirstFaces;
 pub(crate) use importance::{Goal, GoalKind};
 pub(crate) use kernels::kernels;
 pub(crate) use measure::Measure;
-pub(crate) use question::{Question, receiving};
+pub(crate) use question::{Question, ReceivingAreas};
 pub(crate) use refinement::{Asking, Refined};
 pub(crate) use reflectance::{is_reflecting, reflectance};
 pub(crate) use round::bulges;

@@ -21,6 +21,7 @@ mod overrides;
 mod place;
 mod read;
 mod receiver;
+mod receiving;
 mod regions;
 mod round;
 mod simulated;
@@ -39,8 +40,8 @@ pub use effect::{Effect, Force, ForcedEffect};
 pub use error::SceneError;
 pub use file::read_file;
 pub use model::{
-    Ambient, Band, LengthUnit, Light, LightKind, Material, MaterialKind, Medium, Receiver, ReceiverKind,
-    Scene, Shape, Solve, Surface, TimeBins,
+    Ambient, Band, LengthUnit, Light, LightKind, Material, MaterialKind, Medium, Points, Receiver,
+    ReceiverKind, Scene, Shape, Solve, Surface, SurfaceSide, TimeBins,
 };
 pub use overrides::{EffectList, Overrides};
 pub use place::Place;

@@ -17,8 +17,8 @@ mod state;
 mod tests;
 
 pub use crate::answer::{
-    Accuracy, Answer, ErrorKind, ErrorParts, Exposure, Map, MissedCells, Moment, NoTime, Quantity, Rated,
-    Simulation,
+    Accuracy, Answer, ErrorKind, ErrorParts, Exposure, Layout, Map, MissedCells, Moment, NoTime, Quantity,
+    Rated, Simulation,
 };
 pub use crate::checkpoint::{Keeper, Misfit, Snapshot};
 pub use crate::effects::PlannedEffect;

@@ -28,6 +28,7 @@ mod horizon;
 mod occluder_search;
 mod ray;
 mod ray_walls;
+mod receiving_area;
 mod shaft;
 mod silhouette_columns;
 mod silhouette_crossing;
@@ -40,6 +41,7 @@ pub(crate) use boxes::{Boxes, distance_of_boxes};
 pub(crate) use horizon::Workspace;
 pub(crate) use occluder_search::Between;
 pub(crate) use ray_walls::{Met, Start, Wall, Walls};
+pub(crate) use receiving_area::ReceivingArea;
 pub(crate) use silhouette_columns::Borders;
 
 use crate::geometry::bounds::Bounds;
@@ -54,6 +56,9 @@ use tree::Tree;
 pub(crate) struct Face {
     /// The index of the surface.
     pub(crate) surface: usize,
+    /// The index of the face of a mesh that it belongs to, where receivers measure these faces;
+    /// otherwise 0.
+    pub(crate) part: usize,
     /// Whether it is the surface's back.
     pub(crate) is_back: bool,
     /// The vertices, counter-clockwise seen from the side that the face shows.
@@ -65,11 +70,6 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// Whether the face is part of the front of a surface.
-    pub(crate) fn is_front_of(&self, surface: usize) -> bool {
-        self.surface == surface && !self.is_back
-    }
-
     /// Returns the faces of a polygon: the front of each convex piece, followed by its back.
     pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
         let normal = polygon.normal();
@@ -94,8 +94,8 @@ impl Face {
         let area = 0.5 * vertices.windows(2).map(twice).sum::<f64>();
         let back = vertices.iter().rev().copied().collect();
         [
-            Self { surface, is_back: false, vertices, normal, area },
-            Self { surface, is_back: true, vertices: back, normal: -normal, area },
+            Self { surface, part: 0, is_back: false, vertices, normal, area },
+            Self { surface, part: 0, is_back: true, vertices: back, normal: -normal, area },
         ]
     }
 }

@@ -2,7 +2,7 @@
 //! path tracing.
 
 use forms_radiometry::scene::read;
-use forms_radiometry::simulation::{ErrorKind, Map, Simulation, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{ErrorKind, Layout, Map, Simulation, Unwatched, plan, simulate};
 use std::f64::consts::PI;
 
 use forms_testing::scene_text::{CUBE, Point, material, polygon, surface, tolerance};
@@ -34,7 +34,7 @@ fn simulated(text: &str) -> Simulation {
 
 fn image(simulation: &Simulation) -> &Map {
     let map = &simulation.maps[0];
-    assert!(map.is_image && simulation.answers[0].kind == ErrorKind::Estimate);
+    assert!(map.layout == Layout::Image && simulation.answers[0].kind == ErrorKind::Estimate);
     map
 }
 

@@ -3,7 +3,7 @@
 use exr::prelude::{ReadChannels, ReadLayers};
 use forms_radiometry::output::{csv, exr, png};
 use forms_radiometry::scene::{self, Scene};
-use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Map, Quantity, Simulation};
+use forms_radiometry::simulation::{Answer, ErrorKind, ErrorParts, Layout, Map, Quantity, Simulation};
 use std::collections::HashMap;
 use std::io::Cursor;
 
@@ -23,7 +23,7 @@ fn map(bands: usize) -> Map {
         errors: vec![vec![1e-300, 2e-7, 0.0, 1e21, 0.5, f64::NAN]; bands],
         scales: vec![1.0; bands],
         kind: ErrorKind::Estimate,
-        is_image: false,
+        layout: Layout::Grid,
     }
 }
 

@@ -75,7 +75,8 @@ fn resized(scene: &Scene, size: f64) -> Scene {
                 *position = place(*position);
             }
             ReceiverKind::Ray { origin, .. } => *origin = place(*origin),
-            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => {}
+            ReceiverKind::Points(points) => points.positions.iter_mut().for_each(|p| *p = place(*p)),
+            ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } | ReceiverKind::Camera(_) => {}
         }
     }
     for light in &mut scene.lights {

@@ -14,6 +14,10 @@ pub(crate) struct SimulateArguments {
     /// with --shard, write the part to this file
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<String>,
+    /// Also write into the folder --out a .vtu file for each receiver of points, faces or maps, with
+    /// its results on its geometry, and scene.vtu with all surfaces, for ParaView
+    #[arg(long, requires = "out", conflicts_with = "shard")]
+    pub(crate) vtu: bool,
     /// Save the state of the work in this file, and resume from it if it exists
     #[arg(long, value_name = "FILE")]
     pub(crate) checkpoint: Option<String>,

@@ -4,7 +4,7 @@
 //! ```text
 //! scene ─▶ plan ──▶ table or JSON
 //!           └─ simulate (progress: a bar, Ctrl-C; kept: checkpoint, part) ─▶ answers ─┬─▶ table or JSON
-//!                                                            parts ─▶ merge ─▶ answers └─▶ files: CSV, EXR, PNG, SVG
+//!                                                            parts ─▶ merge ─▶ answers └─▶ files: CSV, EXR, PNG, SVG, VTU
 //! ```
 
 mod answers;
@@ -38,6 +38,8 @@ use std::time::Instant;
 struct OutputOptions<'a> {
     scene: &'a Scene,
     folder: Option<PathBuf>,
+    /// Whether files of VTK are written, too.
+    vtu: bool,
     json: bool,
     /// Whether the work continues until the tolerance is met, instead of for a number of samples.
     is_to_tolerance: bool,
@@ -87,9 +89,9 @@ pub(crate) fn simulate(arguments: &SimulateArguments, output: &mut dyn Write) ->
         None => {
             let is_to_tolerance = arguments.samples.is_none();
             let ran_out_of_time = progress.ran_out_of_time();
-            let json = arguments.json;
+            let (vtu, json) = (arguments.vtu, arguments.json);
             let options =
-                OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths, ran_out_of_time };
+                OutputOptions { scene, folder, vtu, json, is_to_tolerance, is_by_paths, ran_out_of_time };
             finish(&options, &found, output)?
         }
     };
@@ -259,9 +261,9 @@ struct SharedRecord<'a> {
 
 /// Writes the files, then prints the answers: the reader of the output can go away.
 fn finish(options: &OutputOptions<'_>, found: &Simulation, output: &mut dyn Write) -> io::Result<Status> {
-    let OutputOptions { scene, folder, json, is_to_tolerance, is_by_paths, ran_out_of_time } = options;
+    let OutputOptions { scene, folder, vtu, json, is_to_tolerance, is_by_paths, ran_out_of_time } = options;
     let (written, refused) =
-        folder.as_ref().map(|folder| files::write(scene, found, folder)).unwrap_or_default();
+        folder.as_ref().map(|folder| files::write(scene, found, (folder, *vtu))).unwrap_or_default();
     let mut status = if refused.is_empty() { Status::AsStated } else { Status::Error };
     refused.iter().for_each(|message| tell!("error: {message}"));
     let is_late = found.stopped && *ran_out_of_time;

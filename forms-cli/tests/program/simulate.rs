@@ -82,6 +82,29 @@ fn json_is_the_plan_effect_by_effect_and_then_the_answers() {
 }
 
 #[test]
+fn results_on_geometry_go_into_the_folder_of_the_output() {
+    let plane = "[[receiver]]\nname = \"scene\"\nkind = \"point\"\n\
+                 plane = { origin = [0, 0, 0.5], u = [2, 0, 0], v = [0, 1, 0], count = [2, 3] }\n";
+    let faces = "[[receiver]]\nname = \"faces\"\nkind = \"faces\"\nsurface = \"floor\"\n";
+    let folder = Folder::with(&[("room.toml", &room(&format!("{MAP}{plane}{faces}")))]);
+    let run = forms(&folder, &["simulate", "room.toml", "--vtu"]);
+    assert_eq!(run.status, 2);
+    assert!(run.errors.contains("--out <DIR>"), "{}", run.errors);
+    let run = forms(&folder, &["simulate", "room.toml", "--out", "out", "--vtu", "--json"]);
+    assert_eq!((run.status, run.errors.as_str()), (0, ""));
+    for file in ["scene.vtu", "floor__map.vtu", "scene_2.vtu", "faces.vtu", "scene.png", "floor__map.exr"] {
+        assert!(!folder.read(&format!("out/{file}")).is_empty(), "{file}");
+    }
+    assert!(!folder.path("out/faces.png").exists(), "faces are in no order");
+    let answers = run.output.lines().map(object).filter(|(keys, _)| keys[0] == "receiver");
+    let quantities: Vec<String> = answers
+        .filter(|(_, line)| line["receiver"] == "faces")
+        .filter_map(|(_, line)| line["quantity"].as_str().map(str::to_owned))
+        .collect();
+    assert_eq!(quantities, ["irradiance", "flux", "net_flux"]);
+}
+
+#[test]
 fn the_text_is_the_plan_and_the_answers_as_tables() {
     let folder = Folder::with(&[("room.toml", &room(POINT))]);
     let run = forms(&folder, &["simulate", "room.toml"]);

@@ -54,7 +54,10 @@ fn of_receiver(kind: &ReceiverKind) -> Value {
                 "resolution": camera.resolution,
             })
         }
-        ReceiverKind::Surface { .. } | ReceiverKind::Sphere { .. } => panic!("no work asks for that"),
+        ReceiverKind::Points(_)
+        | ReceiverKind::Surface { .. }
+        | ReceiverKind::Faces { .. }
+        | ReceiverKind::Sphere { .. } => panic!("no work asks for that"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The works: each is a scene file, the estimand, and the definition of its error.
 
 use forms_radiometry::output::csv;
-use forms_radiometry::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene};
+use forms_radiometry::scene::{Effect, Force, ForcedEffect, Receiver, ReceiverKind, Scene, SurfaceSide};
 use forms_radiometry::simulation::Simulation;
 use forms_radiometry_testing::benches::simulated::{cornell_box, open, relative_error, simulated, values};
 use forms_testing::wall_clock::seconds;
@@ -83,7 +83,7 @@ fn with_maps(mut scene: Scene, interreflection: Option<Force>) -> Scene {
     let map = |name: &str| {
         let surface = scene.surfaces.iter().position(|surface| surface.name == name);
         let surface = surface.expect("the Cornell box has this surface");
-        let kind = ReceiverKind::Surface { surface, grid: Some(CELLS) };
+        let kind = ReceiverKind::Surface { surface, side: SurfaceSide::Front, grid: Some(CELLS) };
         Receiver { name: name.to_string(), kind, time: None, place: place.clone() }
     };
     scene.receivers = SURFACES.map(map).to_vec();

@@ -4,6 +4,7 @@
 //! a number                          |value|
 //! a component of a vector, a bin    the largest of all components, of all bins
 //! a cell, a pixel                   max(scale of its map, |value|)          see Map::scales
+//! a net flux                        the flux, or its own |value| if that is larger
 //! dark numbers                      at least 1e-9 of the largest number
 //! ```
 //! Printed errors, the list of missed tolerances, and the last point of a convergence plot are all
@@ -67,10 +68,11 @@ impl Simulation {
 }
 
 /// Returns the key of the answers that share one scale: the answers of one receiver, band and
-/// quantity, and the components of a vector.
+/// quantity, the components of a vector, and a net flux with the flux that it is the balance of.
 fn group(answer: &Answer) -> (&str, Option<usize>, Quantity) {
     let quantity = match answer.quantity {
         Quantity::VectorIrradiance(_) => Quantity::FluenceRate,
+        Quantity::NetFlux => Quantity::Flux,
         quantity => quantity,
     };
     (&answer.receiver, answer.band, quantity)
@@ -104,8 +106,14 @@ impl<'s> Accuracy<'s> {
             let band = (map.values.len() > 1).then_some(band);
             (missed > 0).then_some(MissedCells { map, band, counts: [missed, all], worst })
         };
-        let bands = |map: &'s Map| (0..map.values.len()).map(move |band| (map, band));
-        self.found.maps.iter().flat_map(bands).filter_map(|(map, band)| of_band(map, band)).collect()
+        self.bands_of_maps().filter_map(|(map, band)| of_band(map, band)).collect()
+    }
+
+    /// Returns all bands of all maps that are judged. The net flux of a face is as accurate as its
+    /// irradiance, which is judged.
+    fn bands_of_maps(&self) -> impl Iterator<Item = (&'s Map, usize)> {
+        let judged = self.found.maps.iter().filter(|map| map.quantity != Quantity::NetFlux);
+        judged.flat_map(|map| (0..map.values.len()).map(move |band| (map, band)))
     }
 
     /// Returns the answer whose relative error is the largest, the first of several; `None` where
@@ -117,8 +125,7 @@ impl<'s> Accuracy<'s> {
 
     /// Returns the largest relative error of the cells and pixels of all maps and images.
     pub fn largest_of_cells(&self) -> f64 {
-        let bands = self.found.maps.iter().flat_map(|map| (0..map.values.len()).map(move |band| (map, band)));
-        bands.flat_map(|(map, band)| self.of_cells(map, band)).fold(0.0, f64::max)
+        self.bands_of_maps().flat_map(|(map, band)| self.of_cells(map, band)).fold(0.0, f64::max)
     }
 
     /// Returns the largest relative error of all answers, cells and pixels.

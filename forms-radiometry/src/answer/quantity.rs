@@ -9,6 +9,8 @@ pub enum Quantity {
     Irradiance,
     /// Power that arrives at a surface, W.
     Flux,
+    /// Power that a surface absorbs less the power that it emits, W: A ((1 − ρ) E − M).
+    NetFlux,
     /// Power per area and solid angle, W/(m² sr).
     Radiance,
     /// The integral of radiance over all directions, W/m².
@@ -23,11 +25,16 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// The quantities of a receiver without a normal, in the order of its answers.
+    pub(crate) const ALL_AROUND: [Self; 4] =
+        [Self::FluenceRate, Self::VectorIrradiance(0), Self::VectorIrradiance(1), Self::VectorIrradiance(2)];
+
     /// Returns its name, as in the program's output.
     pub fn name(self) -> &'static str {
         match self {
             Self::Irradiance => "irradiance",
             Self::Flux => "flux",
+            Self::NetFlux => "net_flux",
             Self::Radiance => "radiance",
             Self::FluenceRate => "fluence_rate",
             Self::VectorIrradiance(0) => "vector_irradiance_x",
@@ -42,7 +49,7 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Irradiance | Self::FluenceRate | Self::VectorIrradiance(_) => "W/m²",
-            Self::Flux => "W",
+            Self::Flux | Self::NetFlux => "W",
             Self::Radiance => "W/(m² sr)",
             Self::Exposure | Self::Fluence => "J/m²",
         }

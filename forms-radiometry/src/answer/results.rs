@@ -30,12 +30,9 @@ pub struct Answer {
     pub seconds: f64,
 }
 
-/// Irradiance of a surface, cell by cell, or radiance seen by a camera, pixel by pixel.
-///
-/// The cells divide the bounding rectangle of the polygon in its plane. The first axis of the
-/// rectangle is the polygon's first edge: columns follow each other along that edge, and rows away
-/// from it. A cell outside the polygon holds NaN, and so does a cell that was not reached before
-/// the work was stopped. Pixels follow each other row by row from the upper left of the picture.
+/// Irradiance of a surface, cell by cell, radiance seen by a camera, pixel by pixel, or numbers at
+/// points or on faces, one by one. A cell that was not reached before the work was stopped holds
+/// NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Map {
     /// The receiver's name.
@@ -58,8 +55,21 @@ pub struct Map {
     pub scales: Vec<f64>,
     /// Meaning of these errors.
     pub kind: ErrorKind,
-    /// Whether it is the view of a camera, whose first row is the upper one.
-    pub is_image: bool,
+    /// Arrangement of the cells.
+    pub layout: Layout,
+}
+
+/// Arrangement of the cells of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Layout {
+    /// Cells of a rectangle, whose first row is the lowest. On a surface it is the bounding
+    /// rectangle of the polygon in its plane: columns follow each other along the polygon's first
+    /// edge, and rows away from it. A cell outside the polygon holds NaN.
+    Grid,
+    /// Pixels of a camera, row by row from the upper left.
+    Image,
+    /// Points or faces, in a single row.
+    List,
 }
 
 /// Accuracy of the answers at one time of the work.
@@ -78,7 +88,8 @@ pub struct Simulation {
     /// The numbers, in the order of the receivers, then of the quantities, then of the bands. The
     /// mean of a map is one of them.
     pub answers: Vec<Answer>,
-    /// The maps and images, in the order of the receivers.
+    /// The maps and images, in the order of the receivers. A receiver has one for each quantity of
+    /// its cells.
     pub maps: Vec<Map>,
     /// Convergence: the error as a function of time.
     pub history: Vec<Moment>,

@@ -58,7 +58,7 @@ pub(crate) trait Round {
     fn hides(&self, point: Vector, outline: &[Vector]) -> bool {
         outline.iter().all(|&corner| self.meets([point, corner]))
     }
-    /// Whether a point sees all of a convex outline through openings of the shape, up to the
+    /// Whether a point sees all of a convex outline beside the shape or through its openings, up to the
     /// deviation of its pieces.
     fn shows_through(&self, _: Vector, _: &[Vector]) -> bool {
         false

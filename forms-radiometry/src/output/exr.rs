@@ -1,7 +1,7 @@
 //! OpenEXR output of a map: linear values in 32 bits, one pixel for each cell.
 
 use super::{from_above, total};
-use crate::answer::Map;
+use crate::answer::{Layout, Map};
 use crate::scene::Scene;
 use crate::spectrum::{Colour, add_scaled, band_colours};
 use ::exr::prelude::{AnyChannel, AnyChannels, Encoding, FlatSamples, Image, Text, WritableImage};
@@ -22,7 +22,7 @@ pub fn exr(map: &Map, scene: &Scene) -> io::Result<Vec<u8>> {
             bands.iter().enumerate().map(raw).chain(shown(map, scene)).collect()
         }
     };
-    if map.is_image {
+    if map.layout == Layout::Image {
         let name =
             |band: usize| if map.errors.len() == 1 { "error".to_owned() } else { format!("error{band}") };
         channels

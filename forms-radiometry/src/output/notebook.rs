@@ -1,7 +1,7 @@
 //! Notebook display: a plan and its answers as tables, a map as a picture.
 
 use super::{measured, png, rough, total};
-use crate::answer::{Answer, Map, Simulation};
+use crate::answer::{Answer, Layout, Map, Simulation};
 use crate::effects::PlannedEffect;
 use crate::plan::Plan;
 use base64::Engine;
@@ -61,8 +61,12 @@ impl Simulation {
 }
 
 impl Map {
-    /// Displays the map in a notebook cell, as drawn by [`png`], with a caption.
+    /// Displays the map in a notebook cell, as drawn by [`png`], with a caption; points and faces in
+    /// no order have the caption only.
     pub fn evcxr_display(&self) {
+        if self.layout == Layout::List {
+            return print_content("text/plain", &self.caption());
+        }
         match png(self) {
             Ok(file) => {
                 print_content("image/png", &STANDARD.encode(file));

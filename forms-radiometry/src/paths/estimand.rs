@@ -5,7 +5,7 @@ use super::world::World;
 use crate::camera::Camera;
 use crate::geometry::Vector;
 use crate::sampling::Samples;
-use crate::visibility::Start;
+use crate::visibility::{ReceivingArea, Start};
 use std::f64::consts::PI;
 
 /// Number of parts along each side of a pixel. Rays through their corners determine the visible
@@ -19,8 +19,8 @@ pub(crate) enum Estimand {
     Plane { position: Vector, normal: Vector },
     /// Fluence rate at a point, and the three components of the vector irradiance.
     Sphere { position: Vector },
-    /// Mean irradiance of the front of a surface.
-    Surface { surface: usize },
+    /// Mean irradiance over an area.
+    Surface { area: ReceivingArea },
     /// Radiance that arrives from a direction.
     Sight { origin: Vector, direction: Vector },
     /// Mean radiance over a pixel of a camera, in column and row from the upper left.
@@ -101,9 +101,11 @@ impl Estimand {
             Self::Sphere { position } => {
                 Some(Begin::Receiver { start: walls.start_at(*position), normal: None })
             }
-            Self::Surface { surface } => {
-                let (wall, position, normal) = world.fronts[*surface].point(samples)?;
-                Some(Begin::Receiver { start: walls.start_before(wall, position), normal: Some(normal) })
+            Self::Surface { area } => {
+                let (wall, position, front) = world.walls_in(*area)?.point(samples)?;
+                let normal = if area.is_back { -front } else { front };
+                let start = walls.start_beside(wall, position, !area.is_back);
+                Some(Begin::Receiver { start, normal: Some(normal) })
             }
             Self::Sight { origin, direction } => {
                 Some(Begin::Sight { start: walls.start_at(*origin), direction: *direction })

@@ -6,6 +6,8 @@ use crate::scene::Filling;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Interface {
     pub(super) surface: usize,
+    /// The index of the face of a mesh that the wall belongs to, where receivers measure these faces.
+    pub(super) part: usize,
     /// The media at its front and at its back.
     pub(super) fillings: [Filling; 2],
 }

@@ -29,9 +29,9 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
     let asks = |is: fn(&ReceiverKind) -> bool| sampled().any(|receiver| is(&receiver.kind));
     let is_flat = |shape: &Shape| matches!(shape, Shape::Polygon(_) | Shape::Mesh(_));
     let planes = (samples && materials().any(reflects))
-        || asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Surface { .. }));
-    let surfaces = asks(|kind| matches!(kind, ReceiverKind::Surface { .. }));
-    let spheres = asks(|kind| matches!(kind, ReceiverKind::Sphere { .. }));
+        || asks(|kind| kind.is_irradiance_at_points() || kind.side().is_some());
+    let surfaces = asks(|kind| kind.side().is_some());
+    let spheres = asks(ReceiverKind::is_all_around);
     let metals = materials().any(|kind| matches!(kind, MaterialKind::Conductor { .. }));
     let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
     let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));

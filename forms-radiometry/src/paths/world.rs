@@ -7,7 +7,8 @@ use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
 use crate::geometry::Vector;
 use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, filled};
-use crate::visibility::{Met, Start, Wall, Walls};
+use crate::visibility::{Met, ReceivingArea, Start, Wall, Walls};
+use rustc_hash::FxHashMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -22,6 +23,8 @@ pub(crate) struct World {
     pub(super) chains: Chains,
     /// The front of each surface.
     pub(super) fronts: Vec<Front>,
+    /// The faces that receivers measure one by one, by the indices of surface and face.
+    faces: FxHashMap<[usize; 2], Front>,
 }
 
 impl World {
@@ -29,7 +32,8 @@ impl World {
         let (mut walls, mut interfaces) = (Vec::new(), Vec::new());
         for FilledInterface { interface, front, back } in filled(&scene) {
             let of_sheet = walls_of(interface.shape);
-            let belongs = Interface { surface: interface.surface, fillings: [front, back] };
+            let (surface, part) = (interface.surface, interface.part);
+            let belongs = Interface { surface, part, fillings: [front, back] };
             interfaces.extend(of_sheet.iter().map(|_| belongs));
             walls.extend(of_sheet);
         }
@@ -42,7 +46,21 @@ impl World {
         }
         let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let fronts = of_surfaces.iter().map(front).collect();
-        Self { scene, walls: Walls::of(walls), interfaces, luminaires, chains, fronts }
+        let are_measured = scene.are_faces_measured();
+        let mut of_faces: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
+        for (wall, interface) in interfaces.iter().enumerate().filter(|(_, i)| are_measured[i.surface]) {
+            of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
+        }
+        let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
+        Self { scene, walls: Walls::of(walls), interfaces, luminaires, chains, fronts, faces }
+    }
+
+    /// Returns the walls of a receiving area, which has both sides of them.
+    pub(super) fn walls_in(&self, area: ReceivingArea) -> Option<&Front> {
+        match area.face {
+            None => self.fronts.get(area.surface),
+            Some(face) => self.faces.get(&[area.surface, face]),
+        }
     }
 
     /// Returns the largest fraction of an emitter's light that mirrors and boundaries turn along a

@@ -35,8 +35,7 @@ pub(super) fn of(simulated: &SimulatedScene, solver: &Solver) -> Vec<UsedKernel>
 fn of_radiosity(simulated: &SimulatedScene) -> Vec<UsedKernel> {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     let (faces, question) = (faces(scene, 0), Question::of(scene, effects));
-    let readings =
-        scene.receivers.iter().enumerate().map(|(index, receiver)| Reading::of(index, receiver).len());
-    let is_precise = effects.orders == Some(0) && is_precise(scene, &faces, readings.sum());
+    let (readings, _) = Reading::requested(scene);
+    let is_precise = effects.orders == Some(0) && is_precise(scene, &faces, readings.len());
     kernels(scene, &faces, &question, is_precise)
 }

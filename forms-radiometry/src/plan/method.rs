@@ -215,10 +215,13 @@ fn of_radiosity(scene: &Scene, effects: &SimulatedEffects) -> Vec<ReceiverMethod
     let of_receiver = |receiver: &Receiver| {
         let method = match receiver.kind {
             _ if effects.orders != Some(0) => Method::Radiosity,
-            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => Method::ClosedFormIntegrals,
-            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } | ReceiverKind::Ray { .. } => {
-                Method::ClosedForms
+            ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } | ReceiverKind::Camera(_) => {
+                Method::ClosedFormIntegrals
             }
+            ReceiverKind::Point { .. }
+            | ReceiverKind::Points(_)
+            | ReceiverKind::Sphere { .. }
+            | ReceiverKind::Ray { .. } => Method::ClosedForms,
         };
         let why = reason_for_radiosity(effects).to_owned();
         ReceiverMethod { receiver: receiver.name.clone(), methods: vec![method], why }
@@ -235,7 +238,9 @@ fn of_paths(scene: &Scene, computable: Computable, reason: &str) -> Vec<Receiver
             ReceiverKind::Ray { .. } if computable.has(receiver) => {
                 (vec![Method::Quadrature], "; the medium scatters light of point or distant lights once")
             }
-            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } if computable.is_straight() => {
+            ReceiverKind::Point { .. } | ReceiverKind::Points(_) | ReceiverKind::Sphere { .. }
+                if computable.is_straight() =>
+            {
                 (vec![Method::ClosedForms], "")
             }
             ReceiverKind::Surface { grid: Some(_), .. } if computable.is_straight() => {

@@ -87,8 +87,7 @@ impl<'s> Obstacles<'s> {
         obstacles.sent = obstacles.sent(reflected)?;
         let matters =
             |reading: &Reading| obstacles.taken_of(reading) > obstacles.most * reading.largest(transport);
-        let readings = |(index, receiver)| Reading::of(index, receiver);
-        let has_one = scene.receivers.iter().enumerate().flat_map(readings).any(|reading| matters(&reading));
+        let has_one = Reading::requested(scene).0.iter().any(matters);
         (!has_one).then_some(obstacles)
     }
 

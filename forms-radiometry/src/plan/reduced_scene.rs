@@ -66,9 +66,7 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
 /// Removes surfaces that are only boundaries, unless they emit light or are receivers.
 fn remove_boundaries(scene: &mut Scene) {
     let is_asked_for = |index: usize| {
-        let is_it =
-            |kind: &ReceiverKind| matches!(kind, ReceiverKind::Surface { surface, .. } if *surface == index);
-        scene.receivers.iter().any(|receiver| is_it(&receiver.kind))
+        scene.receivers.iter().any(|receiver| receiver.kind.side().is_some_and(|side| side.surface == index))
     };
     let is_boundary = |index: &usize| {
         let surface = &scene.surfaces[*index];
@@ -77,7 +75,9 @@ fn remove_boundaries(scene: &mut Scene) {
     };
     let kept: Vec<usize> = (0..scene.surfaces.len()).filter(|index| !is_boundary(index)).collect();
     for receiver in &mut scene.receivers {
-        if let ReceiverKind::Surface { surface, .. } = &mut receiver.kind {
+        if let ReceiverKind::Surface { surface, .. } | ReceiverKind::Faces { surface, .. } =
+            &mut receiver.kind
+        {
             *surface = kept.iter().position(|kept| kept == surface).expect("what is asked about is kept");
         }
     }

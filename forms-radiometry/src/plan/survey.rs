@@ -10,12 +10,10 @@ use crate::geometry::Vector;
 use crate::parallelism::Parallelism;
 use crate::radiosity::driver::readings::Reading;
 use crate::radiosity::{
-    Lights, Question, Radiosity, Scratch, Transport, bulges, is_reflecting, most_direct, receiving,
+    Lights, Question, Radiosity, ReceivingAreas, Scratch, Transport, bulges, is_reflecting, most_direct,
     reflectance,
 };
-use crate::scene::{
-    Effect, Force, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Surface, WorkingScene,
-};
+use crate::scene::{Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Surface, WorkingScene};
 use crate::visibility::{Between, Face, Screens};
 use crate::watch::Unwatched;
 use std::f64::consts::PI;
@@ -190,7 +188,8 @@ fn bounds(
         .into_iter()
         .zip(matters)
         .any(|(effect, matters)| is_free(effect) && matters);
-    let question = Question { orders: Some(0), receives: receiving(scene), direct: true, is_seen: false };
+    let question =
+        Question { orders: Some(0), receives: ReceivingAreas::of(scene), direct: true, is_seen: false };
     let straight = is_decided.then(|| Radiosity::new(scene, transport, lights, question, &Unwatched));
     let of_reading = |scratch: &mut Scratch, reading: Reading| {
         let largest = reading.largest(transport);
@@ -208,17 +207,15 @@ fn bounds(
     let larger = |a: [[f64; 2]; 3], b: [[f64; 2]; 3]| {
         [0, 1, 2].map(|effect| [0, 1].map(|kind| f64::max(a[effect][kind], b[effect][kind])))
     };
-    let of_receiver = |scratch: &mut Scratch, (index, receiver): (usize, &Receiver)| {
-        if let ReceiverKind::Camera(_) = receiver.kind {
-            let [reflected, spread] = radiances.map(|radiance| of_image(radiance, working));
-            return [reflected, spread, [0.0; 2]];
-        }
-        let readings = Reading::of(index, receiver).into_iter();
-        readings.map(|reading| of_reading(scratch, reading)).fold(NOTHING, larger)
-    };
-    let receivers: Vec<(usize, &Receiver)> = scene.receivers.iter().enumerate().collect();
-    let operations = straight.as_ref().map_or(0.0, |straight| straight.operations(receivers.len()));
-    Parallelism::of(operations).map(receivers, of_receiver).into_iter().fold(NOTHING, larger)
+    let has_image = scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Camera(_)));
+    let of_images = has_image.then(|| {
+        let [reflected, spread] = radiances.map(|radiance| of_image(radiance, working));
+        [reflected, spread, [0.0; 2]]
+    });
+    let (readings, _) = Reading::requested(scene);
+    let operations = straight.as_ref().map_or(0.0, |straight| straight.operations(readings.len()));
+    let bounds = Parallelism::of(operations).map(readings, of_reading);
+    bounds.into_iter().chain(of_images).fold(NOTHING, larger)
 }
 
 /// Returns the change of an image by a radiance from everywhere: each pixel gets all of it, and the
@@ -291,10 +288,8 @@ fn is_convex_room(scene: &Scene, faces: &[Face], resolution: f64) -> bool {
     if scene.ambient.radiance.iter().any(|&radiance| radiance > 0.0) {
         return false;
     }
-    inside.extend(scene.receivers.iter().filter_map(|receiver| match receiver.kind {
-        ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => Some(position),
-        ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
-    }));
+    let points = scene.receivers.iter().flat_map(|receiver| receiver.kind.points());
+    inside.extend(points.map(|(position, _)| position));
     faces.iter().filter(|face| !face.is_back).all(|face| {
         let heights = || inside.iter().map(|&point| face.normal.dot(point - face.vertices[0]));
         heights().all(|height| height >= -resolution) || heights().all(|height| height <= resolution)
@@ -314,12 +309,8 @@ fn bulge_before(scene: &Scene, faces: &[Face]) -> Option<String> {
         face.normal.dot(point - face.vertices[0]) > 0.0
             && bulges(round.iter().copied(), (point, horizon), luminaire, Some(face.surface)) > 0.0
     };
-    let behind = scene.receivers.iter().find_map(|receiver| {
-        let (point, horizon) = match receiver.kind {
-            ReceiverKind::Point { position, normal } => (position, Some(normal)),
-            ReceiverKind::Sphere { position } => (position, None),
-            ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => return None,
-        };
+    let mut points = scene.receivers.iter().flat_map(|receiver| receiver.kind.points());
+    let behind = points.find_map(|(point, horizon)| {
         faces.iter().filter(is_source).find(|face| may_be_behind(face, point, horizon))
     })?;
     Some(format!("an occluder may be in front of the surface `{}`", scene.surfaces[behind.surface].name))
@@ -358,20 +349,16 @@ fn in_between(scene: &Scene, transport: &Transport) -> Option<String> {
             scene.surfaces[faces[source].surface].name
         ))
     };
-    let of_receiver = |receiver: &Receiver| match receiver.kind {
-        ReceiverKind::Point { position, normal } => stands_before(&[position], Some(normal)),
-        ReceiverKind::Sphere { position } => stands_before(&[position], None),
-        ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
-    };
-    let receives = receiving(scene);
+    let points = scene.receivers.iter().flat_map(|receiver| receiver.kind.points());
+    let points: Vec<(Vector, Option<Vector>)> = points.collect();
+    let of_point = |&(position, normal): &(Vector, Option<Vector>)| stands_before(&[position], normal);
+    let receives = ReceivingAreas::of(scene);
     let of_face = |index: usize| {
-        let is_asked = counts(index) || receives[faces[index].surface];
+        let is_asked = counts(index) || receives.have(&faces[index]);
         is_asked.then(|| stands_before(&faces[index].vertices, Some(faces[index].normal))).flatten()
     };
     let corners: usize = faces.iter().map(|face| face.vertices.len()).sum();
     let edges: usize = sources.iter().map(|&index| faces[index].vertices.len()).sum();
-    let parallelism = Parallelism::of(transport.operations(corners + scene.receivers.len(), edges));
-    parallelism
-        .find_map(&scene.receivers, of_receiver)
-        .or_else(|| parallelism.find_map(0..faces.len(), of_face))
+    let parallelism = Parallelism::of(transport.operations(corners + points.len(), edges));
+    parallelism.find_map(&points, of_point).or_else(|| parallelism.find_map(0..faces.len(), of_face))
 }

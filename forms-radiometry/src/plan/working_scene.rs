@@ -2,7 +2,7 @@
 //! units, and its results become the requested answers.
 
 use super::reduced_scene::without;
-use crate::answer::{Answer, ErrorParts, Simulation};
+use crate::answer::{Answer, ErrorParts, NetFlux, Simulation};
 use crate::effects::{PlannedEffect, SimulatedEffects};
 use crate::paths::World;
 use crate::paths::driver::{Computable, Task};
@@ -24,12 +24,15 @@ pub(crate) struct SimulatedScene {
     pub(super) dropped: f64,
     /// Tolerance of the answers.
     pub(crate) tolerance: f64,
+    /// Faces whose net flux follows from their irradiance.
+    net_flux: NetFlux,
 }
 
 impl SimulatedScene {
     pub(super) fn of(scene: &Scene, planned: &[PlannedEffect], dropped: f64) -> Self {
         let effects = SimulatedEffects::of(planned);
         let reduced = without(scene, planned);
+        let net_flux = NetFlux::of(&reduced);
         let merged = effects.merges_bands(scene).then_some(scene.band_count());
         let mut reduced = if merged.is_some() { reduced.with_one_band() } else { reduced };
         reduced.solve.tolerance -= dropped;
@@ -42,6 +45,7 @@ impl SimulatedScene {
             merged,
             dropped,
             tolerance: scene.solve.tolerance,
+            net_flux,
         }
     }
 
@@ -76,6 +80,7 @@ impl SimulatedScene {
         if let Some(bands) = self.merged {
             spread(&mut simulation, bands);
         }
+        self.net_flux.add_to(&mut simulation);
         divide_times(&mut simulation);
         conclude(&mut simulation);
         simulation
@@ -84,7 +89,8 @@ impl SimulatedScene {
 
 /// Adds the error budget of omitted effects to every error. It is a bound for the smallest answer
 /// of a receiver. So the change of a component of a vector is at most the change of the
-/// largest component, and the change of a cell at most the change of the mean.
+/// largest component, and the change of a cell at most the change of the mean, or relative to its
+/// own value if that is larger.
 fn add_dropped(simulation: &mut Simulation, dropped: f64) {
     let scales: Vec<f64> = simulation.accuracy().answers().map(|rated| rated.scale).collect();
     for (answer, scale) in simulation.answers.iter_mut().zip(scales) {
@@ -95,8 +101,10 @@ fn add_dropped(simulation: &mut Simulation, dropped: f64) {
     for map in maps {
         map.kind = map.kind.with_estimate();
         let is_mean = |answer: &&Answer| answer.receiver == map.receiver && answer.quantity == map.quantity;
-        for (errors, mean) in map.errors.iter_mut().zip(answers.iter().filter(is_mean)) {
-            errors.iter_mut().for_each(|error| *error += mean.parts.effects);
+        let bands = map.errors.iter_mut().zip(&map.values).zip(answers.iter().filter(is_mean));
+        for ((errors, values), mean) in bands {
+            let cells = errors.iter_mut().zip(values);
+            cells.for_each(|(error, value)| *error += mean.parts.effects.max(dropped * value.abs()));
         }
     }
     history.iter_mut().for_each(|moment| moment.error += dropped);

@@ -19,6 +19,7 @@ use super::system::Radiosity;
 use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
 use crate::sampling::{Net, key};
+use crate::visibility::ReceivingArea;
 use forms_kernels::gathered_light::Effects as LightKinds;
 use rayon::prelude::*;
 
@@ -110,12 +111,11 @@ impl Radiosity<'_> {
         missed
     }
 
-    /// Returns for each band the error of the direct flux onto a surface that its nodes cause.
-    pub(super) fn missed_of(&self, surface: usize) -> Vec<f64> {
+    /// Returns for each band the error of the direct flux onto an area that its nodes cause.
+    pub(super) fn missed_of(&self, area: ReceivingArea) -> Vec<f64> {
         let mut sums = vec![[0.0; 2]; self.scene.band_count()];
-        let is_on = |residual: &&Residual| {
-            self.transport.faces[self.elements[residual.element].face].is_front_of(surface)
-        };
+        let is_on =
+            |residual: &&Residual| area.contains(&self.transport.faces[self.elements[residual.element].face]);
         for Residual { flux, .. } in self.residuals.iter().filter(is_on) {
             for ([sum, squares], flux) in sums.iter_mut().zip(flux) {
                 *sum += flux;

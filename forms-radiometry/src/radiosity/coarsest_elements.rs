@@ -4,10 +4,9 @@
 use super::contact;
 use super::element::{Element, HIGHEST_ORDER};
 use super::question::Question;
-use super::reflectance::reflects;
+use super::reflectance::is_reflecting;
 use super::shadows::Shadows;
 use super::transport::Transport;
-use crate::faces::is_bright;
 use crate::geometry::closeness;
 use crate::scene::Scene;
 use crate::visibility::Face;
@@ -31,19 +30,19 @@ fn first_order(nodes: impl Fn(usize) -> usize) -> usize {
 }
 
 /// Returns the elements before any is split: of all faces that reflect light, or whose mean is
-/// requested and is not an integral alone.
+/// requested and is not an integral alone: the direct light of a face whose mean is requested
+/// `is_summed` over its nodes, or not.
 pub(super) fn coarsest(
     scene: &Scene,
     transport: &Transport,
     question: &Question,
-    is_integral: &[bool],
+    is_summed: &dyn Fn(&Face) -> bool,
     shadows: &Shadows,
 ) -> Vec<Element> {
     let reflected = question.orders != Some(0);
-    let is_summed = |surface: usize| question.receives[surface] && (reflected || !is_integral[surface]);
     let has_elements = |face: &Face| {
-        let is_source = reflected && reflects(scene, face.surface);
-        is_bright(scene, face) && (is_source || is_summed(face.surface))
+        let is_source = reflected && is_reflecting(scene, face);
+        is_source || question.receives.have(face) && (reflected || is_summed(face))
     };
     let mut elements = Vec::new();
     let corners = transport.faces.iter().flat_map(|face| &face.vertices).copied();

@@ -217,7 +217,7 @@ mod tests {
     fn face(vertices: Vec<Vector>) -> Face {
         let twice = (vertices[1] - vertices[0]).cross(vertices[2] - vertices[0]);
         let normal = twice.unit().expect("a polygon");
-        Face { surface: 0, is_back: false, vertices, normal, area: twice.length() }
+        Face { surface: 0, part: 0, is_back: false, vertices, normal, area: twice.length() }
     }
 
     #[test]

@@ -95,8 +95,14 @@ mod tests {
     fn unit_square() -> Element {
         let corner = |x, y| Vector::new(x, y, 0.0);
         let vertices = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-        let face =
-            Face { surface: 0, is_back: false, vertices, normal: Vector::new(0.0, 0.0, 1.0), area: 1.0 };
+        let face = Face {
+            surface: 0,
+            part: 0,
+            is_back: false,
+            vertices,
+            normal: Vector::new(0.0, 0.0, 1.0),
+            area: 1.0,
+        };
         Element::of(0, &face, &ConvexPiece::whole(&face)).swap_remove(0)
     }
 

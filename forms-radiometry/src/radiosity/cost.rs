@@ -97,7 +97,7 @@ fn at_fineness(
     let kinds = kinds(scene, &faces);
     let count = |is: &dyn Fn(&&Face) -> bool| faces.iter().filter(is).count();
     let reflecting = if question.orders == Some(0) { 0 } else { count(&|face| is_reflecting(scene, face)) };
-    let receiving = count(&|face| question.receives[face.surface] && !face.is_back);
+    let receiving = count(&|face| question.receives.have(face));
     let sources = sources(scene, &faces, kinds);
     let lit: Vec<usize> = sources.into_iter().filter(|&face| is_bright(scene, &faces[face])).collect();
     let is_beyond = |nodes: usize| is_hidden && PARTS * nodes as f64 > MOST_NODES as f64;
@@ -146,16 +146,11 @@ fn costs(scene: &Scene, transport: &Transport, question: &Question, lit: &[usize
         0.0 => EXCHANGE,
         _ => VIEWS * crowd.min(scene.solve.tolerance.recip()) * view(crowd),
     };
-    let receiving: Vec<&Face> =
-        faces.iter().filter(|face| question.receives[face.surface] && !face.is_back).collect();
+    let receiving: Vec<&Face> = faces.iter().filter(|face| question.receives.have(face)).collect();
     let points: Vec<(Vector, Option<Vector>)> = scene
         .receivers
         .iter()
-        .filter_map(|receiver| match receiver.kind {
-            ReceiverKind::Point { position, normal } => Some((position, Some(normal))),
-            ReceiverKind::Sphere { position } => Some((position, None)),
-            ReceiverKind::Ray { .. } | ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
-        })
+        .flat_map(|receiver| receiver.kind.points())
         .chain(receiving.iter().map(|face| (Vector::mean(&face.vertices), Some(face.normal))))
         .collect();
     let some = |count: usize| (0..count).step_by(count.div_ceil(ASKED).max(1));
@@ -173,12 +168,11 @@ fn costs(scene: &Scene, transport: &Transport, question: &Question, lit: &[usize
 }
 
 /// Returns the number of nodes before any element is split. Faces are cut where others touch them
-/// and along shadow borders. `is_integral` tells whether the direct light of a surface is an
+/// and along shadow borders. `is_integral` tells whether the direct light of surfaces is an
 /// integral.
 fn coarsest_nodes(scene: &Scene, transport: &Transport, question: &Question, is_integral: bool) -> usize {
     let shadows = Shadows::on(scene, transport, question, &Unwatched);
-    let are_integrals = vec![is_integral; scene.surfaces.len()];
-    coarsest(scene, transport, question, &are_integrals, &shadows).iter().map(Element::count).sum()
+    coarsest(scene, transport, question, &|_| !is_integral, &shadows).iter().map(Element::count).sum()
 }
 
 /// Returns the number of readings at points that a scene asks for, and the number of cells of maps.
@@ -190,7 +184,8 @@ fn requested_values(scene: &Scene) -> (usize, usize) {
             ReceiverKind::Point { .. } | ReceiverKind::Ray { .. } | ReceiverKind::Sphere { .. } => {
                 points += Reading::of(index, receiver).len();
             }
-            ReceiverKind::Camera(_) => {}
+            ReceiverKind::Points(_) => points += Reading::cells(index, receiver, scene).count(),
+            ReceiverKind::Faces { .. } | ReceiverKind::Camera(_) => {}
         }
     }
     (points, cells)

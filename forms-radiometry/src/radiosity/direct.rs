@@ -20,10 +20,12 @@ use crate::faces::emits;
 use crate::form_factor::double_double::Rounded;
 use crate::form_factor::{Exchange, exchange_of, exchange_precisely, exchange_with};
 use crate::geometry::Vector;
-use crate::scene::{LightKind, ReceiverKind, Scene};
-use crate::visibility::Face;
+use crate::parallelism::Parallelism;
+use crate::scene::{LightKind, Scene};
+use crate::visibility::{Face, ReceivingArea};
 use crate::watch::Watch;
 use forms_kernels::gathered_light::Effects as LightKinds;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::f64::consts::PI;
 
 /// Maximum numbers of edge pairs, each with the relative error to which unoccluded faces exchange
@@ -66,6 +68,16 @@ pub(super) struct Integral {
 impl Integral {
     fn of_nothing(bands: usize) -> Self {
         Self { flux: vec![Rounded::exactly(0.0); bands], of_rules: vec![0.0; bands], kinds: LightKinds::NONE }
+    }
+
+    /// Adds the light onto another area, of the same kinds.
+    fn take(&mut self, other: &Self) {
+        self.add(&other.flux);
+        self.of_rules.iter_mut().zip(&other.of_rules).for_each(|(sum, rules)| *sum += rules);
+        if other.kinds != self.kinds {
+            // the work was stopped between the two
+            self.kinds = LightKinds::NONE;
+        }
     }
 
     fn add(&mut self, flux: &[Rounded]) {
@@ -183,19 +195,44 @@ impl<'s> Lights<'s> {
         arriving.outside.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(outside));
     }
 
-    /// Returns the direct flux onto the fronts of a surface as integrals over it. A sum over points
+    /// Returns the direct flux onto each of these areas. The flux onto a side whose faces are areas,
+    /// too, is the sum of theirs.
+    pub(super) fn fluxes(
+        &self,
+        (areas, is_all): (&[ReceivingArea], bool),
+        transport: &Transport,
+        shadows: &Shadows,
+        watch: &dyn Watch,
+    ) -> FxHashMap<ReceivingArea, Integral> {
+        let side = |area: &ReceivingArea| ReceivingArea { face: None, ..*area };
+        let faces = || areas.iter().filter(|area| area.face.is_some());
+        let divided: FxHashSet<ReceivingArea> = faces().map(side).collect();
+        let computed: Vec<ReceivingArea> =
+            areas.iter().filter(|area| !divided.contains(area)).copied().collect();
+        let flux =
+            |_: &mut (), &area: &ReceivingArea| (area, self.flux((area, is_all), transport, shadows, watch));
+        let parallelism = if transport.occlusion { Parallelism::Shared } else { Parallelism::Alone };
+        let mut fluxes: FxHashMap<_, _> = parallelism.map(&computed, flux).into_iter().collect();
+        for face in faces() {
+            let Some(own) = fluxes.get(face).cloned() else { continue };
+            fluxes.entry(side(face)).and_modify(|sum| sum.take(&own)).or_insert(own);
+        }
+        fluxes
+    }
+
+    /// Returns the direct flux onto an area as integrals over it. A sum over points
     /// could miss light near an edge or in a shadow. `is_all` is set if nothing is reflected. No
     /// kind of light is included if the work is stopped.
-    pub(super) fn flux(
+    fn flux(
         &self,
-        (surface, is_all): (usize, bool),
+        (area, is_all): (ReceivingArea, bool),
         transport: &Transport,
         shadows: &Shadows,
         watch: &dyn Watch,
     ) -> Integral {
         let mut integral = Integral::of_nothing(self.scene.band_count());
         if !self.kinds().surroundings
-            && let Some(flux) = self.flux_of_faces((surface, is_all), transport, watch)
+            && let Some(flux) = self.flux_of_faces((area, is_all), transport, watch)
         {
             let (flux, of_rules): (Vec<Rounded>, Vec<f64>) = flux.into_iter().unzip();
             integral.add(&flux);
@@ -203,9 +240,8 @@ impl<'s> Lights<'s> {
             integral.kinds.luminaires = self.kinds().luminaires;
         }
         let of_face = |index: usize| shadows.flux(index, self.scene, transport);
-        let fronts = (0..transport.faces.len()).filter(|&index| transport.faces[index].is_front_of(surface));
         if self.kinds().beams
-            && let Some(of_faces) = fronts.map(of_face).collect::<Option<Vec<_>>>()
+            && let Some(of_faces) = transport.indices_in(area).map(of_face).collect::<Option<Vec<_>>>()
         {
             of_faces.iter().for_each(|flux| integral.add(flux));
             integral.kinds.beams = true;
@@ -217,21 +253,21 @@ impl<'s> Lights<'s> {
     /// work is stopped.
     fn flux_of_faces(
         &self,
-        (surface, is_all): (usize, bool),
+        (area, is_all): (ReceivingArea, bool),
         transport: &Transport,
         watch: &dyn Watch,
     ) -> Option<Vec<(Rounded, f64)>> {
         let mut flux = vec![(Rounded::exactly(0.0), 0.0); self.scene.band_count()];
-        let received: usize = transport.fronts(surface).map(|face| face.vertices.len()).sum();
+        let received: usize = transport.faces_in(area).map(|face| face.vertices.len()).sum();
         let pairs = received * self.edges(transport);
-        let has_map = self.scene.receivers.iter().any(|receiver| {
-            matches!(receiver.kind, ReceiverKind::Surface { surface: of, grid: Some(_) } if of == surface)
+        let is_one_of_many = self.scene.receivers.iter().any(|receiver| {
+            receiver.kind.has_cells() && receiver.kind.side().is_some_and(|side| side.surface == area.surface)
         });
         let mut of_few =
-            OF_FEW.into_iter().filter(|(_, accuracy)| !(is_all && has_map && *accuracy <= LAST_DIGIT));
+            OF_FEW.into_iter().filter(|(_, accuracy)| !(is_all && is_one_of_many && *accuracy <= LAST_DIGIT));
         let of_few = of_few.find(|&(most, _)| pairs <= most);
         let accuracy = of_few.map_or(transport.accuracy, |(_, accuracy)| accuracy);
-        for here in transport.fronts(surface) {
+        for here in transport.faces_in(area) {
             for there in self.faces.iter().map(|&index| &transport.faces[index]) {
                 if watch.is_stopped() {
                     return None;

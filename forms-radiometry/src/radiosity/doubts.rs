@@ -64,13 +64,12 @@ impl Radiosity<'_> {
                     }
                 });
             }
-            GoalKind::Mean { surface } => {
-                let is_integral =
-                    self.straight[surface].as_ref().is_some_and(|integral| integral.kinds.luminaires);
+            GoalKind::Mean { area } => {
+                let is_integral = self.straight.get(&area).is_some_and(|integral| integral.kinds.luminaires);
                 if self.question.direct && !is_integral {
-                    sums = self.missed_of(surface);
+                    sums = self.missed_of(area);
                 }
-                for index in self.elements_on(surface) {
+                for index in self.elements_on(area) {
                     for (area, node) in self.elements[index].areas().zip(self.first[index]..) {
                         sums.iter_mut()
                             .zip(&self.doubts)

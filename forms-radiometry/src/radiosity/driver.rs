@@ -13,6 +13,7 @@ mod goals;
 pub(crate) mod grid;
 pub(crate) mod images;
 mod interpolation;
+mod lists;
 mod maps;
 mod precision;
 pub(crate) mod readings;
@@ -90,8 +91,11 @@ pub(crate) struct Work<'s> {
     pub(crate) progress: &'s Progress<'s>,
     pub(crate) times: Times,
     pub(crate) readings: Vec<Reading>,
-    /// Number of readings that are answers; the readings after them are watched cells of maps.
+    /// Number of readings that are answers.
     pub(crate) answers: usize,
+    /// Number of readings that are answers, or numbers at listed points or on listed faces; the
+    /// readings after them are watched cells of maps and watched pixels.
+    pub(crate) requested: usize,
     /// Group of each reading.
     pub(crate) groups: Vec<usize>,
     /// For each watched cell, the radiance emitted directly into it in each band; empty for cells
@@ -108,9 +112,8 @@ impl<'s> Work<'s> {
         first: &'s FirstFaces,
         progress: &'s Progress<'s>,
     ) -> Self {
-        let of = |(index, receiver)| Reading::of(index, receiver);
-        let readings: Vec<Reading> = scene.receivers.iter().enumerate().flat_map(of).collect();
-        let (answers, groups) = (readings.len(), groups(&readings, readings.len()));
+        let (readings, answers) = Reading::requested(scene);
+        let groups = groups(&readings, answers);
         Self {
             scene,
             effects,
@@ -118,6 +121,7 @@ impl<'s> Work<'s> {
             watch: progress,
             progress,
             times: Times::new(scene.receivers.len()),
+            requested: readings.len(),
             readings,
             answers,
             groups,
@@ -274,6 +278,9 @@ impl<'s> Work<'s> {
     fn simulation(&self, found: &[Found], pictures: Pictures, history: Vec<Moment>) -> Simulation {
         let Pictures { mut maps, images } = pictures;
         let mut answers = self.answered(found);
+        let (lists, means) = self.lists(found);
+        maps.extend(lists);
+        answers.extend(means);
         for Image { receiver, map, means } in images {
             answers.extend(means.into_iter().map(|mean| (receiver, mean)));
             maps.push((receiver, map));

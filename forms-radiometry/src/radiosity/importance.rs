@@ -9,6 +9,7 @@ use super::measure::Measure;
 use super::system::Radiosity;
 use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
+use crate::visibility::ReceivingArea;
 use rayon::prelude::*;
 
 /// Number of reflections over which importance is propagated.
@@ -29,8 +30,8 @@ pub(crate) struct Goal {
 pub(crate) enum GoalKind {
     /// Light at a point.
     At { position: Vector, measure: Measure },
-    /// Integral of the irradiance of a surface.
-    Mean { surface: usize },
+    /// Integral of the irradiance over an area.
+    Mean { area: ReceivingArea },
 }
 
 impl Radiosity<'_> {
@@ -117,9 +118,9 @@ impl Radiosity<'_> {
                     );
                 });
             }
-            GoalKind::Mean { surface } => {
+            GoalKind::Mean { area } => {
                 for (index, element) in self.elements.iter().enumerate() {
-                    if self.transport.faces[element.face].is_front_of(surface) {
+                    if area.contains(&self.transport.faces[element.face]) {
                         each(index, &mut element.areas().map(|area| goal.weight * area));
                     }
                 }

@@ -43,16 +43,16 @@ impl Computed {
         let straight = kinds(scene, faces);
         let reflected = question.orders != Some(0) && faces.iter().any(|f| is_reflecting(scene, f));
         let asks = |is: fn(&ReceiverKind) -> bool| scene.receivers.iter().any(|receiver| is(&receiver.kind));
-        let asks_points =
-            asks(|kind| matches!(kind, ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. }));
+        let asks_points = asks(|kind| kind.is_irradiance_at_points() || kind.is_all_around());
         let asks_elsewhere = asks(|kind| match kind {
-            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => false,
+            ReceiverKind::Point { .. } | ReceiverKind::Points(_) | ReceiverKind::Sphere { .. } => false,
             ReceiverKind::Surface { grid, .. } => grid.is_some(),
+            ReceiverKind::Faces { .. } => false,
             ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => true,
         });
         // the closed forms for points add up light in double-double, without the kernel
         let gathers = asks_elsewhere || (asks_points && !is_precise);
-        let on_surfaces = question.receives.contains(&true);
+        let on_surfaces = !question.receives.all().is_empty();
         let has_points = on_surfaces || reflected;
         let from_faces = straight.luminaires || (straight.surroundings && !faces.is_empty());
         let is_straight = question.orders == Some(0);
@@ -69,7 +69,7 @@ impl Computed {
             gathered: gathers.then(|| question.kinds(straight)),
             straight: has_points.then_some(straight),
             views: reflected || (from_faces && (question.direct || has_points)),
-            spheres: asks(|kind| matches!(kind, ReceiverKind::Sphere { .. })),
+            spheres: asks(ReceiverKind::is_all_around),
             reflections: reflected,
             exchange: on_surfaces && from_faces && !straight.surroundings && !straight.beams,
         }

@@ -2,15 +2,17 @@
 
 use crate::effects::SimulatedEffects;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene};
+use crate::visibility::{Face, ReceivingArea};
 use forms_kernels::gathered_light::Effects as LightKinds;
+use rustc_hash::FxHashSet;
 
 /// Requirements for the solution.
 #[derive(Clone, Debug)]
 pub(crate) struct Question {
     /// Maximum number of reflections, if there is one; 0 if light is not reflected.
     pub(crate) orders: Option<u32>,
-    /// Whether each surface is a receiver.
-    pub(crate) receives: Vec<bool>,
+    /// Areas over which receivers integrate.
+    pub(crate) receives: ReceivingAreas,
     /// Whether receivers get direct light.
     pub(crate) direct: bool,
     /// Whether rays or cameras look at surfaces.
@@ -22,7 +24,7 @@ impl Question {
     pub(crate) fn of(scene: &Scene, effects: &SimulatedEffects) -> Self {
         Self {
             orders: effects.orders,
-            receives: receiving(scene),
+            receives: ReceivingAreas::of(scene),
             direct: effects.has(Effect::Direct),
             is_seen: asks_for_rays(scene),
         }
@@ -35,15 +37,35 @@ impl Question {
     }
 }
 
-/// Returns for each surface whether it is a receiver.
-pub(crate) fn receiving(scene: &Scene) -> Vec<bool> {
-    let mut receives = vec![false; scene.surfaces.len()];
-    for receiver in &scene.receivers {
-        if let ReceiverKind::Surface { surface, .. } = receiver.kind {
-            receives[surface] = true;
+/// The areas over which the receivers of a scene integrate.
+#[derive(Clone, Debug)]
+pub(crate) struct ReceivingAreas {
+    /// Each area once.
+    areas: Vec<ReceivingArea>,
+    /// Whether the front and the back of each surface contain any of them.
+    sides: Vec<[bool; 2]>,
+}
+
+impl ReceivingAreas {
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let (mut areas, mut known) = (Vec::new(), FxHashSet::default());
+        let mut sides = vec![[false; 2]; scene.surfaces.len()];
+        for area in scene.receiving_areas().filter(|&area| known.insert(area)) {
+            areas.push(area);
+            sides[area.surface][usize::from(area.is_back)] = true;
         }
+        Self { areas, sides }
     }
-    receives
+
+    /// Returns the areas, each once.
+    pub(crate) fn all(&self) -> &[ReceivingArea] {
+        &self.areas
+    }
+
+    /// Whether a face is part of any of them. A receiver measures all faces of a side, or none.
+    pub(crate) fn have(&self, face: &Face) -> bool {
+        self.sides[face.surface][usize::from(face.is_back)]
+    }
 }
 
 /// Whether a receiver is a ray or a camera, which needs the first surface along rays.

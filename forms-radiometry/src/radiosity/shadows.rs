@@ -33,7 +33,7 @@ impl Shadows {
     pub(super) fn on(scene: &Scene, transport: &Transport, question: &Question, watch: &dyn Watch) -> Self {
         let is_wanted = |face: &Face| {
             let is_source = question.orders != Some(0) && is_reflecting(scene, face);
-            is_source || question.receives[face.surface] && !face.is_back
+            is_source || question.receives.have(face)
         };
         Self::of(scene, transport, is_wanted, watch)
     }

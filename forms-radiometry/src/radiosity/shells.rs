@@ -20,7 +20,7 @@ use crate::form_factor::double_double::SeenWhole;
 use crate::geometry::{Sphere, Vector};
 use crate::progress::Progress;
 use crate::radiosity::driver::ROUNDING;
-use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape, SurfaceSide};
 use crate::used_kernel::UsedKernel;
 use forms_kernels::{form_factor_point_sphere, solid_angle_sphere};
 use std::f64::consts::PI;
@@ -125,7 +125,7 @@ impl Shells {
             return None;
         }
         match receiver.kind {
-            ReceiverKind::Surface { surface, grid: None } => self.at_surface(surface),
+            ReceiverKind::Surface { surface, side, grid: None } => self.at_surface(surface, side),
             ReceiverKind::Point { position, normal } => {
                 Some(vec![(Quantity::Irradiance, self.at(scene, position, Measure::Plane(normal))?)])
             }
@@ -143,17 +143,21 @@ impl Shells {
                 let radiance = gap.radiance[usize::from(is_outer)].iter();
                 Some(vec![(Quantity::Radiance, radiance.map(|&value| [value, ROUNDING * value]).collect())])
             }
-            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => None,
+            ReceiverKind::Surface { .. }
+            | ReceiverKind::Faces { .. }
+            | ReceiverKind::Points(_)
+            | ReceiverKind::Camera(_) => None,
         }
     }
 
-    /// Returns irradiance and flux of the front of a surface.
-    fn at_surface(&self, surface: usize) -> Option<Vec<(Quantity, Vec<[f64; 2]>)>> {
+    /// Returns irradiance and flux of a side of a surface.
+    fn at_surface(&self, surface: usize, side: SurfaceSide) -> Option<Vec<(Quantity, Vec<[f64; 2]>)>> {
         let place = self.spheres.iter().position(|(index, _)| *index == surface)?;
         let sphere = self.spheres[place].1;
         // the inside of a sphere is the outer side of the gap within it
+        let is_inside = sphere.inward == (side == SurfaceSide::Front);
         let values =
-            if sphere.inward { &self.gaps[place].irradiance[1] } else { &self.gaps[place + 1].irradiance[0] };
+            if is_inside { &self.gaps[place].irradiance[1] } else { &self.gaps[place + 1].irradiance[0] };
         let scaled = |factor: f64| {
             values.iter().map(|&value| factor * value).map(|value| [value, ROUNDING * value]).collect()
         };

@@ -11,18 +11,21 @@ use super::operator::{Operator, Row};
 use super::partial::OnElement;
 use super::question::Question;
 use super::received::{OfNodes, Received};
-use super::reflectance::{reflectance, reflects};
+use super::reflectance::{is_reflecting, reflectance};
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
 use super::solution::of_bands;
 use super::transport::{Group, Scratch, Transport};
+use crate::faces::is_bright;
 use crate::form_factor::double_double::{Rounded, area};
 use crate::geometry::Vector;
 use crate::parallelism::Parallelism;
 use crate::scene::Scene;
+use crate::visibility::{Face, ReceivingArea};
 use crate::watch::Watch;
 use forms::math::{DoubleDouble, Real};
 use forms_kernels::gathered_light::Effects as LightKinds;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -63,8 +66,8 @@ pub(crate) struct Radiosity<'t> {
     pub(super) checks: Vec<Check>,
     pub(super) residuals: Vec<Residual>,
     pub(super) missed: Vec<Vec<f64>>,
-    /// For each surface that receives, the direct light as an integral.
-    pub(super) straight: Vec<Option<Integral>>,
+    /// The direct light onto each area over which a receiver integrates.
+    pub(super) straight: FxHashMap<ReceivingArea, Integral>,
     /// For each band the part of the irradiance of each node that is reflected once more: all but
     /// its highest order.
     pub(super) reflected: Vec<Vec<f64>>,
@@ -84,17 +87,12 @@ impl<'t> Radiosity<'t> {
     ) -> Self {
         let is_all = question.orders == Some(0);
         let shadows = Shadows::on(scene, transport, &question, watch);
-        let flux = |_: &mut (), surface: usize| {
-            let receives = question.receives[surface];
-            receives.then(|| lights.flux((surface, is_all), transport, &shadows, watch))
-        };
-        let parallelism = if transport.occlusion { Parallelism::Shared } else { Parallelism::Alone };
-        let straight = parallelism.map(0..question.receives.len(), flux);
-        let is_whole = |integral: &Option<Integral>| {
-            integral.as_ref().is_some_and(|integral| integral.kinds == lights.kinds())
-        };
-        let is_whole: Vec<bool> = straight.iter().map(is_whole).collect();
-        let elements = coarsest(scene, transport, &question, &is_whole, &shadows);
+        let straight = lights.fluxes((question.receives.all(), is_all), transport, &shadows, watch);
+        let summed = straight.iter().filter(|(_, integral)| integral.kinds != lights.kinds());
+        let summed: FxHashSet<[usize; 2]> =
+            summed.map(|(area, _)| [area.surface, usize::from(area.is_back)]).collect();
+        let is_summed = |face: &Face| summed.contains(&[face.surface, usize::from(face.is_back)]);
+        let elements = coarsest(scene, transport, &question, &is_summed, &shadows);
         let mut radiosity = Self {
             scene,
             transport,
@@ -221,21 +219,23 @@ impl<'t> Radiosity<'t> {
     /// Whether reflected light is needed at an element. Light that is reflected once leaves from
     /// where direct light arrives: then only receivers and visible surfaces need reflected light.
     fn receives_reflected(&self, element: &Element) -> bool {
-        let surface = self.transport.faces[element.face].surface;
-        self.question.orders != Some(1) || self.question.is_seen || self.question.receives[surface]
+        let face = &self.transport.faces[element.face];
+        self.question.orders != Some(1) || self.question.is_seen || self.question.receives.have(face)
     }
 
     /// Returns the elements that reflect, with their indices; none if reflections are not
     /// requested.
     pub(super) fn sources(&self) -> impl Iterator<Item = (usize, &Element)> {
-        let surface = |element: &Element| self.transport.faces[element.face].surface;
         let is_on = self.question.orders != Some(0);
         let elements = self.elements.iter().enumerate();
-        elements.filter(move |(_, element)| is_on && reflects(self.scene, surface(element)))
+        let face = |element: &Element| &self.transport.faces[element.face];
+        elements.filter(move |(_, element)| is_on && is_reflecting(self.scene, face(element)))
     }
 
+    /// Returns the reflectance of an element in a band; the back of a one-sided surface is black.
     pub(super) fn reflectance(&self, element: &Element, band: usize) -> f64 {
-        reflectance(self.scene, self.transport.faces[element.face].surface)[band]
+        let face = &self.transport.faces[element.face];
+        if is_bright(self.scene, face) { reflectance(self.scene, face.surface)[band] } else { 0.0 }
     }
 
     /// Returns the maximum number of operations to gather light at this number of points.
@@ -331,10 +331,10 @@ impl<'t> Radiosity<'t> {
         });
     }
 
-    /// Returns the mean irradiance of the front of a surface, for each band, and its area. Direct
+    /// Returns the mean irradiance over an area, for each band, and the size of the area. Direct
     /// light that is known as an integral is taken from it; the remainder is summed over nodes.
-    pub(crate) fn mean(&self, surface: usize) -> (Vec<f64>, f64) {
-        let integral = self.straight[surface].as_ref().filter(|_| self.question.direct);
+    pub(crate) fn mean(&self, area: ReceivingArea) -> (Vec<f64>, f64) {
+        let integral = self.straight.get(&area).filter(|_| self.question.direct);
         let left_out = match integral.map(|integral| integral.kinds) {
             // direct light is not requested
             None if !self.question.direct => Some(&self.direct),
@@ -344,7 +344,7 @@ impl<'t> Radiosity<'t> {
         };
         let mut sums = vec![0.0; self.scene.band_count()];
         for (index, element) in self.elements.iter().enumerate() {
-            if !self.transport.faces[element.face].is_front_of(surface) {
+            if !area.contains(&self.transport.faces[element.face]) {
                 continue;
             }
             for (area, node) in element.areas().zip(self.first[index]..) {
@@ -357,28 +357,28 @@ impl<'t> Radiosity<'t> {
         if let Some(Integral { flux, .. }) = integral.filter(|_| left_out.is_some()) {
             sums.iter_mut().zip(flux).for_each(|(sum, flux)| *sum += flux.value.to_f64());
         }
-        let whole = self.transport.front_area(surface);
+        let whole = self.transport.size_of(area);
         (sums.into_iter().map(|sum| sum / whole).collect(), whole)
     }
 
-    /// Returns the direct light onto a surface, if all of it is an integral.
-    fn integral(&self, surface: usize) -> Option<&Integral> {
-        self.straight[surface].as_ref().filter(|integral| integral.kinds == self.lights.kinds())
+    /// Returns the direct light onto an area, if all of it is an integral.
+    fn integral(&self, area: ReceivingArea) -> Option<&Integral> {
+        self.straight.get(&area).filter(|integral| integral.kinds == self.lights.kinds())
     }
 
-    /// Returns the errors of the direct light onto a surface in a band, as a flux, by quadrature
+    /// Returns the errors of the direct light onto an area in a band, as a flux, by quadrature
     /// and by rounding; `None` where it is summed over nodes.
-    pub(crate) fn straight_error(&self, surface: usize, band: usize) -> Option<[f64; 2]> {
-        let Integral { flux, of_rules, .. } = self.integral(surface)?;
+    pub(crate) fn straight_error(&self, area: ReceivingArea, band: usize) -> Option<[f64; 2]> {
+        let Integral { flux, of_rules, .. } = self.integral(area)?;
         Some([of_rules[band], flux[band].error])
     }
 
-    /// Returns for each band the mean direct irradiance of the front of a surface as the nearest
+    /// Returns for each band the mean direct irradiance over an area as the nearest
     /// `f64`, and its rounding error; both as a flux with `is_flux`. `None` where it is summed over
     /// nodes.
-    pub(crate) fn precise_mean(&self, surface: usize, is_flux: bool) -> Option<Vec<[f64; 2]>> {
-        let flux = &self.integral(surface)?.flux;
-        let areas = self.transport.fronts(surface).map(|face| area(&face.vertices));
+    pub(crate) fn precise_mean(&self, over: ReceivingArea, is_flux: bool) -> Option<Vec<[f64; 2]>> {
+        let flux = &self.integral(over)?.flux;
+        let areas = self.transport.faces_in(over).map(|face| area(&face.vertices));
         let area = areas.fold(DoubleDouble::from_f64(0.0), |sum, area| sum + area);
         let nearest = |flux: &Rounded| {
             let value = if is_flux { flux.value } else { flux.value / area };

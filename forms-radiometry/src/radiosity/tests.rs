@@ -17,7 +17,7 @@ use forms_kernels::irradiance_linear_luminaire;
 fn triangle([a, b, c]: [Vector; 3]) -> Face {
     let twice = (b - a).cross(c - a);
     let normal = twice.unit().expect("a triangle");
-    Face { surface: 0, is_back: false, vertices: vec![a, b, c], normal, area: 0.5 * twice.length() }
+    Face { surface: 0, part: 0, is_back: false, vertices: vec![a, b, c], normal, area: 0.5 * twice.length() }
 }
 
 #[test]

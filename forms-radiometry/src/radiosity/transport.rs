@@ -6,7 +6,7 @@ use super::gathered_light::Arriving;
 use super::measure::Measure;
 use super::whole_elements::Whole;
 use crate::geometry::{Edges, Vector};
-use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
+use crate::visibility::{Between, Borders, Face, Looking, ReceivingArea, Screens, Workspace};
 use forms_kernels::edge_form_factor;
 use std::sync::Arc;
 
@@ -61,14 +61,21 @@ pub(crate) enum Seen {
 }
 
 impl Transport {
-    /// Returns the faces of the front of a surface.
-    pub(crate) fn fronts(&self, surface: usize) -> impl Iterator<Item = &Face> + Clone {
-        self.faces.iter().filter(move |face| face.is_front_of(surface))
+    /// Returns the faces of a receiving area. The faces of a surface follow each other.
+    pub(crate) fn faces_in(&self, area: ReceivingArea) -> impl Iterator<Item = &Face> + Clone {
+        self.indices_in(area).map(|index| &self.faces[index])
+    }
+
+    /// Returns the indices of these faces.
+    pub(crate) fn indices_in(&self, area: ReceivingArea) -> impl Iterator<Item = usize> + Clone {
+        let first = self.faces.partition_point(|face| face.surface < area.surface);
+        let own = self.faces[first..].iter().take_while(move |face| face.surface == area.surface);
+        own.enumerate().filter(move |(_, face)| area.contains(face)).map(move |(index, _)| first + index)
     }
 
     /// Returns the area of these faces.
-    pub(crate) fn front_area(&self, surface: usize) -> f64 {
-        self.fronts(surface).map(|face| face.area).sum()
+    pub(crate) fn size_of(&self, area: ReceivingArea) -> f64 {
+        self.faces_in(area).map(|face| face.area).sum()
     }
 
     /// Returns the maximum number of operations to see this number of edges from this number of

@@ -18,7 +18,7 @@ use super::transport::{Group, Scratch, Transport};
 use crate::faces::{emits, emitted, is_bright};
 use crate::geometry::{Vector, closeness};
 use crate::parallelism::Parallelism;
-use crate::visibility::Face;
+use crate::visibility::{Face, ReceivingArea};
 use std::f64::consts::PI;
 
 /// A convex piece of a face that an eye sees.
@@ -174,9 +174,9 @@ impl Radiosity<'_> {
         }
     }
 
-    /// Returns the elements of the front of a surface.
-    pub(crate) fn elements_on(&self, surface: usize) -> Vec<usize> {
-        let is_on = |element: &Element| self.transport.faces[element.face].is_front_of(surface);
+    /// Returns the elements of an area.
+    pub(crate) fn elements_on(&self, area: ReceivingArea) -> Vec<usize> {
+        let is_on = |element: &Element| area.contains(&self.transport.faces[element.face]);
         (0..self.elements.len()).filter(|&element| is_on(&self.elements[element])).collect()
     }
 

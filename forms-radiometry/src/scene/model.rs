@@ -276,12 +276,24 @@ pub enum ReceiverKind {
         /// Its unit normal, which points to the receiving side.
         normal: Vector,
     },
-    /// Mean irradiance and flux of a surface.
+    /// The same at many points, or the scalar and vector irradiance at each of them.
+    Points(Points),
+    /// Mean irradiance and flux of a side of a surface.
     Surface {
         /// The index of the surface.
         surface: usize,
+        /// The side that receives.
+        side: SurfaceSide,
         /// Numbers of columns and rows of a map of its irradiance, if one is requested.
         grid: Option<[usize; 2]>,
+    },
+    /// Mean irradiance and net flux of each face of a side of a surface: a polygon is one face, a
+    /// mesh has its own.
+    Faces {
+        /// The index of the surface.
+        surface: usize,
+        /// The side that receives.
+        side: SurfaceSide,
     },
     /// The radiance that arrives at a point from one direction.
     Ray {
@@ -297,6 +309,37 @@ pub enum ReceiverKind {
         /// The point.
         position: Vector,
     },
+}
+
+/// A side of a surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SurfaceSide {
+    /// The side to which its normal points.
+    #[default]
+    Front,
+    /// The opposite side.
+    Back,
+}
+
+/// The points of one receiver, in the order of its results.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Points {
+    /// Their positions.
+    pub positions: Vec<Vector>,
+    /// The unit normal at each of them, which points to the receiving side; `None` if they receive
+    /// light from all sides.
+    pub normals: Option<Vec<Vector>>,
+    /// Numbers of columns and rows, if the points are the centres of the cells of a plane; rows of
+    /// points follow each other.
+    pub grid: Option<[usize; 2]>,
+}
+
+impl Points {
+    /// Returns each position with its normal, if it has one.
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = (Vector, Option<Vector>)> {
+        let normal = |index: usize| self.normals.as_ref().and_then(|normals| normals.get(index)).copied();
+        self.positions.iter().enumerate().map(move |(index, &position)| (position, normal(index)))
+    }
 }
 
 /// Bins of time after the lights’ pulse.

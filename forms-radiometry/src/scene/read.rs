@@ -89,6 +89,7 @@ pub fn read_with_files(
         if report.is_empty() {
             regions::check(report, &scene);
         }
+        receiver::check(report, &scene);
         scene
     })
 }
@@ -145,7 +146,7 @@ fn read_root(report: &mut Report, root: &DeTable, files: &mut MeshFiles) -> Read
         light::read(report, element, names, known.bands)
     });
     let receivers = each(report, root, "receiver", |report, element, names, _| {
-        receiver::read(report, element, names, &known)
+        receiver::read(report, element, names, &known, files)
     });
     let ambient = ambient(report, root, &known);
     let solve = solve::read(report, root);

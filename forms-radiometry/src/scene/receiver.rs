@@ -1,10 +1,17 @@
 //! Receivers: parses each `[[receiver]]` of the file into a quantity to compute.
 
+mod check;
+mod point_file;
+mod points;
+
+pub(super) use check::check;
+
 use super::element::{Element, Names};
 use super::error::Report;
 use super::known::Known;
-use super::model::{Receiver, ReceiverKind, TimeBins};
-use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels};
+use super::mesh_file::MeshFiles;
+use super::model::{Receiver, ReceiverKind, SurfaceSide, TimeBins};
+use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels, text};
 use crate::camera::Camera;
 
 const BINS: Domain = Domain {
@@ -16,14 +23,16 @@ const BINS: Domain = Domain {
 enum Kind {
     Point,
     Surface,
+    Faces,
     Ray,
     Camera,
     Sphere,
 }
 
-const KINDS: [(&str, Kind); 5] = [
+const KINDS: [(&str, Kind); 6] = [
     ("point", Kind::Point),
     ("surface", Kind::Surface),
+    ("faces", Kind::Faces),
     ("ray", Kind::Ray),
     ("camera", Kind::Camera),
     ("sphere", Kind::Sphere),
@@ -34,25 +43,28 @@ pub(super) fn read(
     element: &Element,
     names: &mut Names,
     known: &Known,
+    files: &MeshFiles,
 ) -> Option<Receiver> {
     let name = names.name(report, element);
-    let expected = "kind = \"point\", \"surface\", \"ray\", \"camera\" or \"sphere\"";
+    let expected = "kind = \"point\", \"surface\", \"faces\", \"ray\", \"camera\" or \"sphere\"";
     let (kind, place) = element.text(report, "kind", expected)?;
     let kind = choice(report, place.clone(), kind, "the kind of receiver", &KINDS)?;
     let own: &[&str] = match kind {
-        Kind::Point => &["name", "kind", "position", "normal", "time"],
-        Kind::Surface => &["name", "kind", "surface", "grid", "time"],
+        Kind::Point => &["name", "kind", "position", "points", "line", "plane", "normal", "time"],
+        Kind::Surface => &["name", "kind", "surface", "side", "grid", "time"],
+        Kind::Faces => &["name", "kind", "surface", "side", "time"],
         Kind::Ray => &["name", "kind", "origin", "direction", "time"],
         Kind::Camera => &["name", "kind", "origin", "target", "up", "fov", "resolution", "time"],
-        Kind::Sphere => &["name", "kind", "position", "time"],
+        Kind::Sphere => &["name", "kind", "position", "points", "line", "plane", "time"],
     };
     element.check_keys(report, own);
     let question = match kind {
-        Kind::Point => point(report, element),
+        Kind::Point => points::irradiance(report, element, files),
         Kind::Surface => surface(report, element, known),
+        Kind::Faces => faces(report, element, known),
         Kind::Ray => ray(report, element),
         Kind::Camera => camera(report, element).map(ReceiverKind::Camera),
-        Kind::Sphere => element.point(report, "position").map(|position| ReceiverKind::Sphere { position }),
+        Kind::Sphere => points::all_around(report, element, files),
     };
     let time = match element.optional("time") {
         None => Some(None),
@@ -61,23 +73,35 @@ pub(super) fn read(
     Some(Receiver { name: name?, kind: question?, time: time?, place: report.place(place) })
 }
 
-fn point(report: &mut Report, element: &Element) -> Option<ReceiverKind> {
-    let (position, normal) = (element.point(report, "position"), element.direction(report, "normal"));
-    Some(ReceiverKind::Point { position: position?, normal: normal? })
-}
-
 fn ray(report: &mut Report, element: &Element) -> Option<ReceiverKind> {
     let (origin, direction) = (element.point(report, "origin"), element.direction(report, "direction"));
     Some(ReceiverKind::Ray { origin: origin?, direction: direction? })
 }
 
 fn surface(report: &mut Report, element: &Element, known: &Known) -> Option<ReceiverKind> {
-    let surface = element.reference(report, "surface", "the name of a surface", "surface", &known.surfaces);
+    let side = side(report, element, known);
     let grid = match element.optional("grid") {
         None => Some(None),
         Some(value) => pixels(report, value, "`grid`", "grid = [columns, rows]").map(Some),
     };
-    Some(ReceiverKind::Surface { surface: surface?, grid: grid? })
+    let (surface, side) = side?;
+    Some(ReceiverKind::Surface { surface, side, grid: grid? })
+}
+
+fn faces(report: &mut Report, element: &Element, known: &Known) -> Option<ReceiverKind> {
+    side(report, element, known).map(|(surface, side)| ReceiverKind::Faces { surface, side })
+}
+
+/// Reads the surface of a receiver, and the side of it that receives.
+fn side(report: &mut Report, element: &Element, known: &Known) -> Option<(usize, SurfaceSide)> {
+    const SIDES: [(&str, SurfaceSide); 2] = [("front", SurfaceSide::Front), ("back", SurfaceSide::Back)];
+    let surface = element.reference(report, "surface", "the name of a surface", "surface", &known.surfaces);
+    let side = match element.optional("side") {
+        None => Some(SurfaceSide::Front),
+        Some(value) => text(report, value, "`side`")
+            .and_then(|found| choice(report, value.span(), found, "the side", &SIDES)),
+    };
+    Some((surface?, side?))
 }
 
 fn camera(report: &mut Report, element: &Element) -> Option<Camera> {

@@ -35,7 +35,7 @@ impl Refusals {
     }
 
     fn receiver(&mut self, scene: &Scene, receiver: &Receiver) {
-        if let ReceiverKind::Surface { surface, grid: Some(_) } = receiver.kind {
+        if let ReceiverKind::Surface { surface, grid: Some(_), .. } = receiver.kind {
             let shape = match scene.surfaces[surface].shape {
                 Shape::Polygon(_) => return,
                 Shape::Disk(disk) if !disk.is_annulus() => return,
@@ -47,14 +47,15 @@ impl Refusals {
             let what = format!("the map of a {shape}");
             self.refuse(&receiver.place, &what, "a receiver without `grid`");
         }
-        let is_raster =
-            matches!(receiver.kind, ReceiverKind::Camera(_) | ReceiverKind::Surface { grid: Some(_), .. });
-        if let Some(time) = receiver.time.as_ref().filter(|_| is_raster) {
-            self.refuse(
-                &time.place,
-                "the time resolution of pixels and map cells",
-                "a receiver without `time`, or one without pixels or `grid`",
-            );
+        if let Some(time) = receiver.time.as_ref().filter(|_| receiver.kind.has_cells()) {
+            let (what, simulated) = match receiver.kind {
+                ReceiverKind::Points(_) => {
+                    ("many points", "a receiver without `time`, or with one `position`")
+                }
+                ReceiverKind::Faces { .. } => ("faces", "a receiver without `time`, or kind = \"surface\""),
+                _ => ("pixels and map cells", "a receiver without `time`, or one without pixels or `grid`"),
+            };
+            self.refuse(&time.place, &format!("the time resolution of {what}"), simulated);
         }
     }
 

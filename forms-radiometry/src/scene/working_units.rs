@@ -148,7 +148,8 @@ impl Scene {
                 }
                 ReceiverKind::Ray { origin, .. } => move_point(origin),
                 ReceiverKind::Camera(camera) => move_point(&mut camera.origin),
-                ReceiverKind::Surface { .. } => {}
+                ReceiverKind::Points(points) => points.positions.iter_mut().for_each(move_point),
+                ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {}
             }
         }
     }
@@ -237,13 +238,17 @@ impl Lengths {
             LightKind::Point { position, .. } => Some(position),
             LightKind::Distant { .. } => None,
         });
-        let receivers = scene.receivers.iter().filter_map(|receiver| match &receiver.kind {
-            ReceiverKind::Point { position, .. } | ReceiverKind::Sphere { position } => Some(*position),
+        let eyes = scene.receivers.iter().filter_map(|receiver| match &receiver.kind {
             ReceiverKind::Ray { origin, .. } => Some(*origin),
             ReceiverKind::Camera(camera) => Some(camera.origin),
-            ReceiverKind::Surface { .. } => None,
+            _ => None,
         });
-        let farthest = lights.chain(receivers).map(Vector::largest).fold(lengths.largest, f64::max);
+        let points = scene.receivers.iter().flat_map(|receiver| receiver.kind.points());
+        let farthest = lights
+            .chain(eyes)
+            .chain(points.map(|(position, _)| position))
+            .map(Vector::largest)
+            .fold(lengths.largest, f64::max);
         lengths.largest = farthest;
         lengths.least = lengths.least.min(farthest);
         lengths

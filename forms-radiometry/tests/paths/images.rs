@@ -3,7 +3,7 @@
 
 use crate::claims::floor_in_haze;
 use forms_radiometry::scene::{ReceiverKind, Scene};
-use forms_radiometry::simulation::{Map, Simulation, Unwatched, plan, simulate};
+use forms_radiometry::simulation::{Layout, Map, Simulation, Unwatched, plan, simulate};
 
 const TOLERANCE: f64 = 3e-3;
 
@@ -29,7 +29,7 @@ fn seen(scene: &Scene, [column, row]: [usize; 2]) -> f64 {
 
 fn image(simulation: &Simulation) -> &Map {
     let map = &simulation.maps[0];
-    assert!(map.is_image && map.size == [4, 3]);
+    assert!(map.layout == Layout::Image && map.size == [4, 3]);
     map
 }
 

@@ -78,7 +78,10 @@ impl Change {
                 }
                 ReceiverKind::Ray { origin, .. } => *origin = self.place(*origin),
                 ReceiverKind::Camera(camera) => camera.origin = self.place(camera.origin),
-                ReceiverKind::Surface { .. } => {}
+                ReceiverKind::Points(points) => {
+                    points.positions.iter_mut().for_each(|position| *position = self.place(*position));
+                }
+                ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {}
             }
             if let Some(time) = &mut receiver.time {
                 time.start *= self.metres;

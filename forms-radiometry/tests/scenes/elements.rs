@@ -4,7 +4,8 @@
 use crate::{EVERYTHING, scene, shown};
 use forms_radiometry::geometry::{Disk, Sphere, Vector};
 use forms_radiometry::scene::{
-    Effect, Force, LengthUnit, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,
+    Effect, Force, LengthUnit, LightKind, MaterialKind, ReceiverKind, Scene, Shape, SurfaceSide,
+    not_simulated,
 };
 use forms_radiometry::simulation::plan;
 use std::f64::consts::PI;
@@ -104,7 +105,10 @@ fn there_are_five_kinds_of_receivers() {
     let point = Vector::new(0.0, 0.0, 1.0);
     let ReceiverKind::Point { normal, .. } = scene.receivers[0].kind else { panic!("here is a point") };
     assert_eq!(normal, Vector::new(0.0, 0.0, -1.0));
-    assert_eq!(scene.receivers[1].kind, ReceiverKind::Surface { surface: 0, grid: Some([64, 32]) });
+    assert_eq!(
+        scene.receivers[1].kind,
+        ReceiverKind::Surface { surface: 0, side: SurfaceSide::Front, grid: Some([64, 32]) }
+    );
     let direction = Vector::new(0.0, 1.0, 0.0);
     assert_eq!(scene.receivers[2].kind, ReceiverKind::Ray { origin: point, direction });
     let ReceiverKind::Camera(camera) = &scene.receivers[3].kind else { panic!("the eye is a camera") };

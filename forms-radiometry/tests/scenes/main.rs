@@ -139,10 +139,14 @@ f 2 3 4
 f 3 1 4
 ";
 
+/// Two points with normals.
+pub(crate) const SENSORS_CSV: &str = "x,y,z,nx,ny,nz\n0.5,0.5,0.85,0,0,1\n1.5,0.5,0.85,0,0,2\n";
+
 /// Returns the files that scenes of the tests can name.
 pub(crate) fn files(name: &str) -> io::Result<Vec<u8>> {
     match name {
         "part.obj" => Ok(PART_OBJ.into()),
+        "sensors.csv" => Ok(SENSORS_CSV.into()),
         _ => Err(io::ErrorKind::NotFound.into()),
     }
 }

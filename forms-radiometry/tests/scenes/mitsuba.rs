@@ -4,7 +4,7 @@
 use crate::{errors, read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
 use forms_radiometry::scene::{
-    Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,
+    Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, SurfaceSide, not_simulated,
 };
 use forms_radiometry::simulation::{Unwatched, plan, simulate};
 
@@ -235,7 +235,10 @@ fn emitters_are_lights_and_light_from_outside() {
 #[test]
 fn sensors_are_a_camera_and_the_irradiance_of_a_shape() {
     let scene = everything();
-    assert_eq!(scene.receivers[0].kind, ReceiverKind::Surface { surface: 0, grid: None });
+    assert_eq!(
+        scene.receivers[0].kind,
+        ReceiverKind::Surface { surface: 0, side: SurfaceSide::Front, grid: None }
+    );
     let ReceiverKind::Camera(camera) = &scene.receivers[1].kind else { panic!("the eye is a camera") };
     assert_eq!((camera.origin, camera.resolution), (Vector::new(0.0, -20.0, 0.0), [8, 4]));
     // 90° from left to right; x is to the right and z upright.

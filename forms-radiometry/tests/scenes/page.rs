@@ -20,6 +20,9 @@ fn scene_of(mesh: &str) -> String {
     )
 }
 
+/// A scene that names a table of points.
+const POINTS: &str = "[[receiver]]\nname = \"sensors\"\nkind = \"point\"\npoints = \"sensors.csv\"\n";
+
 /// Returns the errors of a block of some kind.
 fn said(kind: &str, text: &str) -> Option<Vec<SceneError>> {
     let read = |text: &str, name: &str| read_with_files(text, name, &files);
@@ -29,6 +32,7 @@ fn said(kind: &str, text: &str) -> Option<Vec<SceneError>> {
         "xml" => read(text, "scene.xml"),
         "obj" => mesh("part.obj"),
         "ply" => mesh("part.ply"),
+        "csv" => read_with_files(POINTS, "scene.toml", &|_| Ok(text.into())),
         _ => return None,
     };
     Some(match (scene, kind.ends_with(",refused")) {

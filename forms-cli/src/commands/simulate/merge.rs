@@ -27,7 +27,7 @@ struct Part<'a> {
 /// Combines parts and prints the results.
 pub(crate) fn merge(
     files: &[String],
-    out: Option<&str>,
+    (out, vtu): (Option<&str>, bool),
     json: bool,
     output: &mut dyn Write,
 ) -> io::Result<Status> {
@@ -60,6 +60,7 @@ pub(crate) fn merge(
                 &OutputOptions {
                     scene: &scene,
                     folder,
+                    vtu,
                     json,
                     is_to_tolerance,
                     is_by_paths,

@@ -3,7 +3,7 @@
 
 use forms::core::diagnostic::counted;
 use forms_radiometry::output::rough;
-use forms_radiometry::simulation::{Answer, MissedCells, Simulation};
+use forms_radiometry::simulation::{Answer, Layout, MissedCells, Simulation};
 
 /// Largest number of numbers in the sentence, and of maps and images.
 const MOST: usize = 4;
@@ -82,7 +82,7 @@ fn name(answer: &Answer) -> String {
 /// errors.
 fn cells(missed: &MissedCells<'_>) -> String {
     let MissedCells { map, band, counts: [missed, all], worst } = missed;
-    let what = if map.is_image { "pixels" } else { "cells" };
+    let what = if map.layout == Layout::Image { "pixels" } else { "cells" };
     let band = band.map_or(String::new(), |band| format!(" in band {band}"));
     format!(
         "{missed} of {all} {what} of `{}`{band}, with relative errors up to {}",
@@ -122,7 +122,7 @@ mod tests {
             errors: vec![of_pixels.to_vec()],
             scales: vec![2.0],
             kind: ErrorKind::Estimate,
-            is_image: true,
+            layout: Layout::Image,
         };
         let mean = number("eye", Quantity::Radiance, [24.0, 0.0]);
         let answers = vec![number("here", Quantity::Irradiance, [5.0, of_number]), mean];

@@ -175,8 +175,12 @@ fn extent(planned: &PlannedEffect) -> String {
 /// Returns the units of the bounds: the units of the requested quantities.
 fn units(scene: &Scene) -> String {
     let of = |receiver: &Receiver| match receiver.kind {
-        ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => vec![Quantity::Irradiance.unit()],
-        ReceiverKind::Surface { .. } => vec![Quantity::Irradiance.unit(), Quantity::Flux.unit()],
+        ReceiverKind::Point { .. } | ReceiverKind::Points(_) | ReceiverKind::Sphere { .. } => {
+            vec![Quantity::Irradiance.unit()]
+        }
+        ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {
+            vec![Quantity::Irradiance.unit(), Quantity::Flux.unit()]
+        }
         ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => vec![Quantity::Radiance.unit()],
     };
     let mut units: Vec<&str> = scene.receivers.iter().flat_map(of).collect();

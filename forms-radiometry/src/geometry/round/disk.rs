@@ -6,6 +6,8 @@ use std::f64::consts::PI;
 
 /// Openings count as wider than they are by this factor, like the pieces that approximate them.
 const WIDER: f64 = 1.01;
+/// Points count as lying in a plane if they are no farther from it than this part of their distance.
+const BESIDE: f64 = 1e-14;
 /// An outline in the plane of an opening counts as beyond it.
 const FARTHER: f64 = 1.0 + 1e-9;
 
@@ -147,6 +149,12 @@ pub(super) fn avoids(disk: Disk, point: Vector, outline: &[Vector]) -> bool {
     edges(&places).any(beside)
 }
 
+/// Whether a point and an outline are on one side of a plane, or in it.
+pub(super) fn are_beyond(place: Vector, normal: Vector, point: Vector, outline: &[Vector]) -> bool {
+    let reach = outline.iter().chain([&point]).map(|&end| (end - place).length()).fold(0.0, f64::max);
+    outline.iter().chain([&point]).all(|&end| normal.dot(end - place) >= -BESIDE * reach)
+}
+
 impl Round for Disk {
     fn center(&self) -> Vector {
         self.center
@@ -184,7 +192,10 @@ impl Round for Disk {
 
     fn shows_through(&self, point: Vector, outline: &[Vector]) -> bool {
         let [_, hole] = self.whole_and_hole();
-        self.is_annulus() && passes(hole, point, outline) == Some(true)
+        let is_beside = |normal: Vector| are_beyond(self.center, normal, point, outline);
+        is_beside(self.normal)
+            || is_beside(-self.normal)
+            || self.is_annulus() && passes(hole, point, outline) == Some(true)
     }
 
     fn rounding(&self) -> f64 {

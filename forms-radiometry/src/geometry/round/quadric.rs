@@ -9,7 +9,7 @@
 //! ρ is the distance from the axis. Each is a part of the boundary of a convex body: a ray that
 //! leaves it on the outside does not come back to it.
 
-use super::disk::{Disk, avoids, passes};
+use super::disk::{Disk, are_beyond, avoids, passes};
 use super::{EDGES, ROUNDING, Rim, Round, across, circle, ring};
 use crate::geometry::Vector;
 use std::f64::consts::PI;
@@ -391,9 +391,14 @@ impl Round for Quadric {
         outline.iter().all(meets) && self.lids().into_iter().all(|lid| avoids(lid, point, outline))
     }
 
-    /// A line that passes the disks at both ends, or one of them from the inside, meets nothing
+    /// Nothing beyond the ends is between. A line that passes the disks at both ends, or one of them from the inside, meets nothing
     /// between.
     fn shows_through(&self, point: Vector, outline: &[Vector]) -> bool {
+        let axis = self.axis().0;
+        let is_beyond = |end: usize, axis: Vector| are_beyond(self.ends[end], axis, point, outline);
+        if is_beyond(0, -axis) || is_beyond(1, axis) {
+            return true;
+        }
         let needed = if self.holds(point) { 1 } else { 2 };
         let [one, other] = self.lids().map(|lid| passes(lid, point, outline));
         one.zip(other).is_some_and(|(one, other)| usize::from(one) + usize::from(other) == needed)

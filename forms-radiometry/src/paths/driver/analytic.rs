@@ -160,9 +160,11 @@ impl Computable {
     /// Whether the answers of this receiver are computed without samples.
     pub(crate) fn has(self, receiver: &Receiver) -> bool {
         let computes = match receiver.kind {
-            ReceiverKind::Point { .. } | ReceiverKind::Sphere { .. } => self.points || self.straight,
+            ReceiverKind::Point { .. } | ReceiverKind::Points(_) | ReceiverKind::Sphere { .. } => {
+                self.points || self.straight
+            }
             ReceiverKind::Ray { .. } => self.rays,
-            ReceiverKind::Surface { .. } | ReceiverKind::Camera(_) => false,
+            ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } | ReceiverKind::Camera(_) => false,
         };
         computes && receiver.time.is_none()
     }

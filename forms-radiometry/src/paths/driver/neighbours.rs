@@ -11,7 +11,7 @@
 //! The cells around it that see the same surface have met the event. Where the samples of a cell
 //! agree better than theirs, its error is larger by that ratio, but no larger than theirs.
 
-use super::request::{Request, size};
+use super::request::Request;
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -42,12 +42,16 @@ struct Cells<'a> {
 }
 
 /// Returns the spreads of the cells of all receivers, question by question and value by value;
-/// empty where no samples are needed.
+/// empty where no samples are needed, and for points and faces in no order.
 pub(super) fn spreads(requests: &[Request], scene: &Scene) -> Vec<Vec<Spread>> {
     let mut all = Vec::with_capacity(requests.len());
     for of_receiver in requests.chunk_by(|a, b| a.receiver == b.receiver) {
-        let cells = Cells::of(of_receiver, size(&scene.receivers[of_receiver[0].receiver]));
-        let told = |request: &Request| request.cell.map_or(Vec::new(), |cell| cells.tell(cell));
+        let size = scene.receivers[of_receiver[0].receiver].kind.raster();
+        let cells = size.map(|size| Cells::of(of_receiver, size));
+        let told = |request: &Request| match (&cells, request.cell) {
+            (Some(cells), Some(cell)) => cells.tell(cell),
+            _ => Vec::new(),
+        };
         all.par_extend(of_receiver.par_iter().map(told));
     }
     all

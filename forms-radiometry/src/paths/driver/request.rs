@@ -54,8 +54,8 @@ pub(crate) struct Request {
     /// For each band, the largest number caused by light that is found only by chance: light from
     /// outside, and of surfaces via curved mirrors and glass.
     by_chance: Vec<f64>,
-    /// For a cell, the number of first samples of each replicate: its part of the receiver's
-    /// number.
+    /// For a cell of a raster, the number of first samples of each replicate: its part of the
+    /// receiver's number.
     share_of_first: Option<u32>,
     /// Number of samples that each replicate is to reach before the error is checked again.
     pub(crate) target: u32,
@@ -116,7 +116,8 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
         for (cell, estimand) in estimands(receiver, scene, &unhidden) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &estimand, scene.band_count(), bins);
-            let [brightest, by_chance] = radiances.largest(&estimand, cell.is_some());
+            let is_in_raster = cell.is_some() && receiver.kind.raster().is_some();
+            let [brightest, by_chance] = radiances.largest(&estimand, is_in_raster);
             all.push(Request {
                 receiver: index,
                 cell,
@@ -128,7 +129,7 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
                 left_out,
                 brightest,
                 by_chance,
-                share_of_first: cell.map(|_| share_of_first(receiver)),
+                share_of_first: cell.and_then(|_| receiver.kind.raster()).map(share_of_first),
                 target: 0,
                 spreads: Vec::new(),
                 seconds: 0.0,
@@ -172,16 +173,18 @@ fn estimands(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(O
             vec![(None, Estimand::Sight { origin: *origin, direction: *direction })]
         }
         ReceiverKind::Sphere { position } => vec![(None, Estimand::Sphere { position: *position })],
-        ReceiverKind::Surface { surface, grid: size } => {
-            let mean = (None, Estimand::Surface { surface: *surface });
-            let Some(grid) = size.and_then(|size| grid(scene, unhidden, *surface, size)) else {
-                return vec![mean];
+        ReceiverKind::Points(points) => {
+            let at = |(cell, (position, normal)): (usize, (_, Option<_>))| match normal {
+                Some(normal) => (Some(cell), Estimand::Plane { position, normal }),
+                None => (Some(cell), Estimand::Sphere { position }),
             };
-            let normal = grid.normal();
-            let cell = |(cell, position): (usize, &Option<_>)| {
-                position.map(|position| (Some(cell), Estimand::Plane { position, normal }))
-            };
-            std::iter::once(mean).chain(grid.cells().iter().enumerate().filter_map(cell)).collect()
+            points.iter().enumerate().map(at).collect()
+        }
+        ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {
+            let mean = receiver.kind.side().map(|area| (None, Estimand::Surface { area }));
+            let faces = receiver.kind.faces(scene).enumerate();
+            let faces = faces.map(|(cell, area)| (Some(cell), Estimand::Surface { area }));
+            mean.into_iter().chain(faces).chain(cells_of_grid(receiver, scene, unhidden)).collect()
         }
         ReceiverKind::Camera(camera) => {
             let [columns, rows] = camera.resolution;
@@ -192,6 +195,19 @@ fn estimands(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(O
             (0..columns * rows).map(pixel).collect()
         }
     }
+}
+
+/// Returns the cells of the map of a surface, if the receiver asks for one.
+fn cells_of_grid(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Vec<(Option<usize>, Estimand)> {
+    let ReceiverKind::Surface { surface, grid: Some(size), .. } = receiver.kind else { return Vec::new() };
+    let side = receiver.kind.side();
+    let grid = side.and_then(|side| Grid::over(unhidden, (side, &scene.surfaces[surface].shape), size));
+    let Some(grid) = grid else { return Vec::new() };
+    let normal = grid.normal();
+    let cell = |(cell, position): (usize, Option<_>)| {
+        position.map(|position| (Some(cell), Estimand::Plane { position, normal }))
+    };
+    grid.cells().into_iter().enumerate().filter_map(cell).collect()
 }
 
 impl Request {
@@ -247,19 +263,9 @@ impl Request {
     }
 }
 
-/// Returns the number of first samples of each replicate of a cell or a pixel of a receiver.
-fn share_of_first(receiver: &Receiver) -> u32 {
-    let [columns, rows] = size(receiver);
+/// Returns the number of first samples of each replicate of a cell or a pixel of a raster.
+fn share_of_first([columns, rows]: [usize; 2]) -> u32 {
     (FIRST_OF_CELLS / (columns * rows).max(1)).clamp(1, FIRST as usize) as u32
-}
-
-/// Returns the columns and rows of the map or image of a receiver; zeros where it has neither.
-pub(crate) fn size(receiver: &Receiver) -> [usize; 2] {
-    match &receiver.kind {
-        ReceiverKind::Surface { grid: Some(size), .. } => *size,
-        ReceiverKind::Camera(camera) => camera.resolution,
-        _ => [0; 2],
-    }
 }
 
 /// Converts time bins to bins of optical path length.
@@ -273,9 +279,4 @@ fn unhidden(scene: &Scene) -> Transport {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
     Transport { faces: Arc::new(faces), screens: Arc::new(screens), occlusion: false, accuracy: 1.0 }
-}
-
-/// Returns the grid over a surface.
-fn grid(scene: &Scene, unhidden: &Transport, surface: usize, size: [usize; 2]) -> Option<Grid> {
-    Grid::over(unhidden, (surface, &scene.surfaces[surface].shape), size)
 }

@@ -10,11 +10,11 @@
 //! most cells.
 
 use super::interpolation::interpolated;
-use crate::geometry::{Polygon, Vector};
+use crate::geometry::{BoundingRectangle, Polygon, Vector};
 use crate::parallelism::Parallelism;
 use crate::radiosity::{Group, Measure, Radiosity, Scratch, Transport};
 use crate::scene::Shape;
-use crate::visibility::Face;
+use crate::visibility::{Face, ReceivingArea};
 use crate::watch::Watch;
 use smallvec::{SmallVec, smallvec};
 
@@ -23,7 +23,7 @@ const BLOCK: usize = 8;
 
 /// Cells of a map.
 pub(crate) struct Grid {
-    surface: usize,
+    area: ReceivingArea,
     normal: Vector,
     size: [usize; 2],
     /// Centres of the columns on the lowest edge, and offsets of the rows from that edge.
@@ -58,23 +58,22 @@ impl Grid {
         (center, corners.iter().map(|&corner| (corner - center).length()).fold(0.0, f64::max))
     }
 
-    /// Returns the grid over the front of a planar surface of this shape. Its first axis is the
-    /// first edge of the outline.
+    /// Returns the grid over a side of a planar surface of this shape. Its first axis is the first
+    /// edge of the outline. The cells of the back lie behind those of the front.
     pub(crate) fn over(
         transport: &Transport,
-        (surface, shape): (usize, &Shape),
+        (area, shape): (ReceivingArea, &Shape),
         size: [usize; 2],
     ) -> Option<Self> {
-        let faces = || transport.fronts(surface);
-        let first = faces().next()?;
-        let normal = first.normal;
+        let faces = || transport.faces_in(area);
+        let first = transport.faces_in(ReceivingArea::front(area.surface)).next()?;
         // the faces of a polygon do not cover its holes
         let outline = shape.as_polygon().map_or(&*first.vertices, Polygon::vertices);
-        let middles = middles(outline, normal, size)?;
+        let middles = middles(outline, first.normal, size)?;
         let [columns, rows] = size;
         let mut grid = Self {
-            surface,
-            normal,
+            area,
+            normal: if area.is_back { -first.normal } else { first.normal },
             size,
             middles,
             is_on: vec![false; columns * rows],
@@ -126,11 +125,6 @@ impl Grid {
     /// Returns the unit normal of the surface.
     pub(crate) fn normal(&self) -> Vector {
         self.normal
-    }
-
-    /// Returns the number of cells along each side.
-    pub(crate) fn size(&self) -> [usize; 2] {
-        self.size
     }
 
     /// Returns the centres of the cells, row by row, where they lie on the surface.
@@ -195,7 +189,7 @@ impl Grid {
     /// by cell and band by band; zero where there are no polynomials.
     fn polynomials(&self, bands: usize, radiosity: &Radiosity) -> Vec<f64> {
         let mut values = vec![0.0; self.size[0] * self.size[1] * bands];
-        let elements = radiosity.elements_on(self.surface);
+        let elements = radiosity.elements_on(self.area);
         for (&cell, &point) in self.cells.iter().zip(&self.points) {
             radiosity.add_polynomial(&elements, point, &mut values[cell * bands..][..bands]);
         }
@@ -314,18 +308,9 @@ impl Cut {
 /// Returns the centres of the columns of a grid over an outline with this unit normal, on its
 /// lowest edge, and the offsets of the rows from that edge.
 fn middles(outline: &[Vector], normal: Vector, [columns, rows]: [usize; 2]) -> Option<[Vec<Vector>; 2]> {
-    let corner = outline[0];
-    let along = (outline[1] - corner).unit()?;
-    let across = normal.cross(along);
-    let places = |axis: Vector, count: usize| {
-        let places = outline.iter().map(|&v| axis.dot(v - corner));
-        let (low, high) = places
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| (low.min(place), high.max(place)));
-        (0..count).map(move |index| low + (high - low) * (index as f64 + 0.5) / count as f64)
-    };
-    let across_columns = places(along, columns).map(|place| corner + place * along).collect();
-    let up_rows = places(across, rows).map(|place| place * across).collect();
-    Some([across_columns, up_rows])
+    let rectangle = BoundingRectangle::of(outline, normal)?;
+    let middles = |count: usize| (0..count).map(|index| index as f64 + 0.5);
+    Some([rectangle.on_lowest_edge(middles(columns), columns), rectangle.offsets(middles(rows), rows)])
 }
 
 /// Whether a point of the plane of a convex face lies on it.

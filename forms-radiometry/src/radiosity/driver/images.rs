@@ -145,18 +145,9 @@ impl Work<'_> {
             }
         }
         let lit = |values: &Vec<f64>| mean_scale(values.iter().copied().zip(sees_emitter.iter().copied()));
-        let name = self.scene.receivers[receiver].name.clone();
-        let quantity = Quantity::Radiance;
-        Map {
-            receiver: name,
-            quantity,
-            size: camera.resolution,
-            scales: values.iter().map(lit).collect(),
-            values,
-            errors,
-            kind: ErrorKind::Estimate,
-            is_image: true,
-        }
+        let scales = values.iter().map(lit).collect();
+        let numbers = (values, errors, scales);
+        Map::of_cells(&self.scene.receivers[receiver], Quantity::Radiance, numbers, ErrorKind::Estimate)
     }
 
     /// Returns the mean of an image for each band; empty if the image is not complete.

@@ -25,12 +25,10 @@ impl Work<'_> {
     /// Returns the requested maps: the index of the receiver, and its cells.
     pub(crate) fn grids(&self, transport: &Transport) -> Vec<(usize, Grid)> {
         let receivers = self.scene.receivers.iter().enumerate();
-        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| match receiver.kind {
-            ReceiverKind::Surface { surface, grid: Some(size) } => {
-                let shape = &self.scene.surfaces[surface].shape;
-                Grid::over(transport, (surface, shape), size).map(|grid| (index, grid))
-            }
-            _ => None,
+        let grid = |(index, receiver): (usize, &crate::scene::Receiver)| {
+            let ReceiverKind::Surface { surface, grid: Some(size), .. } = receiver.kind else { return None };
+            let (side, shape) = (receiver.kind.side()?, &self.scene.surfaces[surface].shape);
+            Grid::over(transport, (side, shape), size).map(|grid| (index, grid))
         };
         receivers.filter_map(grid).collect()
     }
@@ -42,7 +40,7 @@ impl Work<'_> {
             let reading = |cell| Reading::irradiance(*index, cell, grid.normal());
             self.readings.extend(grid.some(WATCHED).map(reading));
         }
-        self.emitted = vec![Vec::new(); self.readings.len() - self.answers];
+        self.emitted = vec![Vec::new(); self.readings.len() - self.requested];
         let pixels = self.watched_pixels();
         let emitted = |reading: &Reading| {
             let of_band = |[emitted, _]: [f64; 2]| emitted;
@@ -139,15 +137,7 @@ impl Work<'_> {
         // an emitter is visible in no cell
         let scale =
             |values: &Vec<f64>| mean_scale(values.iter().filter(|v| !v.is_nan()).map(|&v| (v, false)));
-        Map {
-            receiver: self.scene.receivers[receiver].name.clone(),
-            quantity: Quantity::Irradiance,
-            size: grid.size(),
-            scales: values.iter().map(scale).collect(),
-            values,
-            errors,
-            kind,
-            is_image: false,
-        }
+        let scales = values.iter().map(scale).collect();
+        Map::of_cells(&self.scene.receivers[receiver], Quantity::Irradiance, (values, errors, scales), kind)
     }
 }

@@ -34,11 +34,11 @@ pub(crate) struct Value<'d> {
 }
 
 impl Digits {
-    /// Chooses the precision for the readings of a scene. The first `answers` readings are answers;
-    /// the others are watched.
+    /// Chooses the precision for the readings of a scene. The first readings are `requested`; the
+    /// others are watched.
     pub(crate) fn of(
         (scene, readings): (&Scene, &[Reading]),
-        answers: usize,
+        requested: usize,
         is_straight: bool,
         radiosity: &Radiosity,
     ) -> Self {
@@ -46,7 +46,7 @@ impl Digits {
             return Self::Unknown;
         }
         let (lights, transport) = (radiosity.lights(), radiosity.transport());
-        if is_precise(scene, &transport.faces, answers) {
+        if is_precise(scene, &transport.faces, requested) {
             return Self::All;
         }
         let points: Vec<_> = readings.iter().filter_map(Reading::at_point).map(|(point, _)| point).collect();

@@ -6,7 +6,7 @@ use crate::faces::is_bright;
 use crate::geometry::Vector;
 use crate::radiosity::{GoalKind, Group, Measure, Radiosity, Scratch, Straight, Transport, reflectance};
 use crate::scene::{Receiver, ReceiverKind, Scene};
-use crate::visibility::Face;
+use crate::visibility::{Face, ReceivingArea};
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
@@ -39,13 +39,13 @@ impl Place {
 #[derive(Clone, Copy, Debug)]
 enum What {
     At { position: Vector, measure: Measure },
-    Mean { surface: usize, is_flux: bool },
+    Mean { area: ReceivingArea, is_flux: bool },
     Ray { origin: Vector, direction: Vector },
 }
 
 /// Returns the group of each reading, named by the first reading in it. The components of vector
-/// irradiance and the fluence rate of one receiver are a group, and so are the watched cells of one
-/// map. Any other reading is alone.
+/// irradiance and the fluence rate of one receiver are a group, and so are the points, faces or
+/// watched cells of one map. Any other reading is alone.
 pub(crate) fn groups(readings: &[Reading], answers: usize) -> Vec<usize> {
     let mut first = HashMap::new();
     let group = |(index, reading): (usize, &Reading)| {
@@ -63,21 +63,55 @@ impl Reading {
             ReceiverKind::Point { position, normal } => {
                 vec![Self::irradiance(index, position, normal)]
             }
-            ReceiverKind::Surface { surface, .. } => vec![
-                reading(Quantity::Irradiance, What::Mean { surface, is_flux: false }),
-                reading(Quantity::Flux, What::Mean { surface, is_flux: true }),
-            ],
+            ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {
+                let mean = |(area, (quantity, is_flux))| reading(quantity, What::Mean { area, is_flux });
+                let both = [(Quantity::Irradiance, false), (Quantity::Flux, true)];
+                receiver.kind.side().into_iter().flat_map(|side| both.map(|of| mean((side, of)))).collect()
+            }
             ReceiverKind::Ray { origin, direction } => {
                 vec![reading(Quantity::Radiance, What::Ray { origin, direction })]
             }
-            ReceiverKind::Sphere { position } => {
-                let along = (0..3).map(Quantity::VectorIrradiance);
-                let quantities = std::iter::once(Quantity::FluenceRate).chain(along);
-                let both = quantities.zip(Measure::ALL_SIDES);
-                both.map(|(quantity, measure)| reading(quantity, What::At { position, measure })).collect()
-            }
-            ReceiverKind::Camera(_) => Vec::new(),
+            ReceiverKind::Sphere { position } => Self::all_around(index, position).collect(),
+            ReceiverKind::Points(_) | ReceiverKind::Camera(_) => Vec::new(),
         }
+    }
+
+    /// Returns all readings that the receivers of a scene ask for, and the number of those that are
+    /// answers; the others are of listed points and faces.
+    pub(crate) fn requested(scene: &Scene) -> (Vec<Self>, usize) {
+        let receivers = || scene.receivers.iter().enumerate();
+        let mut readings: Vec<Self> =
+            receivers().flat_map(|(index, receiver)| Self::of(index, receiver)).collect();
+        let answers = readings.len();
+        readings.extend(receivers().flat_map(|(index, receiver)| Self::cells(index, receiver, scene)));
+        (readings, answers)
+    }
+
+    /// Returns the readings at the points of a receiver, point by point, or on its faces.
+    pub(crate) fn cells(index: usize, receiver: &Receiver, scene: &Scene) -> impl Iterator<Item = Self> {
+        let mean = move |area| Self {
+            receiver: index,
+            quantity: Quantity::Irradiance,
+            what: What::Mean { area, is_flux: false },
+        };
+        let points =
+            if let ReceiverKind::Points(points) = &receiver.kind { Some(points.iter()) } else { None };
+        let at = move |(position, normal): (Vector, Option<Vector>)| {
+            let plane = normal.map(|normal| Self::irradiance(index, position, normal));
+            let around = normal.is_none().then(|| Self::all_around(index, position));
+            plane.into_iter().chain(around.into_iter().flatten())
+        };
+        points.into_iter().flatten().flat_map(at).chain(receiver.kind.faces(scene).map(mean))
+    }
+
+    /// Returns the fluence rate and the components of the vector irradiance at a point.
+    fn all_around(receiver: usize, position: Vector) -> impl Iterator<Item = Self> {
+        let quantities = Quantity::ALL_AROUND.into_iter().zip(Measure::ALL_SIDES);
+        quantities.map(move |(quantity, measure)| Self {
+            receiver,
+            quantity,
+            what: What::At { position, measure },
+        })
     }
 
     /// Returns the irradiance at a point.
@@ -94,9 +128,9 @@ impl Reading {
     /// Returns the error of direct light by quadrature, and by rounding where it is a closed form;
     /// `None` where it is summed over nodes.
     pub(crate) fn straight_error(&self, radiosity: &Radiosity, band: usize) -> Option<[f64; 2]> {
-        let What::Mean { surface, is_flux } = self.what else { return Some([0.0; 2]) };
-        let errors = radiosity.straight_error(surface, band)?;
-        let unit = if is_flux { 1.0 } else { radiosity.transport().front_area(surface) };
+        let What::Mean { area, is_flux } = self.what else { return Some([0.0; 2]) };
+        let errors = radiosity.straight_error(area, band)?;
+        let unit = if is_flux { 1.0 } else { radiosity.transport().size_of(area) };
         Some(errors.map(|error| error / unit))
     }
 
@@ -104,9 +138,9 @@ impl Reading {
     pub(crate) fn value(&self, scene: &Scene, radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
         match self.what {
             What::At { position, measure } => at(position, measure, radiosity, scratch),
-            What::Mean { surface, is_flux } => {
-                let (mean, area) = radiosity.mean(surface);
-                let unit = if is_flux { area } else { 1.0 };
+            What::Mean { area, is_flux } => {
+                let (mean, size) = radiosity.mean(area);
+                let unit = if is_flux { size } else { 1.0 };
                 mean.into_iter().map(|value| unit * value).collect()
             }
             What::Ray { origin, direction } => along(scene, [origin, direction], radiosity, scratch),
@@ -138,8 +172,8 @@ impl Reading {
                 let transport = radiosity.transport();
                 Some(radiosity.lights().precisely((position, measure), !is_watched, transport, scratch))
             }
-            What::Mean { surface, is_flux } => {
-                let bands = radiosity.precise_mean(surface, is_flux)?;
+            What::Mean { area, is_flux } => {
+                let bands = radiosity.precise_mean(area, is_flux)?;
                 Some(Straight { bands, has_pieces: true })
             }
             What::Ray { .. } => None,
@@ -170,7 +204,7 @@ impl Reading {
     pub(crate) fn goal(&self, scene: &Scene, transport: &Transport) -> Option<GoalKind> {
         match self.what {
             What::At { position, measure } => Some(GoalKind::At { position, measure }),
-            What::Mean { surface, .. } => Some(GoalKind::Mean { surface }),
+            What::Mean { area, .. } => Some(GoalKind::Mean { area }),
             What::Ray { origin, direction } => {
                 let met = met_bright(scene, [origin, direction], transport)?;
                 Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.normal) })
@@ -181,7 +215,7 @@ impl Reading {
     /// Returns the factor of its goal: a mean is an integral over a surface, divided by its area.
     pub(crate) fn of_goal(&self, transport: &Transport) -> f64 {
         match self.what {
-            What::Mean { surface, is_flux: false } => 1.0 / transport.front_area(surface),
+            What::Mean { area, is_flux: false } => 1.0 / transport.size_of(area),
             What::Mean { .. } | What::At { .. } | What::Ray { .. } => 1.0,
         }
     }
@@ -192,7 +226,7 @@ impl Reading {
         let unchanged = |factor| vec![[0.0, factor]; scene.band_count()];
         match self.what {
             What::At { .. } | What::Mean { is_flux: false, .. } => unchanged(1.0),
-            What::Mean { surface, is_flux: true } => unchanged(transport.front_area(surface)),
+            What::Mean { area, is_flux: true } => unchanged(transport.size_of(area)),
             What::Ray { origin, direction } => match met(scene, [origin, direction], transport) {
                 None => scene.ambient.radiance.iter().map(|&outside| [outside, 0.0]).collect(),
                 Some(Met { is_bright: false, .. }) => unchanged(0.0),
@@ -228,10 +262,7 @@ impl Reading {
                 let normal = if let Measure::Plane(normal) = measure { Some(normal) } else { None };
                 vec![Place { outline: vec![position], normal }]
             }
-            What::Mean { surface, .. } => {
-                let fronts = transport.faces.iter().filter(|face| face.is_front_of(surface));
-                fronts.map(Place::of_face).collect()
-            }
+            What::Mean { area, .. } => transport.faces_in(area).map(Place::of_face).collect(),
             What::Ray { origin, direction } => {
                 let met = met_bright(scene, [origin, direction], transport).into_iter();
                 met.map(|met| Place { outline: vec![met.position], normal: Some(met.normal) }).collect()
@@ -243,7 +274,7 @@ impl Reading {
     pub(crate) fn of_irradiance(&self, scene: &Scene, transport: &Transport) -> f64 {
         match self.what {
             What::At { .. } | What::Mean { is_flux: false, .. } => 1.0,
-            What::Mean { surface, is_flux: true } => transport.front_area(surface),
+            What::Mean { area, is_flux: true } => transport.size_of(area),
             What::Ray { origin, direction } => {
                 let met = met_bright(scene, [origin, direction], transport);
                 let reflectances = met.iter().flat_map(|met| reflectance(scene, met.surface));
@@ -257,7 +288,7 @@ impl Reading {
         match self.what {
             What::At { measure: Measure::Sphere, .. } => 4.0 * PI,
             What::At { .. } | What::Mean { is_flux: false, .. } => PI,
-            What::Mean { surface, is_flux: true } => PI * transport.front_area(surface),
+            What::Mean { area, is_flux: true } => PI * transport.size_of(area),
             What::Ray { .. } => 1.0,
         }
     }

@@ -77,11 +77,11 @@ impl<'s> Work<'s> {
     /// Evaluates all readings in all bands; in none where the work was stopped before.
     fn read(&self, radiosity: &Radiosity, earlier: Option<&Earlier>) -> Vec<Found> {
         let is_straight = self.effects.orders == Some(0);
-        let digits = Digits::of((self.scene, &self.readings), self.answers, is_straight, radiosity);
+        let digits = Digits::of((self.scene, &self.readings), self.requested, is_straight, radiosity);
         let one = |scratch: &mut Scratch, (index, reading): (usize, &Reading)| {
             let begin = Instant::now();
             let found = (!self.watch.is_stopped())
-                .then(|| digits.value((reading, index >= self.answers), self.scene, radiosity, scratch))
+                .then(|| digits.value((reading, index >= self.requested), self.scene, radiosity, scratch))
                 .filter(|_| !self.watch.is_stopped());
             let Some(Value { bands, rounding, has_pieces }) = found else {
                 return (Found { bands: Vec::new(), has_pieces: true }, begin.elapsed().as_secs_f64());

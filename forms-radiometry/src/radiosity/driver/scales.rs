@@ -3,6 +3,7 @@
 //! ```text
 //! answers          |value|; for the components of a vector, the largest of them
 //! cells            max(mean of all cells, |value|)
+//! points, faces    the same; for vectors, the mean of the fluence rate
 //! pixels           max(mean of the pixels in which no emitter is seen directly, |value|)
 //! watched cells    the same with a lower estimate: the mean of watched cells, and |value − Lₑ|
 //! ```
@@ -13,7 +14,8 @@
 use super::Work;
 use super::estimate::{Estimate, Found};
 use super::images::Image;
-use crate::answer::{DARK, Map};
+use crate::answer::{DARK, Map, Quantity};
+use crate::scene::ReceiverKind;
 
 /// Part of the mean of watched cells that serves as scale: the mean of all cells may be less than
 /// their mean.
@@ -112,7 +114,8 @@ impl Work<'_> {
         let watched: Vec<usize> = (self.answers..found.len()).collect();
         for own in watched.chunk_by(|&one, &other| self.groups[one] == self.groups[other]) {
             for band in 0..self.scene.band_count() {
-                let part = OF_ELEMENTS * self.of_mean(own, band, (found, &targets));
+                let of_elements = if self.is_watched(own) { OF_ELEMENTS } else { 1.0 };
+                let part = of_elements * self.of_mean(own, band, (found, &targets));
                 own.iter().for_each(|&cell| targets[cell][band] *= part);
             }
         }
@@ -121,22 +124,24 @@ impl Work<'_> {
         targets
     }
 
-    /// Returns the part of the scales of pixels that keeps the mean of an image within the
-    /// tolerance of its own value. Scales are no less than a mean, and their mean may be more. The
-    /// mean of a map is an answer of its own.
+    /// Returns the part of the scales of pixels or points that keeps their mean within the tolerance
+    /// of its own value. Scales are no less than a mean, and their mean may be more. The mean over a
+    /// surface is an answer of its own.
     fn of_mean(&self, own: &[usize], band: usize, (found, scales): (&[Found], &[Vec<f64>])) -> f64 {
-        let is_image = own.iter().any(|&cell| !self.emitted(cell).is_empty());
+        let kind = own.first().map(|&cell| &self.scene.receivers[self.readings[cell].receiver].kind);
+        let is_mean = matches!(kind, Some(ReceiverKind::Camera(_) | ReceiverKind::Points(_)));
+        let own: Vec<usize> = self.leading(own).collect();
         let value = |&cell: &usize| found[cell].bands.get(band).map_or(0.0, |estimate| estimate.value.abs());
         let [values, scales] =
             [own.iter().map(value).sum(), own.iter().map(|&cell| scales[cell][band]).sum::<f64>()];
-        if is_image && values > 0.0 { f64::min(1.0, values / scales) } else { 1.0 }
+        if is_mean && values > 0.0 { f64::min(1.0, values / scales) } else { 1.0 }
     }
 
     /// Returns the errors indicated by the watched cells of a map for each band; `None` where no
     /// cell is watched.
     pub(crate) fn watched(&self, receiver: usize, found: &[Found]) -> Option<Vec<Watched>> {
         let is_own = |&reading: &usize| self.readings[reading].receiver == receiver;
-        let own: Vec<usize> = (self.answers..found.len()).filter(is_own).collect();
+        let own: Vec<usize> = (self.requested..found.len()).filter(is_own).collect();
         let of_band = |(band, scale): (usize, f64)| {
             let mut watched = Watched { scale, relative: 0.0, absolute: 0.0 };
             for &cell in &own {
@@ -176,12 +181,14 @@ impl Work<'_> {
         if let Some(known) = receiver.and_then(|receiver| self.known_scales[receiver].clone()) {
             return known;
         }
+        let leading: Vec<usize> = self.leading(own).collect();
         let of_band = |band: usize| {
             let cell = |&cell: &usize| {
                 let sees_emitter = self.emitted(cell).iter().any(|&emitted| emitted > 0.0);
                 found[cell].bands.get(band).map(|estimate| (estimate.value, sees_emitter))
             };
-            BELOW * mean_scale(own.iter().filter_map(cell))
+            let below = if self.is_watched(own) { BELOW } else { 1.0 };
+            below * mean_scale(leading.iter().filter_map(cell))
         };
         (0..self.scene.band_count()).map(of_band).collect()
     }
@@ -195,7 +202,19 @@ impl Work<'_> {
     /// Returns, for each band, the radiance emitted directly into a watched cell; empty where there
     /// can be none.
     fn emitted(&self, cell: usize) -> &[f64] {
-        &self.emitted[cell - self.answers]
+        cell.checked_sub(self.requested).map_or(&[], |watched| &self.emitted[watched])
+    }
+
+    /// Whether these readings of one map represent other cells.
+    fn is_watched(&self, own: &[usize]) -> bool {
+        own.first().is_some_and(|&cell| cell >= self.requested)
+    }
+
+    /// Returns those of some readings that determine scales: all but the components of vectors.
+    fn leading<'o>(&'o self, own: &'o [usize]) -> impl Iterator<Item = usize> + 'o {
+        let is_component =
+            |cell: &usize| matches!(self.readings[*cell].quantity, Quantity::VectorIrradiance(_));
+        own.iter().copied().filter(move |cell| !is_component(cell))
     }
 }
 

@@ -5,7 +5,7 @@ use super::object::Object;
 use super::{Node, Reader};
 use crate::camera::Camera;
 use crate::geometry::Vector;
-use crate::scene::model::{Receiver, ReceiverKind};
+use crate::scene::model::{Receiver, ReceiverKind, SurfaceSide};
 use crate::scene::value::{ANY, FIELD_OF_VIEW, PIXELS, one_of};
 
 /// Properties of cameras that do not affect the radiance of a pixel: nothing is clipped, everything
@@ -198,7 +198,7 @@ impl<'a> Reader<'a, '_, '_> {
         self.take_object(&mut object, "sampler");
         self.finish(object, &["film", "sampler"]);
         let place = self.report.place(node.range());
-        let kind = ReceiverKind::Surface { surface, grid: None };
+        let kind = ReceiverKind::Surface { surface, side: SurfaceSide::Front, grid: None };
         self.receivers.push(Receiver { name, kind, time: None, place });
     }
 }

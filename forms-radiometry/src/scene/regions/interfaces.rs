@@ -8,6 +8,8 @@ use crate::scene::model::{Scene, Shape};
 pub(crate) struct Interface {
     /// The index of its surface.
     pub(crate) surface: usize,
+    /// The index of the face of a mesh, where receivers measure these faces.
+    pub(crate) part: usize,
     pub(crate) shape: Piece,
 }
 
@@ -42,32 +44,36 @@ impl Interface {
 }
 
 /// Returns the sheets of a scene in which nothing asks for their edges: each flat part of a mesh is
-/// one sheet.
+/// one sheet, or each face where receivers measure these.
 pub(crate) fn sheets_without_edges(scene: &Scene) -> Vec<Interface> {
-    sheets(scene, |mesh| mesh.flat_parts().collect())
+    let are_measured = scene.are_faces_measured();
+    sheets(scene, |surface, mesh| match are_measured[surface] {
+        true => mesh.polygons().collect(),
+        false => mesh.flat_parts().collect(),
+    })
 }
 
 /// Returns the sheets of a scene, with these polygons of meshes. Their faces have no edges yet.
-fn sheets(scene: &Scene, polygons: impl Fn(&Mesh) -> Vec<Polygon>) -> Vec<Interface> {
+fn sheets(scene: &Scene, polygons: impl Fn(usize, &Mesh) -> Vec<Polygon>) -> Vec<Interface> {
     let mut pieces = Vec::new();
     for (surface, shape) in scene.surfaces.iter().map(|surface| &surface.shape).enumerate() {
         match shape {
-            Shape::Polygon(polygon) => pieces.push((surface, Piece::Face(polygon.clone(), Vec::new()))),
+            Shape::Polygon(polygon) => pieces.push((surface, 0, Piece::Face(polygon.clone(), Vec::new()))),
             Shape::Mesh(mesh) => {
-                let faces = polygons(mesh).into_iter();
-                pieces.extend(faces.map(|polygon| (surface, Piece::Face(polygon, Vec::new()))));
+                let faces = polygons(surface, mesh).into_iter().enumerate();
+                pieces.extend(faces.map(|(part, polygon)| (surface, part, Piece::Face(polygon, Vec::new()))));
             }
-            Shape::Sphere(sphere) => pieces.push((surface, Piece::Sphere(*sphere))),
-            Shape::Disk(disk) => pieces.push((surface, Piece::Disk(*disk))),
-            Shape::Quadric(quadric) => pieces.push((surface, Piece::Quadric(*quadric))),
+            Shape::Sphere(sphere) => pieces.push((surface, 0, Piece::Sphere(*sphere))),
+            Shape::Disk(disk) => pieces.push((surface, 0, Piece::Disk(*disk))),
+            Shape::Quadric(quadric) => pieces.push((surface, 0, Piece::Quadric(*quadric))),
         }
     }
-    pieces.into_iter().map(|(surface, shape)| Interface { surface, shape }).collect()
+    pieces.into_iter().map(|(surface, part, shape)| Interface { surface, part, shape }).collect()
 }
 
 /// Returns the sheets of a scene, and the numbered vertices of their faces.
 pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
-    let mut interfaces = sheets(scene, |mesh| mesh.polygons().collect());
+    let mut interfaces = sheets(scene, |_, mesh| mesh.polygons().collect());
     let polygons = interfaces.iter().filter_map(|interface| match &interface.shape {
         Piece::Face(polygon, _) => Some(polygon),
         Piece::Sphere(_) | Piece::Disk(_) | Piece::Quadric(_) => None,

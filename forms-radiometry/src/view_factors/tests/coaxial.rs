@@ -24,7 +24,8 @@ fn vessel(random: &mut SplitMix, rings: usize) -> Scene {
     for _ in 0..rings {
         let (wider, higher) = (random.between([0.3, 1.5]), height + random.between([0.2, 1.5]));
         let ends = format!("from = {}, to = {}", place(height), place(higher));
-        match random.below(3) {
+        // an annulus in the plane of the floor would lie on it
+        match random.below(if height > 0.0 { 3 } else { 2 }) {
             0 => shapes.push(format!("cylinder = {{ {ends}, radius = {radius:?}, inward = true }}")),
             1 => {
                 shapes.push(format!("cone = {{ {ends}, radii = [{radius:?}, {wider:?}], inward = true }}"));
@@ -108,7 +109,11 @@ fn a_closed_vessel_keeps_all_light() {
             let row = &found.rows[surface];
             let error: f64 = row.factors.iter().map(|factor| factor.error).sum();
             assert_eq!(row.kind, ErrorKind::Bound);
-            assert!((found.sum(surface) - 1.0).abs() <= error && error < 1e-12, "{}", found.sum(surface));
+            assert!(
+                (found.sum(surface) - 1.0).abs() <= error + 4.0 * f64::EPSILON && error < 1e-12,
+                "{}",
+                found.sum(surface)
+            );
         }
     }
 }

@@ -80,6 +80,9 @@ fn sampled_points_lie_on_the_shape_with_equal_density_and_the_normal_of_its_fron
     }
 }
 
+/// Largest distance of the shape from the points of it that a search compares.
+const STEP: f64 = 1e-3;
+
 fn radius_at(quadric: &Quadric, s: f64) -> f64 {
     let [r, end] = quadric.radii;
     match quadric.profile {
@@ -144,7 +147,7 @@ fn pieces_face_the_front_and_their_area_comes_nearer_with_the_square_of_their_ed
                 };
                 let away =
                     (0..=1000).map(|place| at(f64::from(place) / 1000.0)).fold(f64::INFINITY, f64::min);
-                assert!(away <= quadric.deviation(fineness) + 1e-3 / 1000.0, "{quadric:?}: {away}");
+                assert!(away <= quadric.deviation(fineness) + STEP, "{quadric:?}: {away}");
             }
         }
         let order = (errors[1] / errors[3]).log2() / 2.0;
