@@ -5,6 +5,7 @@
 mod affine;
 pub(crate) mod bounds;
 pub(crate) mod clip;
+mod corners;
 pub(crate) mod edges;
 mod face_list;
 mod flat_parts;
@@ -23,6 +24,7 @@ mod weld;
 
 pub(crate) use affine::Affine;
 pub(crate) use clip::split;
+pub(crate) use corners::Corners;
 pub(crate) use edges::{Edges, fill};
 pub(crate) use face_list::FaceList;
 pub use mesh::{FaceError, Mesh, MeshError};

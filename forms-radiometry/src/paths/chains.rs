@@ -121,7 +121,8 @@ impl Chains {
             // the reflectance of a metal is largest at grazing incidence: 1
             MaterialKind::Conductor { .. } => 1.0,
         };
-        let place = wall.plane().and_then(|plane| self.place(plane, extent));
+        let plane = wall.plane().filter(|_| !surface.shape.is_smooth());
+        let place = plane.and_then(|plane| self.place(plane, extent));
         let Some(place) = place else {
             self.left_out = self.left_out.max(reflectance);
             return None;

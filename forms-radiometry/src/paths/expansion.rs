@@ -17,6 +17,7 @@ use super::optics::{MediumOptics, largest, scaled, times};
 use super::refraction::passages;
 use super::specialisation::Specialisation;
 use super::tracer::Tracer;
+use super::world::Side;
 use crate::geometry::Vector;
 use crate::scene::{Filling, MaterialKind};
 use crate::visibility::{Met, Start};
@@ -65,7 +66,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns an upper bound on the radiance in each band. `None` if an emitting wall can reflect
     /// or transmit light completely.
     fn brightest(&self) -> Option<[f64; N]> {
-        let mut brightest = self.optics.outside;
+        let mut brightest = self.optics.brightest_outside;
         for (surface, radiance) in
             self.optics.radiances.iter().enumerate().filter(|(_, radiance)| largest(*radiance) > 0.0)
         {
@@ -101,12 +102,12 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             }
         };
         let Some(met) = self.world.walls.first(ray.start, ray.direction, f64::INFINITY) else {
-            add(&self.optics.outside, &times(&ray.left, &medium.transmittance(f64::INFINITY)));
+            add(&self.optics.outside(ray.direction), &times(&ray.left, &medium.transmittance(f64::INFINITY)));
             return Some(());
         };
         let left = times(&ray.left, &medium.transmittance(met.distance));
         let surface = self.world.interfaces[met.wall].surface;
-        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        let is_bright = self.world.is_bright(met.wall, self.world.side(&met, ray.direction).is_front);
         if is_bright {
             add(&self.optics.radiances[surface], &left);
         }
@@ -135,7 +136,10 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         medium: &MediumOptics<N>,
         is_bright: bool,
     ) -> Option<Vec<([f64; N], bool, Vector, bool)>> {
-        let normal = if met.is_front { met.normal } else { -met.normal };
+        let Side { normal, is_smooth, .. } = self.world.side(met, ray.direction);
+        if is_smooth && is_bright {
+            return None;
+        }
         let material = self.world.material(met.wall);
         let surface = self.world.interfaces[met.wall].surface;
         match material {

@@ -40,7 +40,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
 
     /// Whether a path can continue from a wall.
     pub(crate) fn continues_from(&self, path: &Path<N>, met: &Met) -> bool {
-        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        let is_bright = self.world.is_bright(met.wall, self.world.side(met, path.direction).is_front);
         match self.world.material(met.wall) {
             MaterialKind::Dielectric { .. } => true,
             MaterialKind::Diffuse { .. } => {

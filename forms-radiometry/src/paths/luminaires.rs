@@ -62,6 +62,8 @@ pub(super) enum Source {
     Wall { wall: usize, surface: usize },
     /// A light of this index.
     Beam(usize),
+    /// The environment map.
+    Environment,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -181,7 +183,7 @@ impl Luminaires {
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
         match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),
-            Source::Beam(_) => None,
+            Source::Beam(_) | Source::Environment => None,
         }
     }
 

@@ -23,7 +23,7 @@ use super::scattering::Flight;
 use super::specialisation::Specialisation;
 use super::time::longer;
 use super::vertex::{Law, Vertex};
-use super::world::World;
+use super::world::{Side, World};
 use crate::effects::SimulatedEffects;
 use crate::geometry::Vector;
 use crate::sampling::{Draws, Random, Samples};
@@ -166,8 +166,21 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             path.optical_path_length = self.longer(path.optical_path_length, medium, met.distance);
             self.emitted(path, met, add);
         } else if self.limits.direct || !path.is_straight {
-            add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
+            self.from_outside(path, add);
         }
+    }
+
+    /// Adds the light from outside, which next-event estimation at the last vertex could have sampled
+    /// if there is an environment map and no mirror since then.
+    fn from_outside(&self, path: &Path<N>, add: &mut impl FnMut(&[f64; N], f64)) {
+        let part = match &self.world.environment {
+            Some(light) if path.density.is_finite() && path.chain == 0 => {
+                mis_weight(path.density, light.density(path.direction))
+            }
+            _ => 1.0,
+        };
+        let radiance = self.optics.outside(path.direction);
+        add(&scaled(part, &times(&path.throughput, &radiance)), f64::INFINITY);
     }
 
     /// Adds the light that a wall emits into the path.
@@ -199,16 +212,20 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             return false;
         }
         let (interface, material) = (&self.world.interfaces[met.wall], self.world.material(met.wall));
-        let normal = if met.is_front { met.normal } else { -met.normal };
+        let Side { is_front, normal, is_smooth } = self.world.side(met, path.direction);
         if let MaterialKind::Dielectric { .. } = material {
             let beyond = interface.filling(!met.is_front);
-            return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, &mut draws.path);
+            let media = [medium, &self.medium(beyond)];
+            let continues = self.crosses(path, met, media, beyond, normal, &mut draws.path);
+            if is_smooth {
+                path.filling = interface.filling(met.normal.dot(path.direction) > 0.0);
+            }
+            return continues;
         }
         if let MaterialKind::Diffuse { .. } = material {
             path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
             path.reflections += 1;
-            let vertex =
-                Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
+            let vertex = Vertex { start: self.world.walls.start_on(met, is_front), law: Law::Plane(normal) };
             self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
                 add(value, optical_path_length);
             });
@@ -285,7 +302,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
         (path.sought, path.chain) = (vertex.sought(), 0);
-        path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
+        path.density = if self.world.samples_lights() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
         path.specular_depth = 0;
     }

@@ -35,7 +35,11 @@ impl Scene {
                 LightKind::Distant { irradiance, .. } => merge(irradiance),
             }
         }
-        merge(&mut scene.ambient.radiance);
+        let ambient = &mut scene.ambient;
+        match &mut ambient.map {
+            Some(map) => (*map, ambient.radiance) = map.with_one_band(&ambient.radiance),
+            None => merge(&mut ambient.radiance),
+        }
         scene
     }
 }

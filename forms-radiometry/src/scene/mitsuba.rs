@@ -11,8 +11,10 @@
 //! error, parsing continues with a default value, since the scene is rejected anyway.
 
 mod bsdf;
+mod checkerboard;
 mod document;
 mod emitter;
+mod environment;
 mod instance;
 mod integrator;
 mod media;
@@ -27,6 +29,7 @@ mod transform;
 mod values;
 
 use super::element::Names;
+use super::environment_map::EnvironmentMap;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
 use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
@@ -78,6 +81,7 @@ struct Reader<'a, 'r, 'f> {
     lights: Vec<Light>,
     receivers: Vec<Receiver>,
     ambient_radiance: Option<Vec<f64>>,
+    ambient_map: Option<EnvironmentMap>,
     ambient_place: Range<usize>,
     integrator: Option<Integrator>,
 }
@@ -119,6 +123,7 @@ pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene,
         lights: Vec::new(),
         receivers: Vec::new(),
         ambient_radiance: None,
+        ambient_map: None,
         ambient_place: 0..0,
         integrator: None,
     };
@@ -250,6 +255,7 @@ impl<'a> Reader<'a, '_, '_> {
         let ambient = Ambient {
             medium,
             radiance: self.ambient_radiance.unwrap_or_else(|| vec![0.0; self.bands]),
+            map: self.ambient_map,
             place: self.report.place(self.ambient_place),
         };
         let scene = Scene {

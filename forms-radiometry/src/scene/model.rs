@@ -1,6 +1,7 @@
 //! Model of a scene: its geometry and materials, its receivers, and the required accuracy.
 
 use super::effect::ForcedEffect;
+use super::environment_map::EnvironmentMap;
 use super::place::Place;
 use crate::camera::Camera;
 use crate::geometry::{Disk, Mesh, Polygon, Round, Sphere, Vector};
@@ -192,6 +193,11 @@ impl Shape {
         }
     }
 
+    /// Whether the shape is a mesh whose normals are interpolated between its vertices.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self, Self::Mesh(mesh) if mesh.is_smooth())
+    }
+
     /// Whether the shape is a mesh without faces.
     pub(crate) fn has_no_faces(&self) -> bool {
         matches!(self, Self::Mesh(mesh) if mesh.faces().len() == 0)
@@ -310,8 +316,11 @@ pub struct Ambient {
     /// The index of the medium that fills the scene outside all other media; vacuum if there is
     /// none.
     pub medium: Option<usize>,
-    /// Radiance from outside in W/(m² sr), per band, the same from all directions.
+    /// Radiance from outside in W/(m² sr), per band, the same from all directions; with a map, the
+    /// largest from any direction.
     pub radiance: Vec<f64>,
+    /// The dependence of this radiance on the direction, if it is not the same from all.
+    pub map: Option<EnvironmentMap>,
     /// The place of the table in the file.
     pub place: Place,
 }

@@ -74,7 +74,7 @@ impl Refusals {
                     [differs && !is_off(Effect::Refraction); 2]
                 }
             };
-            let is_curved = matches!(surface.shape, Shape::Sphere(_));
+            let is_curved = matches!(surface.shape, Shape::Sphere(_)) || surface.shape.is_smooth();
             if is_curved && mirrors {
                 let what = format!(
                     "light from point or distant lights that the curved surface `{}` reflects or refracts",

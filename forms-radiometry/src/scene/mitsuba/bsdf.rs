@@ -1,6 +1,7 @@
 //! Materials: parses `<bsdf>` into a law of reflection; a boundary of media becomes a material
 //! together with the interior medium of a shape.
 
+use super::checkerboard::{COLOURS, Checkerboard};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
@@ -22,6 +23,8 @@ pub(super) struct Bsdf {
 pub(super) enum Law {
     /// A law that does not depend on the shape.
     Opaque(MaterialKind),
+    /// Diffuse reflection in two colours.
+    Checkered(Checkerboard),
     /// A boundary between media of these indices.
     Dielectric { inside: f64, outside: f64, outside_place: Range<usize> },
     /// A boundary without a change of index.
@@ -30,7 +33,7 @@ pub(super) enum Law {
     Wrong,
 }
 
-/// Identifies a material: its element, and the medium behind it.
+/// Identifies a material: its element, and the medium behind it or its colour on a checkerboard.
 pub(super) type Key = (usize, Option<usize>);
 
 /// The keys of the materials of shapes without a `<bsdf>`.
@@ -102,11 +105,32 @@ impl Bsdf {
             MaterialKind::Dielectric { inside } => Some(inside),
             _ => None,
         };
+        self.known_material(reader, kind, inside, &self.name)
+    }
+
+    /// Returns the index of the material for a colour of a checkerboard.
+    pub(super) fn material_of_colour(
+        &self,
+        reader: &mut Reader,
+        board: &Checkerboard,
+        colour: usize,
+    ) -> usize {
+        let kind = MaterialKind::Diffuse { reflectance: board.colours[colour].clone() };
+        let name = format!("{}/{}", self.name, COLOURS[colour]);
+        self.known_material(reader, kind, Some(colour), &name)
+    }
+
+    fn known_material(
+        &self,
+        reader: &mut Reader,
+        kind: MaterialKind,
+        part: Option<usize>,
+        name: &str,
+    ) -> usize {
         let next = reader.materials.len();
-        let index = *reader.known_materials.entry((self.key, inside)).or_insert(next);
+        let index = *reader.known_materials.entry((self.key, part)).or_insert(next);
         if index == next {
-            let name =
-                unique(&self.name, |taken| reader.materials.iter().any(|material| material.name == taken));
+            let name = unique(name, |taken| reader.materials.iter().any(|material| material.name == taken));
             let place = reader.report.place(self.place.clone());
             reader.materials.push(Material { name, kind, place });
         }
@@ -136,6 +160,10 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     match &*object.kind {
         "diffuse" => {
+            if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
+                reader.finish(object, &["reflectance"]);
+                return Law::Checkered(board);
+            }
             let grey = vec![0.5; reader.bands];
             let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
             reader.finish(object, &["reflectance"]);

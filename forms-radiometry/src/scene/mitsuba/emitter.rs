@@ -39,13 +39,19 @@ impl<'a> Reader<'a, '_, '_> {
                 self.constant(&mut object);
                 None
             }
+            "envmap" => {
+                self.environment(&mut object, &to_world);
+                None
+            }
             _ => {
-                self.unknown(&mut object, &["point", "directional", "constant"]);
+                self.unknown(&mut object, &["point", "directional", "constant", "envmap"]);
                 return;
             }
         };
         let name = node.attribute("id").unwrap_or_default().to_owned();
-        self.finish(object, &["to_world", "position", "intensity", "direction", "irradiance", "radiance"]);
+        let known =
+            ["to_world", "position", "intensity", "direction", "irradiance", "radiance", "filename", "scale"];
+        self.finish(object, &known);
         let place = self.report.place(node.range());
         self.lights.extend(kind.map(|kind| Light { name, kind, place }));
     }
@@ -73,8 +79,13 @@ impl<'a> Reader<'a, '_, '_> {
     fn constant(&mut self, object: &mut Object<'a>) {
         let one = vec![1.0; self.bands];
         let radiance = self.colour(object, "radiance", &NOT_NEGATIVE).unwrap_or(one);
+        self.set_outside(object, radiance);
+    }
+
+    /// Sets the radiance from outside: with a map, the largest from any direction.
+    pub(super) fn set_outside(&mut self, object: &Object<'a>, radiance: Vec<f64>) {
         if self.ambient_radiance.replace(radiance).is_some() {
-            self.error(object.node, "more than one emitter of type `constant`", "one");
+            self.error(object.node, "more than one emitter of type `constant` or `envmap`", "one");
         }
         self.ambient_place = object.node.range();
     }

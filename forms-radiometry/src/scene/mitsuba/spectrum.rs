@@ -22,6 +22,7 @@ pub(super) fn has_bands(node: Node, value: impl Fn(&str) -> Option<String>) -> b
     let is_table = || node.attribute("value").and_then(value).is_some_and(|value| value.contains(':'));
     match node.tag_name().name() {
         "rgb" => true,
+        "emitter" => node.attribute("type") == Some("envmap"),
         "spectrum" => node.attribute("type") == Some("blackbody") || is_table(),
         _ => false,
     }
