@@ -44,8 +44,11 @@ struct Terms<const N: usize> {
 
 impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns the radiance along a ray in each band, with its error. `None` if a medium or a
-    /// diffuse surface on the way scatters or reflects light.
+    /// diffuse surface on the way scatters or reflects light, or if the number of events is limited.
     pub(super) fn expansion(&self, start: Start, direction: Vector) -> Option<Vec<[f64; 2]>> {
+        if self.world.scene.solve.events.is_some() {
+            return None;
+        }
         let brightest = self.brightest()?;
         let filling = self.world.medium_at(start, direction);
         let mut waiting = vec![Ray { start, direction, filling, left: [1.0; N], is_straight: true }];

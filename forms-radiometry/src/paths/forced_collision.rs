@@ -40,15 +40,20 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
 
     /// Whether a path can continue from a wall.
     pub(crate) fn continues_from(&self, path: &Path<N>, met: &Met) -> bool {
+        let interface = &self.world.interfaces[met.wall];
+        let [front, back] = [true, false].map(|is_front| interface.filling(is_front));
+        let is_allowed = self.is_allowed(path.events + 1);
         let is_bright = self.world.is_bright(met.wall, self.world.side(met, path.direction).is_front);
         match self.world.material(met.wall) {
-            MaterialKind::Dielectric { .. } => true,
+            MaterialKind::Dielectric { .. } => is_allowed || self.optics.is_clear(front, back),
             MaterialKind::Diffuse { .. } => {
-                let reflectance = &self.optics.reflectances[self.world.interfaces[met.wall].surface];
+                let reflectance = &self.optics.reflectances[interface.surface];
                 let is_left = is_below(path.reflections, path.most);
-                is_bright && is_left && largest(reflectance) > 0.0
+                is_bright && is_left && is_allowed && largest(reflectance) > 0.0
             }
-            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,
+            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
+                is_bright && is_allowed && L::MIRROR
+            }
         }
     }
 }

@@ -272,6 +272,11 @@ impl<const N: usize> Sent<N> {
 }
 
 impl<const N: usize> Image<N> {
+    /// Returns the number of walls that reflect or refract the light.
+    pub(crate) fn events(&self) -> u32 {
+        self.steps.len() as u32
+    }
+
     /// Returns the position of the image; `None` if it is distant.
     pub(crate) fn point(&self) -> Option<Vector> {
         match self.place {

@@ -88,6 +88,8 @@ pub(crate) struct Path<const N: usize> {
     /// Maximum number of diffuse reflections.
     pub(crate) most: Option<u32>,
     pub(crate) scatterings: u32,
+    /// Number of events so far: reflections, refractions and scatterings of any kind.
+    pub(crate) events: u32,
     /// Number of specular events since the last vertex.
     pub(crate) specular_depth: u32,
     /// Whether the light has not been reflected, refracted or scattered yet.
@@ -125,7 +127,8 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
             let medium = self.medium(path.filling);
             let scatters = L::SCATTERING && medium.scatters();
-            if scatters && is_below(path.scatterings, self.limits.scatterings) {
+            let may_scatter = is_below(path.scatterings, self.limits.scatterings);
+            if scatters && may_scatter && self.is_allowed(path.events + 1) {
                 self.lit_segment(&path, &medium, length, draws, add);
                 match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
                     Flight::Scattered(distance, factor) => {
@@ -225,6 +228,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         if let MaterialKind::Diffuse { .. } = material {
             path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
             path.reflections += 1;
+            path.events += 1;
             let vertex = Vertex { start: self.world.walls.start_on(met, is_front), law: Law::Plane(normal) };
             self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
                 add(value, optical_path_length);
@@ -256,6 +260,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
         path.is_straight = false;
         path.specular_depth += 1;
+        path.events += 1;
         path.specular_depth < MAX_SPECULAR_DEPTH
     }
 
@@ -281,6 +286,11 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         path.start = self.world.walls.start_on(met, !met.is_front);
         path.filling = beyond;
         true
+    }
+
+    /// Whether a path can have this number of events.
+    pub(crate) fn is_allowed(&self, events: u32) -> bool {
+        self.world.scene.solve.events.is_none_or(|most| events <= most)
     }
 
     /// Plays Russian roulette with a path of small throughput; survivors get the throughput of the
@@ -317,6 +327,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     ) {
         path.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         path.scatterings += 1;
+        path.events += 1;
         let vertex = self.scattering(path, medium, distance);
         let sought = self.world.luminaires.sought_along(path.start.position, path.direction, length);
         self.scatter(path, &vertex, samples);
@@ -344,6 +355,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
         let mut lit = *path;
         lit.throughput = times(&path.throughput, &factor);
+        lit.events += 1;
         lit.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         lit.is_same = false;
         Some((lit, self.scattering(path, medium, distance)))

@@ -97,6 +97,9 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
     if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
         return Some(format!("the surface `{}` has interpolated normals", surface.name));
     }
+    if scene.solve.events.is_some() {
+        return Some("the number of events along a path is limited".to_owned());
+    }
     if scene.ambient.map.is_some() {
         return Some("light from outside depends on the direction".to_owned());
     }
@@ -114,6 +117,10 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
             "light straight from light sources to the receiver `{}` does not count",
             receiver.name
         ));
+    }
+    let is_parallel = |receiver: &&Receiver| matches!(&receiver.kind, ReceiverKind::Camera(camera) if camera.is_orthographic());
+    if let Some(receiver) = scene.receivers.iter().find(is_parallel) {
+        return Some(format!("the camera `{}` is orthographic", receiver.name));
     }
     let image = scene.receivers.iter().find(|receiver| is_image(receiver))?;
     if is_round(scene) {

@@ -18,6 +18,7 @@ mod environment;
 mod instance;
 mod integrator;
 mod media;
+mod metals;
 mod normals;
 mod object;
 mod parameters;
@@ -32,7 +33,7 @@ use super::element::Names;
 use super::environment_map::EnvironmentMap;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
-use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
+use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Surface};
 use instance::Instance;
 use integrator::Integrator;
 use media::Media;
@@ -167,9 +168,10 @@ impl<'a> Reader<'a, '_, '_> {
             }
             "shape" => self.top_shape(node),
             "emitter" => self.emitter(node),
-            "texture" => self.texture(node),
+            // an unsupported texture is reported even if nothing refers to it
+            "texture" if self.kind(node) != "checkerboard" => self.texture(node),
             // these are read where other elements refer to them
-            "sampler" | "film" | "rfilter" => {}
+            "sampler" | "film" | "rfilter" | "texture" => {}
             "alias" => {
                 self.attributes(node, &["id", "as"]);
             }
@@ -247,7 +249,7 @@ impl<'a> Reader<'a, '_, '_> {
         if self.has_tables {
             self.report.note(SPECTRA_ARE_MEANS.to_owned());
         }
-        let solve = Solve { forced: self.forced(), ..Solve::default() };
+        let solve = self.solve();
         self.check_normals();
         let medium = self.ambient_medium();
         let (media, elements) = self.all_media();

@@ -337,10 +337,13 @@ pub struct Solve {
     /// The effects that are forced, in the order of [`Effect::ALL`](super::Effect::ALL); the solver decides about the
     /// others.
     pub forced: Vec<ForcedEffect>,
+    /// The largest number of events along a path (reflections, refractions and scatterings of any
+    /// kind), if the file limits it.
+    pub events: Option<u32>,
 }
 
 impl Default for Solve {
     fn default() -> Self {
-        Self { tolerance: 1e-3, seed: 1, forced: Vec::new() }
+        Self { tolerance: 1e-3, seed: 1, forced: Vec::new(), events: None }
     }
 }

@@ -29,11 +29,6 @@ const CASES: &[(&str, &str, &str)] = &[
     ("type=\"volpath\"", "type=\"path\"", "this integrator ignores the participating media of the scene"),
     ("value=\"-1\"", "value=\"0\"", "`max_depth` is out of range"),
     (
-        "value=\"-1\"",
-        "value=\"4\"",
-        "a limit on path depth (`max_depth`) is only supported for diffuse surfaces without media",
-    ),
-    (
         "<integer name=\"rr_depth\" value=\"10\"/>",
         "<boolean name=\"hide_emitters\" value=\"true\"/>",
         "emitters hidden from the camera are not supported",
@@ -116,8 +111,8 @@ const CASES: &[(&str, &str, &str)] = &[
     ("<bsdf type=\"null\"/>", "", "an interior or exterior medium of an opaque surface is not supported"),
     (
         "<boolean name=\"face_normals\" value=\"true\"/>",
-        "",
-        "`part.obj` would be shaded with interpolated normals, which are not supported",
+        "<emitter type=\"area\"><float name=\"radiance\" value=\"1\"/></emitter>",
+        "emission and irradiance of `part.obj` by interpolated normals are not supported",
     ),
     (
         "<boolean name=\"face_normals\" value=\"true\"/>",

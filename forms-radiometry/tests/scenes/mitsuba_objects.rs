@@ -4,6 +4,7 @@
 use crate::{errors, scene, shown};
 use forms_radiometry::geometry::Vector;
 use forms_radiometry::scene::{MaterialKind, ReceiverKind, Scene, SceneError, Shape, read_with_files};
+use forms_radiometry::simulation::plan;
 
 const FILE: &str = "box.xml";
 const EYE: &str = "<sensor type=\"perspective\"/>";
@@ -173,12 +174,12 @@ fn bent(height: f64) -> String {
 }
 
 #[test]
-fn normals_matter_where_light_is_reflected_emitted_or_measured_and_a_sensor_sees_it() {
+fn interpolated_normals_are_no_normals_of_emission_or_irradiance() {
     let is_read = |rest: &str| {
         let rest = rest.replace("EYE", EYE);
         with_mesh(&bent(0.5), &rest).map_err(|errors| {
             assert!(
-                shown(&errors).contains("would be shaded with interpolated normals"),
+                shown(&errors).contains("by interpolated normals are not supported"),
                 "{}",
                 shown(&errors)
             );
@@ -190,7 +191,7 @@ fn normals_matter_where_light_is_reflected_emitted_or_measured_and_a_sensor_sees
                  <integer name=\"height\" value=\"1\"/></film></sensor>";
     let cases = [
         ("</shape>".to_owned(), true),
-        ("</shape>EYE".to_owned(), false),
+        ("</shape>EYE".to_owned(), true),
         (format!("{black}</shape>EYE"), true),
         (format!("{black}{glow}</shape>EYE"), false),
         (format!("{black}{meter}</shape>"), false),
@@ -205,13 +206,20 @@ fn normals_matter_where_light_is_reflected_emitted_or_measured_and_a_sensor_sees
 fn normals_that_differ_little_from_those_of_the_faces_are_noted_on_diffuse_surfaces() {
     let diffuse = format!("</shape>{EYE}");
     let mirror = format!("<bsdf type=\"conductor\"/></shape>{EYE}");
-    let scene = with_mesh(&bent(0.005), &diffuse).unwrap();
+    let scene = with_mesh(&bent(0.01), &diffuse).unwrap();
     let note =
         "m.obj: the normals of the faces are used, from which interpolated normals differ by up to 0.41°";
     assert_eq!(scene.notes, [note]);
-    assert!(with_mesh(&bent(0.005), &mirror).is_err());
-    assert!(with_mesh(&bent(0.01), &diffuse).is_err());
-    assert_eq!(with_mesh(&bent(0.0), &mirror).unwrap().notes, [""; 0]);
+    let is_smooth = |scene: &Scene| {
+        let methods = format!("{:?}", plan(scene).unwrap().receiver_methods());
+        methods.contains("has interpolated normals")
+    };
+    assert!(!is_smooth(&scene));
+    for (height, text) in [(0.01, &mirror), (0.1, &diffuse), (0.0, &mirror)] {
+        let scene = with_mesh(&bent(height), text).unwrap();
+        assert_eq!(scene.notes, [""; 0]);
+        assert_eq!(is_smooth(&scene), text == &diffuse, "{height}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 //! together with the interior medium of a shape.
 
 use super::checkerboard::{COLOURS, Checkerboard};
+use super::metals::{METALS, Metal};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
@@ -187,21 +188,17 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     }
 }
 
-/// Returns the law of a metal with index η + ik; without an index, or with the material `none`, a
-/// perfect mirror.
+/// Returns the law of a metal with index η + ik, given by name or by numbers; without an index, or
+/// with the material `none`, a perfect mirror.
 fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
-    if let Some((name, place)) = reader.string(&mut object, "material")
-        && name != "none"
-    {
-        let expected = "`eta` and `k`, or the material `none`";
-        reader.report.error(
-            place,
-            format!("the refractive index of the metal `{name}` is not known"),
-            expected,
-        );
+    let metal = named_metal(reader, &mut object);
+    if metal.is_some() && (object.has("eta") || object.has("k")) {
+        let message = "this conductor has both a `material` and an index";
+        reader.error(object.node, message, "one of the two");
+        object.ignore(&["eta", "k"]);
     }
-    let eta = reader.colour(&mut object, "eta", &POSITIVE);
-    let k = reader.colour(&mut object, "k", &NOT_NEGATIVE);
+    let eta = reader.colour(&mut object, "eta", &POSITIVE).or(metal.map(|metal| metal.eta.to_vec()));
+    let k = reader.colour(&mut object, "k", &NOT_NEGATIVE).or(metal.map(|metal| metal.k.to_vec()));
     let reflectance = reader.colour(&mut object, "specular_reflectance", &FRACTION);
     let node = object.node;
     reader.finish(object, &["material", "eta", "k", "specular_reflectance"]);
@@ -224,6 +221,19 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             Law::Opaque(MaterialKind::Mirror { reflectance: vec![1.0; reader.bands] })
         }
     }
+}
+
+/// Returns the metal that a conductor names, if it names one.
+fn named_metal<'a>(reader: &mut Reader<'a, '_, '_>, object: &mut Object<'a>) -> Option<&'static Metal> {
+    let (name, place) = reader.string(object, "material").filter(|(name, _)| name != "none")?;
+    let metal = METALS.iter().find(|metal| metal.name == name);
+    if metal.is_none() {
+        let names = one_of(METALS.iter().map(|metal| metal.name));
+        let message = format!("the refractive index of the metal `{name}` is not known");
+        reader.report.error(place, message, format!("`eta` and `k`, the material `none`, or {names}"));
+    }
+    reader.has_tables |= metal.is_some();
+    metal
 }
 
 /// Returns an index of refraction, given as a number or by name, and its place.
