@@ -20,6 +20,7 @@ mod boundary;
 mod chains;
 mod checkpoint;
 mod choice;
+mod coat;
 mod dispatch;
 pub(crate) mod driver;
 mod environment_light;

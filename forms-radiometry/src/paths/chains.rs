@@ -118,6 +118,10 @@ impl Chains {
                 return None;
             }
             MaterialKind::Mirror { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
+            MaterialKind::Plastic { specular, .. } => {
+                self.left_out = specular.iter().copied().fold(self.left_out, f64::max);
+                return None;
+            }
             // the reflectance of a metal is largest at grazing incidence: 1
             MaterialKind::Conductor { .. } => 1.0,
         };

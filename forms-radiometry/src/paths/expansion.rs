@@ -75,7 +75,8 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         {
             let reflectance = self.optics.reflectances[surface];
             let kind = &self.world.scene.materials[self.world.scene.surfaces[surface].material].kind;
-            if matches!(kind, MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. }) {
+            let is_known = matches!(kind, MaterialKind::Diffuse { .. } | MaterialKind::Mirror { .. });
+            if !is_known {
                 return None;
             }
             // where light meets a diffuse wall that reflects, there is no expansion
@@ -162,6 +163,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             MaterialKind::Diffuse { .. } => {
                 (largest(&self.optics.reflectances[surface]) == 0.0).then(Vec::new)
             }
+            MaterialKind::Plastic { .. } => None,
             _ if !L::MIRROR => Some(Vec::new()),
             material => match reflected(material, &self.optics, medium, ray.direction, normal) {
                 Passage::Reflected(direction, factor) => Some(vec![(factor, true, direction, false)]),

@@ -46,14 +46,19 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let is_bright = self.world.is_bright(met.wall, self.world.side(met, path.direction).is_front);
         match self.world.material(met.wall) {
             MaterialKind::Dielectric { .. } => is_allowed || self.optics.is_clear(front, back),
-            MaterialKind::Diffuse { .. } => {
-                let reflectance = &self.optics.reflectances[interface.surface];
-                let is_left = is_below(path.reflections, path.most);
-                is_bright && is_left && is_allowed && largest(reflectance) > 0.0
+            MaterialKind::Diffuse { .. } => is_bright && is_allowed && self.reflects_diffusely(path, met),
+            MaterialKind::Plastic { .. } => {
+                is_bright && is_allowed && (L::MIRROR || self.reflects_diffusely(path, met))
             }
             MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
                 is_bright && is_allowed && L::MIRROR
             }
         }
+    }
+
+    /// Whether a wall has a diffuse reflectance, and the path can have another diffuse reflection.
+    pub(crate) fn reflects_diffusely(&self, path: &Path<N>, met: &Met) -> bool {
+        let reflectance = &self.optics.reflectances[self.world.interfaces[met.wall].surface];
+        is_below(path.reflections, path.most) && largest(reflectance) > 0.0
     }
 }

@@ -9,13 +9,13 @@
 //! leave, all rays are gone after a few events: a glass of water traps no light from outside. Where
 //! some rays are left after thousands of events, the sum of all orders does not exist.
 
-use super::boundary::Passage;
+use super::boundary::{Passage, mirrored};
 use super::luminaires::Front;
 use super::mirror::reflected;
 use super::optics::Optics;
 use super::refraction::refracted;
 use super::vertex::Law;
-use super::warps::free_flight_sample;
+use super::warps::{free_flight_sample, fresnel_dielectric};
 use super::world::{Side, World};
 use crate::geometry::Vector;
 use crate::sampling::{Samples, key};
@@ -171,6 +171,20 @@ impl Search<'_> {
             MaterialKind::Diffuse { .. } => {
                 let direction = Law::<1>::Plane(normal).direction(1, samples);
                 Passage::Reflected(direction, self.optics.reflectances[interface.surface])
+            }
+            MaterialKind::Plastic { specular, index, .. } => {
+                let cosine = (-normal.dot(ray.direction)).clamp(0.0, 1.0);
+                let band = self.optics.bands[0];
+                match samples.one() < fresnel_dielectric(*index, cosine) {
+                    true => Passage::Reflected(mirrored(ray.direction, normal), [specular[band]]),
+                    false => {
+                        let law = Law::<1>::Coated { normal, index: *index };
+                        let direction = law.direction(1, samples);
+                        let (transmitted, _) = law.weights(direction, 1);
+                        let [reflectance] = self.optics.reflectances[interface.surface];
+                        Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
+                    }
+                }
             }
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };

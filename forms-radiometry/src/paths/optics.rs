@@ -59,9 +59,9 @@ impl<const N: usize> Optics<N> {
             }
         };
         let reflectance = |surface: &crate::scene::Surface| match &scene.materials[surface.material].kind {
-            MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
-                group(reflectance)
-            }
+            MaterialKind::Diffuse { reflectance }
+            | MaterialKind::Mirror { reflectance }
+            | MaterialKind::Plastic { reflectance, .. } => group(reflectance),
             MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => [0.0; N],
         };
         let beam = |light: &crate::scene::Light| match &light.kind {

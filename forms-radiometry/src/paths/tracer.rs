@@ -227,17 +227,12 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
         if let MaterialKind::Diffuse { .. } = material {
             path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
-            path.reflections += 1;
-            path.events += 1;
-            let vertex = Vertex { start: self.world.walls.start_on(met, is_front), law: Law::Plane(normal) };
-            self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length);
-            });
-            self.sample_direct_light(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length);
-            });
-            self.scatter(path, &vertex, &mut draws.path);
+            let start = self.world.walls.start_on(met, is_front);
+            self.scatters(path, &Vertex { start, law: Law::Plane(normal) }, draws, add);
             return true;
+        }
+        if let MaterialKind::Plastic { .. } = material {
+            return self.coated(path, met, (is_front, normal), draws, add);
         }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);
@@ -246,8 +241,28 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         false
     }
 
+    /// Adds the direct light at a vertex on a surface that scatters light, and continues the path from
+    /// there.
+    pub(super) fn scatters(
+        &self,
+        path: &mut Path<N>,
+        vertex: &Vertex<N>,
+        draws: &mut Draws,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        path.reflections += 1;
+        path.events += 1;
+        self.by_images(path, vertex, draws, &mut |_, value, optical_path_length| {
+            add(value, optical_path_length);
+        });
+        self.sample_direct_light(path, vertex, draws, &mut |_, value, optical_path_length| {
+            add(value, optical_path_length);
+        });
+        self.scatter(path, vertex, &mut draws.path);
+    }
+
     /// Continues the path from a smooth surface; returns whether the path can still escape.
-    fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
+    pub(super) fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);

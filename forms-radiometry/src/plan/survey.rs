@@ -280,6 +280,9 @@ fn has_spread_of_media(scene: &Scene) -> bool {
     let of_materials = scene.materials.iter().any(|material| match &material.kind {
         MaterialKind::Mirror { reflectance } => half_spread(reflectance) > 0.0,
         MaterialKind::Conductor { eta, k } => half_spread(eta) > 0.0 || half_spread(k) > 0.0,
+        MaterialKind::Plastic { reflectance, specular, .. } => {
+            half_spread(reflectance) > 0.0 || half_spread(specular) > 0.0
+        }
         MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
     });
     of_media || of_materials

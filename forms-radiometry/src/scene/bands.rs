@@ -21,6 +21,10 @@ impl Scene {
                 MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
                     merge(reflectance);
                 }
+                MaterialKind::Plastic { reflectance, specular, .. } => {
+                    merge(reflectance);
+                    merge(specular);
+                }
                 MaterialKind::Conductor { eta, k } => {
                     merge(eta);
                     merge(k);

@@ -128,6 +128,17 @@ pub enum MaterialKind {
         /// Imaginary part of the index, not negative.
         k: Vec<f64>,
     },
+    /// A diffuse base below a smooth coat. With Fresnel's reflectance F of the coat at the angles θᵢ
+    /// and θₒ, specular reflection is F(θᵢ) times a factor, and the diffuse part of the
+    /// bidirectional reflectance is (1 − F(θᵢ)) (1 − F(θₒ)) ρ/π.
+    Plastic {
+        /// ρ, with all reflections inside the coat, and both refractions.
+        reflectance: Vec<f64>,
+        /// Factor of the specular reflection, from 0 to 1.
+        specular: Vec<f64>,
+        /// Index of the coat relative to the medium in front of it, above 1.
+        index: f64,
+    },
 }
 
 /// A surface: a shape with a material; it can emit light.

@@ -65,6 +65,16 @@ impl Refusals {
         for surface in scene.surfaces.iter().filter(|_| !scene.lights.is_empty()) {
             let [bends, mirrors] = match &scene.materials[surface.material].kind {
                 MaterialKind::Diffuse { .. } => [false; 2],
+                MaterialKind::Plastic { .. } if is_off(Effect::Mirror) => [false; 2],
+                MaterialKind::Plastic { .. } => {
+                    let what = format!(
+                        "light from point or distant lights that the coat of `{}` reflects",
+                        surface.name
+                    );
+                    let expected = "diffuse surfaces, or area lights: surfaces with a radiance";
+                    self.refuse(&surface.place, &what, expected);
+                    continue;
+                }
                 MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
                     [false, !is_off(Effect::Mirror)]
                 }

@@ -69,7 +69,7 @@ const INDICES: [(&str, f64); 23] = [
     ("diamond", 2.419),
 ];
 
-const KINDS: [&str; 5] = ["diffuse", "conductor", "dielectric", "twosided", "null"];
+const KINDS: [&str; 6] = ["diffuse", "conductor", "plastic", "dielectric", "twosided", "null"];
 
 impl Bsdf {
     /// Parses a `<bsdf>`, only once even if it is referenced several times.
@@ -152,7 +152,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let kind = reader.kind(inner);
     if matches!(&*kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
-        reader.error(inner, message, "`diffuse` or `conductor`");
+        reader.error(inner, message, "`diffuse`, `conductor` or `plastic`");
         return Law::Wrong;
     }
     Bsdf::read(reader, inner).law
@@ -177,6 +177,7 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             reader.finish(object, &["int_ior", "ext_ior"]);
             Law::Dielectric { inside, outside, outside_place }
         }
+        "plastic" => plastic(reader, object),
         "null" => {
             reader.finish(object, &[]);
             Law::Null
@@ -221,6 +222,41 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             Law::Opaque(MaterialKind::Mirror { reflectance: vec![1.0; reader.bands] })
         }
     }
+}
+
+/// Returns the law of a diffuse base below a smooth coat. The base reflects ρ/(η² (1 − ρ F)), where F is
+/// the diffuse reflectance of the coat from inside; by default Mitsuba takes ρ as white in the
+/// denominator.
+fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    let or = |value: Option<Vec<f64>>, default: f64, bands: usize| value.unwrap_or(vec![default; bands]);
+    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
+    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
+    let (inside, _) = index(reader, &mut object, "int_ior", "polypropylene");
+    let (outside, place) = index(reader, &mut object, "ext_ior", "air");
+    let is_nonlinear = reader.boolean(&mut object, "nonlinear", false, false);
+    let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
+    reader.finish(object, &known);
+    let n = inside / outside;
+    if !(n > 1.0 && n.is_finite()) {
+        reader.report.error(
+            place,
+            "the coat of a plastic has no larger index than its exterior",
+            "`int_ior` above `ext_ior`",
+        );
+        return Law::Wrong;
+    }
+    let inner = diffuse_reflectance_from_inside(n);
+    let of_band = |rho: &f64| rho / (n * n * (1.0 - inner * if is_nonlinear { *rho } else { 1.0 }));
+    let reflectance = base.iter().map(of_band).collect();
+    Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n })
+}
+
+/// Returns the diffuse reflectance of a boundary from inside of a medium with this relative index: a
+/// fit, as in Mitsuba.
+///
+/// Source: W. G. Egan, T. W. Hilgeman, Optical properties of inhomogeneous materials (1979).
+fn diffuse_reflectance_from_inside(n: f64) -> f64 {
+    -1.4399 / (n * n) + 0.7099 / n + 0.6681 + 0.0636 * n
 }
 
 /// Returns the metal that a conductor names, if it names one.
