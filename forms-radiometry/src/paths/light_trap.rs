@@ -173,18 +173,8 @@ impl Search<'_> {
                 Passage::Reflected(direction, self.optics.reflectances[interface.surface])
             }
             MaterialKind::Plastic { specular, index, .. } => {
-                let cosine = (-normal.dot(ray.direction)).clamp(0.0, 1.0);
-                let band = self.optics.bands[0];
-                match samples.one() < fresnel_dielectric(*index, cosine) {
-                    true => Passage::Reflected(mirrored(ray.direction, normal), [specular[band]]),
-                    false => {
-                        let law = Law::<1>::Coated { normal, index: *index };
-                        let direction = law.direction(1, samples);
-                        let (transmitted, _) = law.weights(direction, 1);
-                        let [reflectance] = self.optics.reflectances[interface.surface];
-                        Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
-                    }
-                }
+                let coat = (specular[self.optics.bands[0]], *index);
+                self.coated(coat, (ray.direction, normal), interface.surface, samples)
             }
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };
@@ -195,6 +185,25 @@ impl Search<'_> {
         ray.direction = direction;
         ray.start = world.walls.start_on(met, met.is_front == stays);
         left
+    }
+
+    /// Returns the reflection of a ray by a coat, or by the base below it.
+    fn coated(
+        &self,
+        (specular, index): (f64, f64),
+        (direction, normal): (Vector, Vector),
+        surface: usize,
+        samples: &mut Samples,
+    ) -> Passage<1> {
+        let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
+        if samples.one() < fresnel_dielectric(index, cosine) {
+            return Passage::Reflected(mirrored(direction, normal), [specular]);
+        }
+        let law = Law::<1>::Coated { normal, index };
+        let direction = law.direction(1, samples);
+        let (transmitted, _) = law.weights(direction, 1);
+        let [reflectance] = self.optics.reflectances[surface];
+        Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
     }
 
     /// Finds a plane mirror that reflects everything to another one that faces it, where there is

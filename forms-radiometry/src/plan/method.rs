@@ -84,10 +84,10 @@ pub(crate) enum Solver {
 }
 
 /// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
-/// with the normals of their faces in a vacuum, with numbers and maps of them, and with images only of flat surfaces with few
-/// faces. `has_direct` tells whether direct light counts. For radiosity, the receiver of direct light
-/// along a ray is the surface that the ray meets; but what does not count then is the light straight
-/// from a light source to the eye.
+/// with the normals of their faces in a vacuum, with numbers and maps of them, and with images only
+/// of flat surfaces with few faces. `has_direct` tells whether direct light counts. For radiosity,
+/// the receiver of direct light along a ray is the surface that the ray meets; but what does not
+/// count then is the light straight from a light source to the eye.
 pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String> {
     let kind = |material: usize| &scene.materials[material].kind;
     let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
@@ -118,7 +118,10 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
             receiver.name
         ));
     }
-    let is_parallel = |receiver: &&Receiver| matches!(&receiver.kind, ReceiverKind::Camera(camera) if camera.is_orthographic());
+    let is_parallel = |receiver: &&Receiver| match &receiver.kind {
+        ReceiverKind::Camera(camera) => camera.is_orthographic(),
+        _ => false,
+    };
     if let Some(receiver) = scene.receivers.iter().find(is_parallel) {
         return Some(format!("the camera `{}` is orthographic", receiver.name));
     }

@@ -81,8 +81,8 @@ struct Reader<'a, 'r, 'f> {
     surfaces: Vec<Surface>,
     lights: Vec<Light>,
     receivers: Vec<Receiver>,
-    ambient_radiance: Option<Vec<f64>>,
-    ambient_map: Option<EnvironmentMap>,
+    /// The radiance from outside, and its dependence on the direction.
+    outside: Option<(Vec<f64>, Option<EnvironmentMap>)>,
     ambient_place: Range<usize>,
     integrator: Option<Integrator>,
 }
@@ -123,8 +123,7 @@ pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene,
         surfaces: Vec::new(),
         lights: Vec::new(),
         receivers: Vec::new(),
-        ambient_radiance: None,
-        ambient_map: None,
+        outside: None,
         ambient_place: 0..0,
         integrator: None,
     };
@@ -254,12 +253,8 @@ impl<'a> Reader<'a, '_, '_> {
         let medium = self.ambient_medium();
         let (media, elements) = self.all_media();
         let surroundings = self.all_surroundings(elements);
-        let ambient = Ambient {
-            medium,
-            radiance: self.ambient_radiance.unwrap_or_else(|| vec![0.0; self.bands]),
-            map: self.ambient_map,
-            place: self.report.place(self.ambient_place),
-        };
+        let (radiance, map) = self.outside.unwrap_or_else(|| (vec![0.0; self.bands], None));
+        let ambient = Ambient { medium, radiance, map, place: self.report.place(self.ambient_place) };
         let scene = Scene {
             name: String::new(),
             unit: LengthUnit::Metre,

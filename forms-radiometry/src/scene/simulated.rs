@@ -6,7 +6,7 @@
 
 use super::effect::{Effect, Force};
 use super::error::SceneError;
-use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 
 /// Returns an error for each requested feature that is not simulated, in the order of the file. A
@@ -55,6 +55,12 @@ impl Refusals {
         }
     }
 
+    fn coat(&mut self, surface: &Surface) {
+        let what = format!("light from point or distant lights that the coat of `{}` reflects", surface.name);
+        let expected = "diffuse surfaces, or area lights: surfaces with a radiance";
+        self.refuse(&surface.place, &what, expected);
+    }
+
     /// Rejects light from a point or from a single direction that a curved surface reflects or
     /// refracts: no path from a receiver finds it. The same holds for light of a point behind a
     /// refracting boundary. Flat surfaces are handled by image sources.
@@ -67,12 +73,7 @@ impl Refusals {
                 MaterialKind::Diffuse { .. } => [false; 2],
                 MaterialKind::Plastic { .. } if is_off(Effect::Mirror) => [false; 2],
                 MaterialKind::Plastic { .. } => {
-                    let what = format!(
-                        "light from point or distant lights that the coat of `{}` reflects",
-                        surface.name
-                    );
-                    let expected = "diffuse surfaces, or area lights: surfaces with a radiance";
-                    self.refuse(&surface.place, &what, expected);
+                    self.coat(surface);
                     continue;
                 }
                 MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {

@@ -1,7 +1,7 @@
 //! Scenes of Mitsuba 3: each element with an equivalent is read into the model as intended, and
 //! each element without one is named.
 
-use crate::{errors, read, scene, shown};
+use crate::{read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
 use forms_radiometry::scene::{
     Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, not_simulated,

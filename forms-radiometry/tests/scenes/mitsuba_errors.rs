@@ -38,7 +38,11 @@ const CASES: &[(&str, &str, &str)] = &[
         "<integer name=\"samples\" value=\"1\"/>",
         "`integer` named `samples` is not supported in an integrator of type `volpath`",
     ),
-    ("<bsdf type=\"diffuse\">", "<bsdf type=\"plastic\">", "a bsdf of type `plastic` is not supported"),
+    (
+        "<bsdf type=\"diffuse\">",
+        "<bsdf type=\"roughplastic\">",
+        "a bsdf of type `roughplastic` is not supported",
+    ),
     ("<bsdf type=\"diffuse\">", "<bsdf type=\"null\">", "a bsdf of type `null` cannot be two-sided"),
     (
         "<rgb name=\"reflectance\" value=\"0.7, 0.6, 0.5\"/>",
@@ -62,8 +66,8 @@ const CASES: &[(&str, &str, &str)] = &[
     ("<spectrum name=\"k\" value=\"2\"/>", "", "this conductor has `eta` but no `k`"),
     (
         "id=\"mirror\"/>",
-        "id=\"mirror\"><string name=\"material\" value=\"Au\"/></bsdf>",
-        "the refractive index of the metal `Au` is not known",
+        "id=\"mirror\"><string name=\"material\" value=\"gold\"/></bsdf>",
+        "the refractive index of the metal `gold` is not known",
     ),
     (
         "<float name=\"int_ior\" value=\"$n\"/>",

@@ -244,7 +244,7 @@ fn plastic_reflects_by_its_coat_and_its_base() {
         panic!("plastic")
     };
     // diffuse reflectances of the boundary of index 1.5: 0.596 from inside, 0.092 from outside
-    assert!((reflectance[0] * 2.25 * (1.0 - 0.596) / 0.25 - 1.0).abs() < 2e-3, "{reflectance:?}");
+    assert!((reflectance[0] * 2.25 * (1.0 - 0.596) / 0.25 - 1.0).abs() < 5e-3, "{reflectance:?}");
     assert_eq!(*index, 1.5);
     check("plastic", &scene, 0.04 + 0.96 * reflectance[0] * (1.0 - 0.0918));
 }

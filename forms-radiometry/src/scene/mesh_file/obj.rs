@@ -80,12 +80,8 @@ impl Parts {
                 self.texture.values.push(numbers(arguments));
                 Ok(())
             }
-            "g" | "o" => {
-                self.group(&name(arguments));
-                Ok(())
-            }
-            "usemtl" => {
-                if by_material {
+            keyword @ ("g" | "o" | "usemtl") => {
+                if by_material || keyword != "usemtl" {
                     self.group(&name(arguments));
                 }
                 Ok(())

@@ -8,9 +8,13 @@
 //! A field has the first colour if ⌊2u⌋ and ⌊2v⌋ are both even or both odd. Texture coordinates and
 //! normals are linear on a triangle, so that nothing is approximated.
 
+use super::bsdf::Bsdf;
+use super::normals::SmoothMesh;
 use super::object::Object;
+use super::shape::Geometry;
 use super::{Node, Reader};
 use crate::geometry::{Affine, Corners, FaceList, Mesh, Polygon, Vector};
+use crate::scene::model::{Shape, Surface};
 use crate::scene::value::FRACTION;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -30,9 +34,9 @@ pub(super) struct Checkerboard {
 }
 
 /// The fields of one colour: a mesh, and its normals.
-pub(super) struct Fields {
-    pub(super) mesh: Arc<Mesh>,
-    pub(super) normals: Corners<Vector>,
+struct Fields {
+    mesh: Arc<Mesh>,
+    normals: Corners<Vector>,
 }
 
 /// A corner of a piece of a face.
@@ -72,10 +76,58 @@ impl<'a> Reader<'a, '_, '_> {
     }
 }
 
+impl Reader<'_, '_, '_> {
+    /// Adds a surface for each colour of a shape with a checkerboard.
+    pub(super) fn checkered(
+        &mut self,
+        (bsdf, board): (&Bsdf, &Checkerboard),
+        geometry: &Geometry,
+        surface: Surface,
+    ) {
+        let both = match board.fields_of(geometry) {
+            Ok(both) => both,
+            Err(reason) => {
+                let message = format!("the shape `{}` {reason}, which is not supported", surface.name);
+                let expected = "a reflectance without a texture of type `checkerboard`";
+                self.report.error_at(&surface.place, message, expected);
+                return;
+            }
+        };
+        for (colour, Fields { mesh, normals }) in both.into_iter().enumerate() {
+            if mesh.faces().len() == 0 {
+                continue;
+            }
+            let name = format!("{}/{}", surface.name, COLOURS[colour]);
+            let material = bsdf.material_of_colour(self, board, colour);
+            let smooth = geometry.smooth.as_ref().map(|smooth| SmoothMesh {
+                file: smooth.file.clone(),
+                place: smooth.place.clone(),
+                normals,
+                ..*smooth
+            });
+            let shape = Shape::Mesh(mesh);
+            self.add_surface(Surface { name, material, shape, ..surface.clone() }, smooth);
+        }
+    }
+}
+
 impl Checkerboard {
+    /// Returns the fields of each colour of a shape, or the reason why there are none.
+    fn fields_of(&self, geometry: &Geometry) -> Result<[Fields; 2], &'static str> {
+        let mesh = match &geometry.shape {
+            Shape::Polygon(polygon) => Mesh::of_outlines([polygon.vertices()]).ok().map(Arc::new),
+            Shape::Mesh(mesh) => Some(Arc::clone(mesh)),
+            Shape::Sphere(_) | Shape::Disk(_) => None,
+        };
+        let mesh = mesh.ok_or("has no texture coordinates here")?;
+        let no_normals = Corners::default();
+        let normals = geometry.smooth.as_ref().map_or(&no_normals, |smooth| &smooth.normals);
+        self.fields(&mesh, &geometry.texture, normals)
+    }
+
     /// Returns the fields of each colour of a mesh with these texture coordinates and normals, or the
     /// reason why there are none.
-    pub(super) fn fields(
+    fn fields(
         &self,
         mesh: &Mesh,
         texture: &Corners<[f64; 2]>,

@@ -42,10 +42,7 @@ impl<'a> Reader<'a, '_, '_> {
             })
         });
         match map {
-            Ok((map, radiance)) => {
-                self.ambient_map = Some(map);
-                self.set_outside(object, radiance);
-            }
+            Ok((map, radiance)) => self.set_outside(object, radiance, Some(map)),
             Err((message, expected)) => self.report.error(place, message, expected),
         }
     }

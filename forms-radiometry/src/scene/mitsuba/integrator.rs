@@ -106,8 +106,7 @@ impl<'a> Reader<'a, '_, '_> {
             let message = "this integrator ignores the participating media of the scene";
             self.report.error(place(), message, "an integrator of type `volpath`");
         }
-        let has_visible_emitters =
-            self.surfaces.iter().any(Surface::emits) || self.ambient_radiance.is_some();
+        let has_visible_emitters = self.surfaces.iter().any(Surface::emits) || self.outside.is_some();
         if integrator.hides_emitters && has_visible_emitters {
             let message = "emitters hidden from the camera are not supported";
             self.report.error(place(), message, "hide_emitters = false");

@@ -1,7 +1,6 @@
 //! Shapes: parses `<shape>` into a surface with its material, its emission, and its receivers.
 
 use super::bsdf::{Bsdf, Law};
-use super::checkerboard::{COLOURS, Checkerboard, Fields};
 use super::media::Index;
 use super::normals::{self, SmoothMesh};
 use super::object::Object;
@@ -9,7 +8,7 @@ use super::{Node, Reader};
 use crate::geometry::{Affine, Corners, Disk, Mesh, MeshError, Polygon, Sphere, Vector};
 use crate::scene::element::unique;
 use crate::scene::mesh_file::MeshFile;
-use crate::scene::model::{MaterialKind, ReceiverKind, Shape, Surface};
+use crate::scene::model::{MaterialKind, Shape, Surface};
 use crate::scene::value::{Domain, LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
 
@@ -37,12 +36,12 @@ const SHAPE_INDEX: Domain = Domain {
 const OPAQUE_WITH_MEDIUM: &str = "an interior or exterior medium of an opaque surface is not supported";
 
 /// The geometry of a shape.
-struct Geometry {
-    shape: Shape,
+pub(super) struct Geometry {
+    pub(super) shape: Shape,
     /// The texture coordinates at the corners of its polygon or mesh.
-    texture: Corners<[f64; 2]>,
+    pub(super) texture: Corners<[f64; 2]>,
     /// Its interpolated normals, if they are not those of its faces.
-    smooth: Option<SmoothMesh>,
+    pub(super) smooth: Option<SmoothMesh>,
 }
 
 impl Geometry {
@@ -75,9 +74,7 @@ impl<'a> Reader<'a, '_, '_> {
         let material = self.material_of(&mut object, &bsdf);
         let radiance = radiance.unwrap_or_else(|| vec![0.0; self.bands]);
         self.check_sides(node, &bsdf, &radiance);
-        if let Some(sensor) = self.take_object(&mut object, "sensor") {
-            self.irradiance_meter(sensor, self.surfaces.len(), &name);
-        }
+        self.own_sensor(&mut object, &bsdf, &name);
         let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
         self.finish(object, &PARTS);
         let Some(geometry) = geometry else { return };
@@ -97,67 +94,28 @@ impl<'a> Reader<'a, '_, '_> {
             place,
         };
         match &bsdf.law {
-            Law::Checkered(board) => self.checkered(node, (&bsdf, board), &geometry, surface),
+            Law::Checkered(board) => self.checkered((&bsdf, board), &geometry, surface),
             // light passes a boundary without a change of index straight on, whatever its normal is
             Law::Null => self.surfaces.push(surface),
             _ => self.add_surface(surface, geometry.smooth),
         }
     }
 
+    /// Parses the sensor of a shape.
+    fn own_sensor(&mut self, object: &mut Object<'a>, bsdf: &Bsdf, name: &str) {
+        let Some(sensor) = self.take_object(object, "sensor") else { return };
+        if let Law::Checkered(_) = bsdf.law {
+            let message = "an irradiance meter on a shape with a checkerboard is not supported";
+            self.error(sensor, message, "a reflectance without a texture");
+        }
+        self.irradiance_meter(sensor, self.surfaces.len(), name);
+    }
+
     /// Adds a surface, with the interpolated normals of its mesh.
-    fn add_surface(&mut self, surface: Surface, smooth: Option<SmoothMesh>) {
+    pub(super) fn add_surface(&mut self, surface: Surface, smooth: Option<SmoothMesh>) {
         let index = self.surfaces.len();
         self.smooth_meshes.extend(smooth.map(|smooth| SmoothMesh { surface: index, ..smooth }));
         self.surfaces.push(surface);
-    }
-
-    /// Adds a surface for each colour of a shape with a checkerboard.
-    fn checkered(
-        &mut self,
-        node: Node<'a>,
-        (bsdf, board): (&Bsdf, &Checkerboard),
-        geometry: &Geometry,
-        surface: Surface,
-    ) {
-        let mesh = match &geometry.shape {
-            Shape::Polygon(polygon) => Mesh::of_outlines([polygon.vertices()]).ok().map(Arc::new),
-            Shape::Mesh(mesh) => Some(Arc::clone(mesh)),
-            Shape::Sphere(_) | Shape::Disk(_) => None,
-        };
-        let no_normals = Corners::default();
-        let normals = geometry.smooth.as_ref().map_or(&no_normals, |smooth| &smooth.normals);
-        let fields = mesh
-            .ok_or("has no texture coordinates here")
-            .and_then(|mesh| board.fields(&mesh, &geometry.texture, normals));
-        let is_measured = self.receivers.iter().any(|receiver| {
-            matches!(receiver.kind, ReceiverKind::Surface { surface, .. } if surface == self.surfaces.len())
-        });
-        let fields = match fields {
-            Ok(_) if is_measured => Err("with a checkerboard has an irradiance meter"),
-            fields => fields,
-        };
-        match fields {
-            Err(reason) => {
-                let message = format!("the shape `{}` {reason}, which is not supported", surface.name);
-                self.error(node, message, "a reflectance without a texture of type `checkerboard`");
-            }
-            Ok(both) => {
-                for (colour, Fields { mesh, normals }) in both.into_iter().enumerate() {
-                    let name = format!("{}/{}", surface.name, COLOURS[colour]);
-                    let material = bsdf.material_of_colour(self, board, colour);
-                    let smooth = geometry.smooth.as_ref().map(|smooth| SmoothMesh {
-                        file: smooth.file.clone(),
-                        place: smooth.place.clone(),
-                        normals,
-                        ..*smooth
-                    });
-                    if mesh.faces().len() > 0 {
-                        let shape = Shape::Mesh(mesh);
-                        self.add_surface(Surface { name, material, shape, ..surface.clone() }, smooth);
-                    }
-                }
-            }
-        }
     }
 
     /// Returns the id of a shape, or a name made of a number; within an instance, after its name.
