@@ -145,7 +145,7 @@ const CASES: &[(&str, &str, &str)] = &[
     (
         "<emitter type=\"constant\">",
         "<emitter type=\"constant\"><float name=\"radiance\" value=\"1\"/></emitter><emitter type=\"constant\">",
-        "more than one emitter of type `constant`",
+        "more than one emitter of type `constant` or `envmap`",
     ),
     ("type=\"perspective\"", "type=\"thinlens\"", "a sensor of type `thinlens` is not supported"),
     (
