@@ -1,12 +1,13 @@
 //! Reads every mesh and scene below a folder, such as a checkout of another program's tests, and
-//! says which are refused, each with the first reason.
+//! reports the refused ones, each with its first error in one line. A table of the errors follows, with
+//! the number of files in which each occurs, the most frequent one first.
 //!
 //! ```sh
 //! cargo run --release -p forms-radiometry --example foreign -- FOLDER…
 //! ```
 
 use forms_radiometry::scene::{self, SceneError, read_file, read_with_files};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 const MESHES: [&str; 9] = ["obj", "ply", "stl", "msh", "vtk", "vtu", "vtp", "gltf", "glb"];
@@ -14,6 +15,7 @@ const SCENES: [&str; 2] = ["xml", "vs3"];
 
 fn main() {
     let mut counts: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
     let mut files = Vec::new();
     std::env::args().skip(1).for_each(|folder| collect(Path::new(&folder), &mut files));
     files.sort();
@@ -31,13 +33,32 @@ fn main() {
         match refused {
             None => *read += 1,
             Some(errors) => {
-                println!("{}\n  {}", file.display(), errors[0].to_string().replace('\n', "\n  "));
+                let SceneError { line, column, message, .. } = &errors[0];
+                println!("{}:{line}:{column}: {message}", file.display());
+                let kinds: BTreeSet<String> = errors.iter().map(|error| kind(&error.message)).collect();
+                kinds.into_iter().for_each(|kind| *reasons.entry(kind).or_default() += 1);
             }
         }
+    }
+    let mut reasons: Vec<(String, usize)> = reasons.into_iter().collect();
+    reasons.sort_by(|a, b| b.1.cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
+    for (reason, count) in reasons {
+        println!("{count:5} {reason}");
     }
     for (ending, [read, all]) in counts {
         println!("{ending}: {read} of {all} are read");
     }
+}
+
+/// Returns a message without the names of a file's own objects. Types of objects are kept.
+fn kind(message: &str) -> String {
+    let parts: Vec<&str> = message.split('`').collect();
+    let part = |(index, part): (usize, &&str)| match index % 2 {
+        1 if parts[index - 1].ends_with("of type ") => format!("`{part}`"),
+        1 => "`…`".to_owned(),
+        _ => (*part).to_owned(),
+    };
+    parts.iter().enumerate().map(part).collect()
 }
 
 /// Lists the files below a folder.

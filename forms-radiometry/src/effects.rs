@@ -44,8 +44,11 @@ impl EffectSet {
         Self::of(|effect| match effect {
             Effect::Absorption => media().any(|medium| any(&medium.absorption)),
             Effect::Scattering => media().any(|medium| any(&medium.scattering)),
-            Effect::Mirror => materials()
-                .any(|kind| matches!(kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. })),
+            Effect::Mirror => materials().any(|kind| match kind {
+                MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
+                MaterialKind::Plastic { specular, .. } => any(specular),
+                MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
+            }),
             Effect::Refraction => fillings.iter().any(differs),
             // also for one medium everywhere: metals in it reflect by their index relative to the
             // medium, and light takes the time n d/c

@@ -6,6 +6,7 @@ mod bands;
 mod division;
 mod effect;
 mod element;
+mod environment_map;
 mod error;
 mod file;
 mod known;
@@ -37,6 +38,7 @@ mod working_units;
 pub(crate) use bands::middle;
 pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};
+pub use environment_map::EnvironmentMap;
 pub use error::SceneError;
 pub use file::read_file;
 pub use model::{

@@ -79,7 +79,9 @@ impl Faces {
                 MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
                     reflectance[band]
                 }
-                MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => return None,
+                MaterialKind::Dielectric { .. }
+                | MaterialKind::Conductor { .. }
+                | MaterialKind::Plastic { .. } => return None,
             };
             let exitance = surface.exitance_of(band).unwrap_or(PI * surface.radiance[band]);
             Some(if is_black { [1.0, 0.0] } else { [1.0 - reflectance, exitance] })

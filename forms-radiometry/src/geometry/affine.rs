@@ -26,6 +26,14 @@ impl Affine {
         v.x * self.columns[0] + v.y * self.columns[1] + v.z * self.columns[2]
     }
 
+    /// Returns the image of a normal, not normalised: by the inverse transpose of A, times its
+    /// determinant.
+    pub(crate) fn normal(&self, n: Vector) -> Vector {
+        let [a, b, c] = self.columns;
+        let image = n.x * b.cross(c) + n.y * c.cross(a) + n.z * a.cross(b);
+        if self.mirrors() { -image } else { image }
+    }
+
     /// Returns the composition of this map after another one.
     pub(crate) fn after(&self, first: &Self) -> Self {
         Self { columns: first.columns.map(|column| self.vector(column)), shift: self.point(first.shift) }

@@ -3,7 +3,7 @@
 
 use super::flat_parts::flat_parts;
 use super::scale::{lengths, of_all};
-use super::{FaceList, Polygon, PolygonError, Vector};
+use super::{Corners, FaceList, Polygon, PolygonError, Vector};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -22,6 +22,8 @@ pub struct Mesh {
     parts: Arc<OnceLock<FaceList>>,
     /// Named groups of its faces.
     groups: Arc<Vec<MeshGroup>>,
+    /// The normals at the corners of its faces, all triangles, if normals are interpolated.
+    normals: Option<Arc<Corners<Vector>>>,
 }
 
 /// The name of a group of faces, and their indices.
@@ -29,7 +31,10 @@ pub(crate) type MeshGroup = (String, Vec<u32>);
 
 impl PartialEq for Mesh {
     fn eq(&self, other: &Self) -> bool {
-        self.vertices == other.vertices && self.faces == other.faces && self.factor == other.factor
+        self.vertices == other.vertices
+            && self.faces == other.faces
+            && self.factor == other.factor
+            && self.normals == other.normals
     }
 }
 
@@ -96,12 +101,43 @@ impl Mesh {
     /// Creates the mesh of faces that are known to be polygons.
     pub(crate) fn of_polygons(vertices: Vec<Vector>, faces: FaceList) -> Self {
         let (vertices, faces) = (Arc::new(vertices), Arc::new(faces));
-        Self { vertices, faces, factor: 1.0, parts: Arc::default(), groups: Arc::default() }
+        Self { vertices, faces, factor: 1.0, parts: Arc::default(), groups: Arc::default(), normals: None }
     }
 
     /// Returns the mesh with named groups of its faces.
     pub(crate) fn grouped(&self, groups: Vec<MeshGroup>) -> Self {
         Self { groups: Arc::new(groups), ..self.clone() }
+    }
+
+    /// Returns the mesh with interpolated normals in place of those of its faces: the normals at the
+    /// corners, which need not have length one. Faces become triangles that share their first
+    /// corner; triangles without an area are dropped.
+    pub(crate) fn smooth(&self, normals: &Corners<Vector>) -> Self {
+        let mut list = FaceList::default();
+        let mut of_corners = Corners { values: normals.values.clone(), indices: FaceList::default() };
+        for (face, corners) in self.faces().enumerate() {
+            let own = normals.indices_of(face);
+            for last in 2..corners.len() {
+                let triangle = [0, last - 1, last];
+                if polygon(&self.vertices, &triangle.map(|corner| corners[corner])).is_err() {
+                    continue;
+                }
+                of_corners.push(list.len(), triangle.iter().filter_map(|&corner| own.get(corner).copied()));
+                list.push(triangle.map(|corner| corners[corner]));
+            }
+        }
+        let triangles = Self::of_polygons(self.vertices.to_vec(), list);
+        Self { factor: self.factor, normals: Some(Arc::new(of_corners)), ..triangles }
+    }
+
+    /// Whether the normals are interpolated between the corners of the faces.
+    pub(crate) fn is_smooth(&self) -> bool {
+        self.normals.is_some()
+    }
+
+    /// Returns the normals at the corners of a triangle, if they are interpolated there.
+    pub(crate) fn vertex_normals(&self, face: usize) -> Option<[Vector; 3]> {
+        self.normals.as_ref()?.of(face)?.try_into().ok()
     }
 
     /// Returns the named groups of its faces.
@@ -139,9 +175,13 @@ impl Mesh {
         polygon.expect("every face was a polygon when the mesh was made").scaled(self.factor)
     }
 
-    /// Returns polygons that cover the faces: neighbouring faces in one plane are one polygon.
+    /// Returns polygons that cover the faces: neighbouring faces in one plane are one polygon, unless
+    /// normals are interpolated on them.
     pub(crate) fn flat_parts(&self) -> impl Iterator<Item = Polygon> {
-        let parts = self.parts.get_or_init(|| flat_parts(&self.vertices, &self.faces));
+        let parts = self.parts.get_or_init(|| match self.normals {
+            Some(_) => FaceList::clone(&self.faces),
+            None => flat_parts(&self.vertices, &self.faces),
+        });
         parts.iter().map(|indices| self.polygon_of(indices))
     }
 

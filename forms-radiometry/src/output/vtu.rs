@@ -67,7 +67,9 @@ pub fn scene_vtu(scene: &Scene) -> io::Result<Vec<u8>> {
     };
     let reflectance = |surface: &Surface, band: usize| match &scene.materials[surface.material].kind {
         MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => reflectance[band],
-        MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => f64::NAN,
+        MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } | MaterialKind::Plastic { .. } => {
+            f64::NAN
+        }
     };
     let mut columns = vec![("surface".to_owned(), surfaces.iter().map(|&surface| surface as f64).collect())];
     for band in 0..scene.band_count() {

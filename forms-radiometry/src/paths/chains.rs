@@ -118,10 +118,15 @@ impl Chains {
                 return None;
             }
             MaterialKind::Mirror { reflectance } => reflectance.iter().copied().fold(0.0, f64::max),
+            MaterialKind::Plastic { specular, .. } => {
+                self.left_out = specular.iter().copied().fold(self.left_out, f64::max);
+                return None;
+            }
             // the reflectance of a metal is largest at grazing incidence: 1
             MaterialKind::Conductor { .. } => 1.0,
         };
-        let place = wall.plane().and_then(|plane| self.place(plane, extent));
+        let plane = wall.plane().filter(|_| !surface.shape.is_smooth());
+        let place = plane.and_then(|plane| self.place(plane, extent));
         let Some(place) = place else {
             self.left_out = self.left_out.max(reflectance);
             return None;

@@ -64,12 +64,13 @@ impl Estimand {
             Self::Sight { origin, direction } => seen(*origin, *direction),
             Self::Pixel { camera, pixel } => {
                 let along = |axis: usize, part: usize| pixel[axis] as f64 + part as f64 / PARTS as f64;
-                let direction = |corner: usize| {
+                let ray = |corner: usize| {
                     let [x, y] = [corner % (PARTS + 1), corner / (PARTS + 1)];
-                    camera.direction(along(0, x), along(1, y)).unit()
+                    let [origin, direction] = camera.ray(along(0, x), along(1, y));
+                    Some((origin, direction.unit()?))
                 };
-                let all = (0..(PARTS + 1) * (PARTS + 1)).filter_map(direction);
-                all.map(|direction| seen(camera.origin, direction))
+                let all = (0..(PARTS + 1) * (PARTS + 1)).filter_map(ray);
+                all.map(|(origin, direction)| seen(origin, direction))
                     .reduce(FirstHit::with)
                     .unwrap_or(FirstHit::NOTHING)
             }
@@ -112,8 +113,8 @@ impl Estimand {
             }
             Self::Pixel { camera, pixel: [column, row] } => {
                 let [u, v] = samples.pair();
-                let direction = camera.direction(*column as f64 + u, *row as f64 + v).unit()?;
-                Some(Begin::Sight { start: walls.start_at(camera.origin), direction })
+                let [origin, direction] = camera.ray(*column as f64 + u, *row as f64 + v);
+                Some(Begin::Sight { start: walls.start_at(origin), direction: direction.unit()? })
             }
         }
     }

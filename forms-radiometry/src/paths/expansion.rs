@@ -17,6 +17,7 @@ use super::optics::{MediumOptics, largest, scaled, times};
 use super::refraction::passages;
 use super::specialisation::Specialisation;
 use super::tracer::Tracer;
+use super::world::Side;
 use crate::geometry::Vector;
 use crate::scene::{Filling, MaterialKind};
 use crate::visibility::{Met, Start};
@@ -43,8 +44,11 @@ struct Terms<const N: usize> {
 
 impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns the radiance along a ray in each band, with its error. `None` if a medium or a
-    /// diffuse surface on the way scatters or reflects light.
+    /// diffuse surface on the way scatters or reflects light, or if the number of events is limited.
     pub(super) fn expansion(&self, start: Start, direction: Vector) -> Option<Vec<[f64; 2]>> {
+        if self.world.scene.solve.events.is_some() {
+            return None;
+        }
         let brightest = self.brightest()?;
         let filling = self.world.medium_at(start, direction);
         let mut waiting = vec![Ray { start, direction, filling, left: [1.0; N], is_straight: true }];
@@ -65,13 +69,14 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Returns an upper bound on the radiance in each band. `None` if an emitting wall can reflect
     /// or transmit light completely.
     fn brightest(&self) -> Option<[f64; N]> {
-        let mut brightest = self.optics.outside;
+        let mut brightest = self.optics.brightest_outside;
         for (surface, radiance) in
             self.optics.radiances.iter().enumerate().filter(|(_, radiance)| largest(*radiance) > 0.0)
         {
             let reflectance = self.optics.reflectances[surface];
             let kind = &self.world.scene.materials[self.world.scene.surfaces[surface].material].kind;
-            if matches!(kind, MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. }) {
+            let is_known = matches!(kind, MaterialKind::Diffuse { .. } | MaterialKind::Mirror { .. });
+            if !is_known {
                 return None;
             }
             // where light meets a diffuse wall that reflects, there is no expansion
@@ -101,12 +106,12 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             }
         };
         let Some(met) = self.world.walls.first(ray.start, ray.direction, f64::INFINITY) else {
-            add(&self.optics.outside, &times(&ray.left, &medium.transmittance(f64::INFINITY)));
+            add(&self.optics.outside(ray.direction), &times(&ray.left, &medium.transmittance(f64::INFINITY)));
             return Some(());
         };
         let left = times(&ray.left, &medium.transmittance(met.distance));
         let surface = self.world.interfaces[met.wall].surface;
-        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        let is_bright = self.world.is_bright(met.wall, self.world.side(&met, ray.direction).is_front);
         if is_bright {
             add(&self.optics.radiances[surface], &left);
         }
@@ -135,7 +140,10 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         medium: &MediumOptics<N>,
         is_bright: bool,
     ) -> Option<Vec<([f64; N], bool, Vector, bool)>> {
-        let normal = if met.is_front { met.normal } else { -met.normal };
+        let Side { normal, is_smooth, .. } = self.world.side(met, ray.direction);
+        if is_smooth && is_bright {
+            return None;
+        }
         let material = self.world.material(met.wall);
         let surface = self.world.interfaces[met.wall].surface;
         match material {
@@ -155,6 +163,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             MaterialKind::Diffuse { .. } => {
                 (largest(&self.optics.reflectances[surface]) == 0.0).then(Vec::new)
             }
+            MaterialKind::Plastic { .. } => None,
             _ if !L::MIRROR => Some(Vec::new()),
             material => match reflected(material, &self.optics, medium, ray.direction, normal) {
                 Passage::Reflected(direction, factor) => Some(vec![(factor, true, direction, false)]),

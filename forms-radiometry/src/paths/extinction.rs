@@ -43,9 +43,10 @@ fn unturned(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
         MaterialKind::Diffuse { reflectance } => {
             limits.reflections == Some(0) || reflectance.iter().all(|&reflectance| reflectance == 0.0)
         }
-        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
-            false
-        }
+        MaterialKind::Mirror { .. }
+        | MaterialKind::Dielectric { .. }
+        | MaterialKind::Conductor { .. }
+        | MaterialKind::Plastic { .. } => false,
     };
     let both = medium.absorption.iter().zip(&medium.scattering);
     let extinction: Vec<f64> = both.map(|(absorption, scattering)| absorption + scattering).collect();

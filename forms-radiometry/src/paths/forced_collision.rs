@@ -40,15 +40,25 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
 
     /// Whether a path can continue from a wall.
     pub(crate) fn continues_from(&self, path: &Path<N>, met: &Met) -> bool {
-        let is_bright = self.world.is_bright(met.wall, met.is_front);
+        let interface = &self.world.interfaces[met.wall];
+        let [front, back] = [true, false].map(|is_front| interface.filling(is_front));
+        let is_allowed = self.is_allowed(path.events + 1);
+        let is_bright = self.world.is_bright(met.wall, self.world.side(met, path.direction).is_front);
         match self.world.material(met.wall) {
-            MaterialKind::Dielectric { .. } => true,
-            MaterialKind::Diffuse { .. } => {
-                let reflectance = &self.optics.reflectances[self.world.interfaces[met.wall].surface];
-                let is_left = is_below(path.reflections, path.most);
-                is_bright && is_left && largest(reflectance) > 0.0
+            MaterialKind::Dielectric { .. } => is_allowed || self.optics.is_clear(front, back),
+            MaterialKind::Diffuse { .. } => is_bright && is_allowed && self.reflects_diffusely(path, met),
+            MaterialKind::Plastic { .. } => {
+                is_bright && is_allowed && (L::MIRROR || self.reflects_diffusely(path, met))
             }
-            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => is_bright && L::MIRROR,
+            MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
+                is_bright && is_allowed && L::MIRROR
+            }
         }
+    }
+
+    /// Whether a wall has a diffuse reflectance, and the path can have another diffuse reflection.
+    pub(crate) fn reflects_diffusely(&self, path: &Path<N>, met: &Met) -> bool {
+        let reflectance = &self.optics.reflectances[self.world.interfaces[met.wall].surface];
+        is_below(path.reflections, path.most) && largest(reflectance) > 0.0
     }
 }

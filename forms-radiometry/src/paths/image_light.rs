@@ -38,6 +38,9 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
         let position = vertex.start.position;
         let Some(mirrored) = self.mirrored(vertex.sought(), &mut draws.light) else { return };
+        if !self.is_allowed(path.events + mirrored.chain.steps.len() as u32) {
+            return;
+        }
         if let Some(towards) = self.towards(&mirrored, position, draws.light.pair()) {
             self.add_light_sample(path, vertex, (&towards, &mirrored.chain.steps), &mut draws.hidden, add);
         }
@@ -63,6 +66,9 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             }
         }
         let Some(mirrored) = self.mirrored(sought, samples) else { return };
+        if !self.is_allowed(path.events + 1 + mirrored.chain.steps.len() as u32) {
+            return;
+        }
         let point = mirrored.luminaire.point(samples.pair());
         let pivot = point.map(|point| self.world.chains.seen(mirrored.chain, point));
         let Some((lit, vertex)) = self.lit_point(path, medium, length, pivot, samples) else { return };
@@ -86,6 +92,9 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         (image, chance): (&Image<N>, f64),
         add: &mut impl FnMut(Vector, &[f64; N], f64),
     ) {
+        if !self.is_allowed(path.events + image.events()) {
+            return;
+        }
         let Some(coming) = image.coming(self.world, &self.optics, vertex.start, path.filling) else { return };
         let densities = vertex.law.density(coming.direction);
         let value = times(&times(&path.throughput, &coming.irradiance), &densities);

@@ -153,7 +153,7 @@ impl<const N: usize> Images<N> {
 /// Whether a wall reflects or refracts light into single directions only.
 fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> bool {
     match world.material(wall) {
-        MaterialKind::Diffuse { .. } => false,
+        MaterialKind::Diffuse { .. } | MaterialKind::Plastic { .. } => false,
         MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
         MaterialKind::Dielectric { .. } => {
             let [front, back] = world.interfaces[wall].fillings;
@@ -272,6 +272,11 @@ impl<const N: usize> Sent<N> {
 }
 
 impl<const N: usize> Image<N> {
+    /// Returns the number of walls that reflect or refract the light.
+    pub(crate) fn events(&self) -> u32 {
+        self.steps.len() as u32
+    }
+
     /// Returns the position of the image; `None` if it is distant.
     pub(crate) fn point(&self) -> Option<Vector> {
         match self.place {

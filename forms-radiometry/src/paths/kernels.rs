@@ -14,7 +14,14 @@ use forms_kernels::{
 
 /// Whether a material reflects diffusely.
 fn reflects(kind: &MaterialKind) -> bool {
-    matches!(kind, MaterialKind::Diffuse { reflectance } if reflectance.iter().any(|&rho| rho > 0.0))
+    match kind {
+        MaterialKind::Diffuse { reflectance } | MaterialKind::Plastic { reflectance, .. } => {
+            reflectance.iter().any(|&rho| rho > 0.0)
+        }
+        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
+            false
+        }
+    }
 }
 
 /// Returns the kernels that the paths of a scene run, and those that evaluate the analytic
@@ -33,6 +40,7 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
     let surfaces = asks(|kind| kind.side().is_some());
     let spheres = asks(ReceiverKind::is_all_around);
     let metals = materials().any(|kind| matches!(kind, MaterialKind::Conductor { .. }));
+    let coats = materials().any(|kind| matches!(kind, MaterialKind::Plastic { .. }));
     let (triangles, disks) = (shines(is_flat), shines(|shape| matches!(shape, Shape::Disk(_))));
     let balls = shines(|shape| matches!(shape, Shape::Sphere(_)));
     let [absorption, scattering, refraction] =
@@ -72,7 +80,7 @@ pub(crate) fn kernels(scene: &Scene, is_computed: &dyn Fn(&Receiver) -> bool) ->
         row!(samples && scattering, equiangular_pdf, "their density"),
         row!(scattering, henyey_greenstein, "phase function"),
         row!(samples && scattering, henyey_greenstein_direction_sample, "directions of scattered light"),
-        row!(refraction, fresnel_dielectric, "reflectance of boundaries"),
+        row!(refraction || coats, fresnel_dielectric, "reflectance of boundaries"),
         row!(refraction, basic_radiance, "radiance in another index"),
         row!(metals, fresnel_conductor, "reflectance of metals"),
     ];

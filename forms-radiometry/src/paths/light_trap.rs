@@ -9,14 +9,14 @@
 //! leave, all rays are gone after a few events: a glass of water traps no light from outside. Where
 //! some rays are left after thousands of events, the sum of all orders does not exist.
 
-use super::boundary::Passage;
+use super::boundary::{Passage, mirrored};
 use super::luminaires::Front;
 use super::mirror::reflected;
 use super::optics::Optics;
 use super::refraction::refracted;
 use super::vertex::Law;
-use super::warps::free_flight_sample;
-use super::world::World;
+use super::warps::{free_flight_sample, fresnel_dielectric};
+use super::world::{Side, World};
 use crate::geometry::Vector;
 use crate::sampling::{Samples, key};
 use crate::scene::{Filling, Light, LightKind, MaterialKind, SceneError};
@@ -155,7 +155,7 @@ impl Search<'_> {
     /// Applies the interaction of a wall to a ray; returns the fraction of its energy that remains.
     pub(crate) fn meets(&self, ray: &mut Ray, met: &Met, samples: &mut Samples) -> f64 {
         let (world, interface) = (self.world, &self.world.interfaces[met.wall]);
-        let normal = if met.is_front { met.normal } else { -met.normal };
+        let Side { is_front, normal, .. } = world.side(met, ray.direction);
         let medium = self.optics.medium(ray.filling);
         let passage = match world.material(met.wall) {
             MaterialKind::Dielectric { .. } => {
@@ -167,10 +167,14 @@ impl Search<'_> {
                 }
                 passage
             }
-            _ if !world.is_bright(met.wall, met.is_front) => return 0.0,
+            _ if !world.is_bright(met.wall, is_front) => return 0.0,
             MaterialKind::Diffuse { .. } => {
                 let direction = Law::<1>::Plane(normal).direction(1, samples);
                 Passage::Reflected(direction, self.optics.reflectances[interface.surface])
+            }
+            MaterialKind::Plastic { specular, index, .. } => {
+                let coat = (specular[self.optics.bands[0]], *index);
+                self.coated(coat, (ray.direction, normal), interface.surface, samples)
             }
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };
@@ -183,6 +187,25 @@ impl Search<'_> {
         left
     }
 
+    /// Returns the reflection of a ray by a coat, or by the base below it.
+    fn coated(
+        &self,
+        (specular, index): (f64, f64),
+        (direction, normal): (Vector, Vector),
+        surface: usize,
+        samples: &mut Samples,
+    ) -> Passage<1> {
+        let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
+        if samples.one() < fresnel_dielectric(index, cosine) {
+            return Passage::Reflected(mirrored(direction, normal), [specular]);
+        }
+        let law = Law::<1>::Coated { normal, index };
+        let direction = law.direction(1, samples);
+        let (transmitted, _) = law.weights(direction, 1);
+        let [reflectance] = self.optics.reflectances[surface];
+        Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
+    }
+
     /// Finds a plane mirror that reflects everything to another one that faces it, where there is
     /// light.
     fn mirrors(&self) -> Option<usize> {
@@ -190,7 +213,9 @@ impl Search<'_> {
         let has_light = self.optics.radiances.iter().chain(&self.optics.beams).any(|[value]| *value > 0.0);
         let is_perfect = |wall: &usize| {
             let is_mirror = matches!(world.material(*wall), MaterialKind::Mirror { .. });
-            is_mirror && self.optics.reflectances[world.interfaces[*wall].surface][0] >= 1.0
+            let surface = world.interfaces[*wall].surface;
+            let is_flat = !world.scene.surfaces[surface].shape.is_smooth();
+            is_mirror && is_flat && self.optics.reflectances[surface][0] >= 1.0
         };
         let mirrors: Vec<usize> = (0..world.interfaces.len()).filter(is_perfect).collect();
         let faces_another = |&&wall: &&usize| {

@@ -10,8 +10,7 @@
 //! and distant lights are all sampled if they are few. Densities are per solid angle, and can also
 //! be evaluated for directions that another technique found.
 //!
-//! A light source that is [`near`](super::near_field) is found by path sampling alone: there it is not
-//! sampled, and its density is zero.
+//! A light source that is [`near`](super::near_field) is not sampled, and its density is zero.
 
 use super::choice::{Choice, Sought, Weight};
 use super::interface::Interface;
@@ -63,6 +62,8 @@ pub(super) enum Source {
     Wall { wall: usize, surface: usize },
     /// A light of this index.
     Beam(usize),
+    /// The environment map.
+    Environment,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -83,8 +84,8 @@ pub(super) struct LightSample {
     pub(super) direction: Vector,
     /// Distance of a point light; infinite otherwise.
     pub(super) reach: f64,
-    /// Density of the direction, including the probability of selecting the light source. For a
-    /// beam, the reciprocal of the factor that multiplies its intensity or irradiance.
+    /// Density of the direction, with the probability of selecting the light source; for a beam, the
+    /// reciprocal of the factor of its intensity or irradiance.
     pub(super) density: f64,
     /// Probability with which the light source was selected.
     pub(super) chance: f64,
@@ -137,8 +138,7 @@ impl Luminaires {
         !self.walls.is_empty()
     }
 
-    /// Returns the part of a segment for which light sources are selected: beyond it no light
-    /// source lies abreast of the segment.
+    /// Returns the part of a segment beyond which no light source lies abreast of it.
     pub(super) fn sought_along(&self, from: Vector, direction: Vector, length: f64) -> Sought {
         let farthest = (from - self.all.middle).length() + self.all.radius;
         Sought::along(from, from + length.min(farthest) * direction)
@@ -183,7 +183,7 @@ impl Luminaires {
     pub(super) fn emitting(&self, number: f64) -> Option<usize> {
         match self.walls.get(chosen(&self.powers, number)?)?.source {
             Source::Wall { surface, .. } => Some(surface),
-            Source::Beam(_) => None,
+            Source::Beam(_) | Source::Environment => None,
         }
     }
 

@@ -18,7 +18,7 @@ use super::specialisation::Specialisation;
 use super::tracer::{Path, Tracer};
 use super::vertex::Vertex;
 use crate::geometry::Vector;
-use crate::sampling::Draws;
+use crate::sampling::{Draws, Samples};
 use crate::scene::MaterialKind;
 use crate::visibility::Start;
 
@@ -41,6 +41,13 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let Draws { light: samples, hidden, .. } = draws;
         let luminaires = &self.world.luminaires;
         let beams = luminaires.beams(sought, samples);
+        if let Some(towards) = self.towards_environment(samples)
+            && let Some((lit, vertex)) = self.lit_point(path, medium, length, None, samples)
+        {
+            self.add_light_sample(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, length| {
+                add(value, length)
+            });
+        }
         for (luminaire, chance) in beams.chain(luminaires.wall(sought, samples)) {
             let pivot = luminaire.point(samples.pair());
             let lit = self.lit_point(path, medium, length, pivot, samples);
@@ -74,10 +81,20 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
                 self.add_light_sample(path, vertex, (&towards, &[]), hidden, add);
             }
         }
+        if let Some(towards) = self.towards_environment(samples) {
+            self.add_light_sample(path, vertex, (&towards, &[]), hidden, add);
+        }
         let Some((luminaire, chance)) = luminaires.wall(vertex.sought(), samples) else { return };
         if let Some(towards) = luminaire.towards(position, samples.pair(), chance) {
             self.add_light_sample(path, vertex, (&towards, &[]), hidden, add);
         }
+    }
+
+    /// Samples a direction to the environment map, if there is one.
+    fn towards_environment(&self, samples: &mut Samples) -> Option<LightSample> {
+        let (direction, density) = self.world.environment.as_ref()?.sample(samples.pair())?;
+        let source = Source::Environment;
+        Some(LightSample { source, direction, reach: f64::INFINITY, density, chance: 1.0 })
     }
 
     /// Adds the contribution of a light source at a vertex by these mirrors, or records it as lost
@@ -97,11 +114,12 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
         let (radiance, part) = match towards.source {
             Source::Wall { surface, .. } => {
-                (&self.optics.radiances[surface], mis_weight(towards.density, own))
+                (self.optics.radiances[surface], mis_weight(towards.density, own))
             }
-            Source::Beam(light) => (&self.optics.beams[light], 1.0),
+            Source::Environment => (self.optics.outside(towards.direction), mis_weight(towards.density, own)),
+            Source::Beam(light) => (self.optics.beams[light], 1.0),
         };
-        let brings = times(&path.throughput, radiance);
+        let brings = times(&path.throughput, &radiance);
         let unhidden = scaled(part / towards.density, &times(&brings, &densities));
         let Some(reached) = self.reached(path, vertex.start, towards, steps) else { return };
         let value = times(&unhidden, &reached.left);
@@ -137,9 +155,9 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             }
             reached.optical_path_length = self.longer(reached.optical_path_length, &medium, length);
             let Some(met) = met else {
-                let is_beam = matches!(towards.source, Source::Beam(_));
+                let is_wall = matches!(towards.source, Source::Wall { .. });
                 reached.is_hidden |= steps.len() > 0;
-                return (is_beam || reached.is_hidden).then_some(reached);
+                return (!is_wall || reached.is_hidden).then_some(reached);
             };
             match towards.source {
                 Source::Wall { wall, .. } if wall == met.wall && steps.len() == 0 => {

@@ -1,6 +1,7 @@
 //! Optics: the optical data of a scene in a group of bands that share their paths.
 
-use crate::scene::{Filling, LightKind, MaterialKind, Scene};
+use crate::geometry::Vector;
+use crate::scene::{EnvironmentMap, Filling, LightKind, MaterialKind, Scene};
 
 /// Optical data of N bands. The last bands can be unused; they are zero.
 pub(super) struct Optics<const N: usize> {
@@ -11,7 +12,9 @@ pub(super) struct Optics<const N: usize> {
     pub(super) reflectances: Vec<[f64; N]>,
     /// For each light: intensity or irradiance.
     pub(super) beams: Vec<[f64; N]>,
-    pub(super) outside: [f64; N],
+    /// The radiance from outside: with a map, the largest from any direction.
+    pub(super) brightest_outside: [f64; N],
+    map: Option<EnvironmentMap>,
     /// The first band, and the number of bands.
     pub(super) bands: [usize; 2],
 }
@@ -56,9 +59,9 @@ impl<const N: usize> Optics<N> {
             }
         };
         let reflectance = |surface: &crate::scene::Surface| match &scene.materials[surface.material].kind {
-            MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
-                group(reflectance)
-            }
+            MaterialKind::Diffuse { reflectance }
+            | MaterialKind::Mirror { reflectance }
+            | MaterialKind::Plastic { reflectance, .. } => group(reflectance),
             MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => [0.0; N],
         };
         let beam = |light: &crate::scene::Light| match &light.kind {
@@ -70,13 +73,24 @@ impl<const N: usize> Optics<N> {
             radiances: scene.surfaces.iter().map(|surface| group(&surface.radiance)).collect(),
             reflectances: scene.surfaces.iter().map(reflectance).collect(),
             beams: scene.lights.iter().map(beam).collect(),
-            outside: group(&scene.ambient.radiance),
+            brightest_outside: group(&scene.ambient.radiance),
+            map: scene.ambient.map.clone(),
             bands: [first, count],
         }
     }
 
     pub(super) fn medium(&self, filling: Filling) -> MediumOptics<N> {
         filling.map_or(MediumOptics::VACUUM, |medium| self.media[medium])
+    }
+
+    /// Returns the radiance from outside that arrives against a direction, in which it is seen.
+    pub(super) fn outside(&self, direction: Vector) -> [f64; N] {
+        let Some(map) = &self.map else { return self.brightest_outside };
+        let (lookup, [first, count]) = (map.lookup(direction), self.bands);
+        std::array::from_fn(|band| match band < count {
+            true => self.brightest_outside[band] * map.value(&lookup, first + band),
+            false => 0.0,
+        })
     }
 
     /// Returns the smallest and the largest refractive index of vacuum and all media.

@@ -66,6 +66,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             reflections: 0,
             most: self.limits.reflections,
             scatterings: 0,
+            events: 0,
             specular_depth: 0,
             is_straight: true,
             is_same: false,

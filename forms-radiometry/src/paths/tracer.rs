@@ -23,7 +23,7 @@ use super::scattering::Flight;
 use super::specialisation::Specialisation;
 use super::time::longer;
 use super::vertex::{Law, Vertex};
-use super::world::World;
+use super::world::{Side, World};
 use crate::effects::SimulatedEffects;
 use crate::geometry::Vector;
 use crate::sampling::{Draws, Random, Samples};
@@ -88,6 +88,8 @@ pub(crate) struct Path<const N: usize> {
     /// Maximum number of diffuse reflections.
     pub(crate) most: Option<u32>,
     pub(crate) scatterings: u32,
+    /// Number of events so far: reflections, refractions and scatterings of any kind.
+    pub(crate) events: u32,
     /// Number of specular events since the last vertex.
     pub(crate) specular_depth: u32,
     /// Whether the light has not been reflected, refracted or scattered yet.
@@ -125,7 +127,8 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
             let medium = self.medium(path.filling);
             let scatters = L::SCATTERING && medium.scatters();
-            if scatters && is_below(path.scatterings, self.limits.scatterings) {
+            let may_scatter = is_below(path.scatterings, self.limits.scatterings);
+            if scatters && may_scatter && self.is_allowed(path.events + 1) {
                 self.lit_segment(&path, &medium, length, draws, add);
                 match self.flight(&path, &medium, met.as_ref(), &mut draws.path, add) {
                     Flight::Scattered(distance, factor) => {
@@ -166,8 +169,21 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             path.optical_path_length = self.longer(path.optical_path_length, medium, met.distance);
             self.emitted(path, met, add);
         } else if self.limits.direct || !path.is_straight {
-            add(&times(&path.throughput, &self.optics.outside), f64::INFINITY);
+            self.from_outside(path, add);
         }
+    }
+
+    /// Adds the light from outside, which next-event estimation at the last vertex could have sampled
+    /// if there is an environment map and no mirror since then.
+    fn from_outside(&self, path: &Path<N>, add: &mut impl FnMut(&[f64; N], f64)) {
+        let part = match &self.world.environment {
+            Some(light) if path.density.is_finite() && path.chain == 0 => {
+                mis_weight(path.density, light.density(path.direction))
+            }
+            _ => 1.0,
+        };
+        let radiance = self.optics.outside(path.direction);
+        add(&scaled(part, &times(&path.throughput, &radiance)), f64::INFINITY);
     }
 
     /// Adds the light that a wall emits into the path.
@@ -199,24 +215,24 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             return false;
         }
         let (interface, material) = (&self.world.interfaces[met.wall], self.world.material(met.wall));
-        let normal = if met.is_front { met.normal } else { -met.normal };
+        let Side { is_front, normal, is_smooth } = self.world.side(met, path.direction);
         if let MaterialKind::Dielectric { .. } = material {
             let beyond = interface.filling(!met.is_front);
-            return self.crosses(path, met, [medium, &self.medium(beyond)], beyond, normal, &mut draws.path);
+            let media = [medium, &self.medium(beyond)];
+            let continues = self.crosses(path, met, media, beyond, normal, &mut draws.path);
+            if is_smooth {
+                path.filling = interface.filling(met.normal.dot(path.direction) > 0.0);
+            }
+            return continues;
         }
         if let MaterialKind::Diffuse { .. } = material {
             path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
-            path.reflections += 1;
-            let vertex =
-                Vertex { start: self.world.walls.start_on(met, met.is_front), law: Law::Plane(normal) };
-            self.by_images(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length);
-            });
-            self.sample_direct_light(path, &vertex, draws, &mut |_, value, optical_path_length| {
-                add(value, optical_path_length);
-            });
-            self.scatter(path, &vertex, &mut draws.path);
+            let start = self.world.walls.start_on(met, is_front);
+            self.scatters(path, &Vertex { start, law: Law::Plane(normal) }, draws, add);
             return true;
+        }
+        if let MaterialKind::Plastic { .. } = material {
+            return self.coated(path, met, (is_front, normal), draws, add);
         }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);
@@ -225,8 +241,28 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         false
     }
 
+    /// Adds the direct light at a vertex on a surface that scatters light, and continues the path from
+    /// there.
+    pub(super) fn scatters(
+        &self,
+        path: &mut Path<N>,
+        vertex: &Vertex<N>,
+        draws: &mut Draws,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) {
+        path.reflections += 1;
+        path.events += 1;
+        self.by_images(path, vertex, draws, &mut |_, value, optical_path_length| {
+            add(value, optical_path_length);
+        });
+        self.sample_direct_light(path, vertex, draws, &mut |_, value, optical_path_length| {
+            add(value, optical_path_length);
+        });
+        self.scatter(path, vertex, &mut draws.path);
+    }
+
     /// Continues the path from a smooth surface; returns whether the path can still escape.
-    fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
+    pub(super) fn passes(&self, path: &mut Path<N>, met: &Met, passage: Passage<N>) -> bool {
         let (direction, throughput, stays) = passage.applied(&path.throughput);
         (path.direction, path.throughput) = (direction, throughput);
         path.start = self.world.walls.start_on(met, met.is_front == stays);
@@ -239,6 +275,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
         path.is_straight = false;
         path.specular_depth += 1;
+        path.events += 1;
         path.specular_depth < MAX_SPECULAR_DEPTH
     }
 
@@ -266,6 +303,11 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         true
     }
 
+    /// Whether a path can have this number of events.
+    pub(crate) fn is_allowed(&self, events: u32) -> bool {
+        self.world.scene.solve.events.is_none_or(|most| events <= most)
+    }
+
     /// Plays Russian roulette with a path of small throughput; survivors get the throughput of the
     /// threshold.
     fn russian_roulette(&self, path: &mut Path<N>, chance: &mut Random) -> bool {
@@ -285,7 +327,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         path.throughput = times(&path.throughput, &weights);
         (path.start, path.direction, path.vertex) = (vertex.start, direction, vertex.start.position);
         (path.sought, path.chain) = (vertex.sought(), 0);
-        path.density = if self.world.luminaires.are_met() { density } else { f64::INFINITY };
+        path.density = if self.world.samples_lights() { density } else { f64::INFINITY };
         (path.is_straight, path.is_same) = (false, false);
         path.specular_depth = 0;
     }
@@ -300,6 +342,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     ) {
         path.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         path.scatterings += 1;
+        path.events += 1;
         let vertex = self.scattering(path, medium, distance);
         let sought = self.world.luminaires.sought_along(path.start.position, path.direction, length);
         self.scatter(path, &vertex, samples);
@@ -327,6 +370,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
         let mut lit = *path;
         lit.throughput = times(&path.throughput, &factor);
+        lit.events += 1;
         lit.optical_path_length = self.longer(path.optical_path_length, medium, distance);
         lit.is_same = false;
         Some((lit, self.scattering(path, medium, distance)))

@@ -4,6 +4,7 @@
 //! ```text
 //! plane    cos θ/π      a diffuse surface, or a flat receiver: E = π ∫ L cos θ/π dω
 //! sphere   1/(4π)       a receiver of light from all sides: φ = 4π ∫ L/(4π) dω
+//! coated   (1 − F) cos θ/π, a diffuse surface below a coat; not normalised
 //! phase    Henyey and Greenstein, of each band: light that a medium scatters
 //! ```
 //! All laws are densities of directions. If several bands have different laws, one band, selected
@@ -12,8 +13,8 @@
 use super::choice::Sought;
 use super::optics::mean;
 use super::warps::{
-    cosine_hemisphere_pdf, cosine_hemisphere_sample, henyey_greenstein, henyey_greenstein_direction_sample,
-    uniform_sphere_pdf, uniform_sphere_sample,
+    cosine_hemisphere_pdf, cosine_hemisphere_sample, fresnel_dielectric, henyey_greenstein,
+    henyey_greenstein_direction_sample, uniform_sphere_pdf, uniform_sphere_sample,
 };
 use crate::geometry::Vector;
 use crate::sampling::{Frame, Samples};
@@ -30,6 +31,11 @@ pub(super) struct Vertex<const N: usize> {
 pub(super) enum Law<const N: usize> {
     /// The unit normal of the side that receives.
     Plane(Vector),
+    /// The unit normal of a diffuse base below a coat with this index.
+    Coated {
+        normal: Vector,
+        index: f64,
+    },
     Sphere,
     /// The direction of unscattered light, seen from the receiver, and the mean cosine of each
     /// band.
@@ -42,7 +48,10 @@ pub(super) enum Law<const N: usize> {
 impl<const N: usize> Vertex<N> {
     /// Returns the point for which lights are selected at the vertex.
     pub(super) fn sought(&self) -> Sought {
-        let normal = if let Law::Plane(normal) = self.law { Some(normal) } else { None };
+        let normal = match self.law {
+            Law::Plane(normal) | Law::Coated { normal, .. } => Some(normal),
+            Law::Sphere | Law::Phase { .. } => None,
+        };
         Sought::at(self.start.position, normal)
     }
 }
@@ -56,6 +65,10 @@ impl<const N: usize> Law<N> {
                 // the density depends on the cosine alone
                 [if cosine > 0.0 { cosine_hemisphere_pdf(1.0, 0.0, cosine.min(1.0)) } else { 0.0 }; N]
             }
+            Self::Coated { normal, index } => {
+                let transmitted = transmitted(*normal, *index, direction);
+                Self::Plane(*normal).density(direction).map(|density| transmitted * density)
+            }
             Self::Sphere => [uniform_sphere_pdf(0.0, 0.0, 1.0); N],
             Self::Phase { forward, asymmetry } => {
                 let cosine = forward.dot(direction).clamp(-1.0, 1.0);
@@ -68,7 +81,9 @@ impl<const N: usize> Law<N> {
     pub(super) fn direction(&self, count: usize, samples: &mut Samples) -> Vector {
         let [u, v] = samples.pair();
         match self {
-            Self::Plane(normal) => Frame::about(*normal).place(cosine_hemisphere_sample(u, v)),
+            Self::Plane(normal) | Self::Coated { normal, .. } => {
+                Frame::about(*normal).place(cosine_hemisphere_sample(u, v))
+            }
             Self::Sphere => {
                 let [x, y, z] = uniform_sphere_sample(u, v);
                 Vector::new(x, y, z)
@@ -84,12 +99,22 @@ impl<const N: usize> Law<N> {
     }
 
     /// Returns the density of each band relative to the density of the sampled direction, and the
-    /// latter.
+    /// latter. Below a coat the latter is that of the law, like [`density`](Self::density), so that
+    /// the MIS weights of both techniques agree.
     pub(super) fn weights(&self, direction: Vector, count: usize) -> ([f64; N], f64) {
         let densities = self.density(direction);
+        if let Self::Coated { normal, index } = self {
+            // the direction was sampled without the coat
+            return ([transmitted(*normal, *index, direction); N], densities[0]);
+        }
         let taken = mean(&densities, count);
         (densities.map(|density| density / taken), taken)
     }
+}
+
+/// Returns the part of the light that a coat transmits to a direction.
+fn transmitted(normal: Vector, index: f64, direction: Vector) -> f64 {
+    1.0 - fresnel_dielectric(index, normal.dot(direction).clamp(0.0, 1.0))
 }
 
 /// Selects one of `count` bands at random.

@@ -2,15 +2,27 @@
 //! sources.
 
 use super::chains::Chains;
+use super::environment_light::EnvironmentLight;
 use super::first_hit::FirstHit;
 use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
+use super::shading_normals::ShadingNormals;
 use crate::geometry::Vector;
-use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, filled};
+use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, Surface, filled};
 use crate::visibility::{Met, ReceivingArea, Start, Wall, Walls};
 use rustc_hash::FxHashMap;
 use std::fmt;
 use std::sync::Arc;
+
+/// Side of a wall at which a ray arrives.
+pub(super) struct Side {
+    /// Whether it is the front.
+    pub(super) is_front: bool,
+    /// The unit normal on that side, by which light is scattered.
+    pub(super) normal: Vector,
+    /// Whether the normal is interpolated.
+    pub(super) is_smooth: bool,
+}
 
 /// A scene prepared for path tracing.
 pub(crate) struct World {
@@ -19,21 +31,27 @@ pub(crate) struct World {
     /// The interface that each wall belongs to.
     pub(super) interfaces: Vec<Interface>,
     pub(super) luminaires: Luminaires,
+    /// Light from outside, if it depends on the direction.
+    pub(super) environment: Option<EnvironmentLight>,
     /// The chains of flat mirrors in which emitters are seen.
     pub(super) chains: Chains,
     /// The front of each surface.
     pub(super) fronts: Vec<Front>,
     /// The faces that receivers measure one by one, by the indices of surface and face.
     faces: FxHashMap<[usize; 2], Front>,
+    /// The interpolated normals of the walls of smooth meshes.
+    shading: ShadingNormals,
 }
 
 impl World {
     pub(crate) fn new(scene: Arc<Scene>) -> Self {
         let (mut walls, mut interfaces) = (Vec::new(), Vec::new());
+        let mut shading = ShadingNormals::of(&scene);
         for FilledInterface { interface, front, back } in filled(&scene) {
             let of_sheet = walls_of(interface.shape);
             let (surface, part) = (interface.surface, interface.part);
             let belongs = Interface { surface, part, fillings: [front, back] };
+            shading.add_piece(&scene, surface, of_sheet.len());
             interfaces.extend(of_sheet.iter().map(|_| belongs));
             walls.extend(of_sheet);
         }
@@ -52,7 +70,9 @@ impl World {
             of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
         }
         let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
-        Self { scene, walls: Walls::of(walls), interfaces, luminaires, chains, fronts, faces }
+        let environment = scene.ambient.map.as_ref().map(EnvironmentLight::of);
+        let walls = Walls::of(walls);
+        Self { scene, walls, interfaces, luminaires, environment, chains, fronts, faces, shading }
     }
 
     /// Returns the walls of a receiving area, which has both sides of them.
@@ -69,9 +89,22 @@ impl World {
         self.chains.left_out()
     }
 
+    /// Whether next-event estimation samples light that rays can also find by chance.
+    pub(super) fn samples_lights(&self) -> bool {
+        self.luminaires.are_met() || self.environment.is_some()
+    }
+
+    /// Whether light from outside is found only by chance, at least via mirrors or boundaries.
+    pub(crate) fn finds_outside_by_chance(&self) -> bool {
+        let is_specular = |surface: &Surface| {
+            !matches!(self.scene.materials[surface.material].kind, MaterialKind::Diffuse { .. })
+        };
+        self.environment.is_none() || self.scene.surfaces.iter().any(is_specular)
+    }
+
     /// Returns the number of rays that are traced from a vertex.
     pub(super) fn rays_of_a_vertex(&self) -> f64 {
-        1.0 + self.luminaires.sampled() as f64
+        (1 + self.luminaires.sampled() + usize::from(self.environment.is_some())) as f64
     }
 
     /// Returns the medium that a ray starts in.
@@ -101,6 +134,15 @@ impl World {
     /// surface.
     pub(super) fn is_bright(&self, wall: usize, is_front: bool) -> bool {
         is_front || self.scene.surfaces[self.interfaces[wall].surface].two_sided
+    }
+
+    /// Returns the side of a wall at which a ray arrives. Interpolated normals decide about it where
+    /// there are any.
+    pub(super) fn side(&self, met: &Met, direction: Vector) -> Side {
+        let normal = self.shading.normal(met.wall, met.position);
+        let is_front = normal.map_or(met.is_front, |normal| normal.dot(direction) < 0.0);
+        let front = normal.unwrap_or(met.normal);
+        Side { is_front, normal: if is_front { front } else { -front }, is_smooth: normal.is_some() }
     }
 
     /// Returns the reflection law of a wall.

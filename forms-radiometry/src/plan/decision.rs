@@ -67,7 +67,10 @@ fn plan_of_paths(scene: &Scene, reason: String) -> Result<Plan, Vec<SceneError>>
 /// without an end, and too many image sources.
 fn refused(world: &World, limits: &Limits) -> Option<SceneError> {
     let estimands = || all_estimands(&world.scene);
-    trap(world).or_else(|| endless(world, estimands, limits)).or_else(|| {
+    // a path with a limited number of events ends everywhere
+    let is_limited = world.scene.solve.events.is_some();
+    let without_end = || trap(world).or_else(|| endless(world, estimands, limits));
+    if is_limited { None } else { without_end() }.or_else(|| {
         let light = world.scene.lights.first().filter(|_| has_too_many_images(world))?;
         let message = "flat surfaces have too many image sources of point or distant lights";
         let expected = "fewer mirrors or refracting surfaces, or area lights: surfaces with a radiance";

@@ -87,15 +87,24 @@ pub(crate) enum Solver {
 }
 
 /// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
-/// in a vacuum, with numbers and maps of them, and with images only of flat surfaces with few
-/// faces. `has_direct` tells whether direct light counts. For radiosity, the receiver of direct light
-/// along a ray is the surface that the ray meets; but what does not count then is the light straight
-/// from a light source to the eye.
+/// with the normals of their faces in a vacuum, with numbers and maps of them, and with images only
+/// of flat surfaces with few faces. `has_direct` tells whether direct light counts. For radiosity,
+/// the receiver of direct light along a ray is the surface that the ray meets; but what does not
+/// count then is the light straight from a light source to the eye.
 pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String> {
     let kind = |material: usize| &scene.materials[material].kind;
     let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
     if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
         return Some(format!("the surface `{}` is not diffuse", surface.name));
+    }
+    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
+        return Some(format!("the surface `{}` has interpolated normals", surface.name));
+    }
+    if scene.solve.events.is_some() {
+        return Some("the number of events along a path is limited".to_owned());
+    }
+    if scene.ambient.map.is_some() {
+        return Some("light from outside depends on the direction".to_owned());
     }
     if let Some(receiver) = scene.receivers.iter().find(|receiver| receiver.time.is_some()) {
         return Some(format!("the receiver `{}` is time-resolved", receiver.name));
@@ -111,6 +120,13 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
             "light straight from light sources to the receiver `{}` does not count",
             receiver.name
         ));
+    }
+    let is_parallel = |receiver: &&Receiver| match &receiver.kind {
+        ReceiverKind::Camera(camera) => camera.is_orthographic(),
+        _ => false,
+    };
+    if let Some(receiver) = scene.receivers.iter().find(is_parallel) {
+        return Some(format!("the camera `{}` is orthographic", receiver.name));
     }
     let image = scene.receivers.iter().find(|receiver| is_image(receiver))?;
     if is_round(scene) {

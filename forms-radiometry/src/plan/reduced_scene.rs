@@ -1,7 +1,7 @@
 //! Reduced scene: a scene becomes the same scene without the effects that a plan turns off.
 //!
 //! ```text
-//! mirror       mirrors and metals are black
+//! mirror       mirrors and metals are black, coats of plastic do not reflect
 //! absorption   σₐ = 0
 //! scattering   σₛ = 0
 //! refraction   every index is that of the ambient medium
@@ -30,6 +30,9 @@ fn leave_out(scene: &Scene, is_off: &dyn Fn(Effect) -> bool) -> Scene {
     if is_off(Effect::Mirror) {
         let bands = scene.band_count();
         for material in &mut scene.materials {
+            if let MaterialKind::Plastic { specular, .. } = &mut material.kind {
+                specular.fill(0.0);
+            }
             if matches!(material.kind, MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. }) {
                 material.kind = MaterialKind::Diffuse { reflectance: vec![0.0; bands] };
             }

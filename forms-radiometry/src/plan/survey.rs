@@ -245,9 +245,19 @@ fn spreads(scene: &Scene) -> [f64; 2] {
     };
     let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
     let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
-        .max(half_spread(&scene.ambient.radiance))
+        .max(half_spread_of_ambient(scene))
         .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
     [of_albedo, of_light]
+}
+
+/// Returns the half spread of the light from outside. The spread of a map is at most its largest
+/// radiance.
+fn half_spread_of_ambient(scene: &Scene) -> f64 {
+    let radiance = &scene.ambient.radiance;
+    match scene.ambient.map {
+        Some(_) if radiance.len() > 1 => 0.5 * radiance.iter().copied().fold(0.0, f64::max),
+        _ => half_spread(radiance),
+    }
 }
 
 fn half_spread_of_light(light: &crate::scene::Light) -> f64 {
@@ -267,6 +277,9 @@ fn has_spread_of_media(scene: &Scene) -> bool {
     let of_materials = scene.materials.iter().any(|material| match &material.kind {
         MaterialKind::Mirror { reflectance } => half_spread(reflectance) > 0.0,
         MaterialKind::Conductor { eta, k } => half_spread(eta) > 0.0 || half_spread(k) > 0.0,
+        MaterialKind::Plastic { reflectance, specular, .. } => {
+            half_spread(reflectance) > 0.0 || half_spread(specular) > 0.0
+        }
         MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
     });
     of_media || of_materials

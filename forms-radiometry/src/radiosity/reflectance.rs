@@ -17,7 +17,7 @@ pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
 /// Returns the diffuse reflectance of a surface, for each band.
 pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
     match &scene.materials[scene.surfaces[surface].material].kind {
-        MaterialKind::Diffuse { reflectance } => reflectance,
+        MaterialKind::Diffuse { reflectance } | MaterialKind::Plastic { reflectance, .. } => reflectance,
         MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
     }
 }

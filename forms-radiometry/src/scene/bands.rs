@@ -21,6 +21,10 @@ impl Scene {
                 MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
                     merge(reflectance);
                 }
+                MaterialKind::Plastic { reflectance, specular, .. } => {
+                    merge(reflectance);
+                    merge(specular);
+                }
                 MaterialKind::Conductor { eta, k } => {
                     merge(eta);
                     merge(k);
@@ -35,7 +39,11 @@ impl Scene {
                 LightKind::Distant { irradiance, .. } => merge(irradiance),
             }
         }
-        merge(&mut scene.ambient.radiance);
+        let ambient = &mut scene.ambient;
+        match &mut ambient.map {
+            Some(map) => (*map, ambient.radiance) = map.with_one_band(&ambient.radiance),
+            None => merge(&mut ambient.radiance),
+        }
         scene
     }
 }

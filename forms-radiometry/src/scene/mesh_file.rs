@@ -2,7 +2,7 @@
 //! that file.
 //!
 //! ```text
-//! OBJ, PLY, STL, gmsh, VTK, glTF ─ parts: vertices, faces, groups ─ faces repaired ─▶ mesh, notes
+//! OBJ, PLY, STL, gmsh, VTK, glTF, serialized ─ parts: vertices, faces, groups ─ faces repaired ─▶ mesh, notes
 //! ```
 
 mod gltf;
@@ -14,13 +14,14 @@ mod ply;
 mod ply_header;
 mod ply_rows;
 mod search;
+mod serialized;
 mod stl;
 mod vtk;
 
 use super::SceneError;
 use super::error::Report;
 use super::words::{self, Fault};
-use crate::geometry::{Mesh, Vector};
+use crate::geometry::{Corners, Mesh, Vector};
 use search::SearchPath;
 use std::collections::HashMap;
 use std::io;
@@ -38,10 +39,10 @@ pub(super) struct MeshFile {
     /// The groups of its faces that the file names, in the order of their first faces; empty if it
     /// names none.
     pub(super) groups: Vec<Group>,
-    /// Whether the file has vertex normals, which are discarded.
-    pub(super) has_normals: bool,
-    /// Whether all of them are known to be the normals of the faces.
-    pub(super) has_normals_of_faces: bool,
+    /// The normals and the texture coordinates at the corners of the faces, of formats that scenes of
+    /// Mitsuba use. Other readers ignore them.
+    pub(super) normals: Arc<Corners<Vector>>,
+    pub(super) texture: Arc<Corners<[f64; 2]>>,
 }
 
 /// Largest sine of the angle between normals that differ only by rounding.
@@ -65,7 +66,8 @@ pub(super) struct MeshFiles<'f> {
     folder: PathBuf,
     open: &'f dyn Fn(&str) -> io::Result<Vec<u8>>,
     search: SearchPath,
-    read: HashMap<String, Option<MeshFile>>,
+    /// The files that were read, by their names and the numbers of their meshes.
+    read: HashMap<(String, Option<usize>), Option<MeshFile>>,
 }
 
 /// A file that was found: its path relative to the folder of the scene, and its contents.
@@ -97,11 +99,33 @@ impl<'f> MeshFiles<'f> {
 
     /// Returns the contents of a mesh file that the scene names at this place.
     pub(super) fn file(&mut self, report: &mut Report, place: Range<usize>, name: &str) -> Option<MeshFile> {
-        if let Some(known) = self.read.get(name) {
+        self.known((name, None), |files| files.first(report, place, name))
+    }
+
+    /// Returns one mesh of a file of serialized meshes, counted from zero.
+    pub(super) fn serialized(
+        &mut self,
+        report: &mut Report,
+        place: Range<usize>,
+        name: &str,
+        mesh: usize,
+    ) -> Option<MeshFile> {
+        let read = |file: &str, bytes: &[u8]| serialized::read(file, bytes, mesh);
+        self.known((name, Some(mesh)), |files| files.read_by(report, place, name, &read))
+    }
+
+    /// Returns a file that was read before, or else reads it.
+    fn known(
+        &mut self,
+        (name, mesh): (&str, Option<usize>),
+        read: impl FnOnce(&Self) -> Option<MeshFile>,
+    ) -> Option<MeshFile> {
+        let key = (name.to_owned(), mesh);
+        if let Some(known) = self.read.get(&key) {
             return known.clone();
         }
-        let file = self.first(report, place, name);
-        self.read.insert(name.to_owned(), file.clone());
+        let file = read(self);
+        self.read.insert(key, file.clone());
         file
     }
 
@@ -125,6 +149,17 @@ impl<'f> MeshFiles<'f> {
                 return None;
             }
         };
+        self.read_by(report, place, name, read)
+    }
+
+    /// Reads a mesh file in this way.
+    fn read_by(
+        &self,
+        report: &mut Report,
+        place: Range<usize>,
+        name: &str,
+        read: &ReadMesh,
+    ) -> Option<MeshFile> {
         let Found { path, bytes } = match self.find("mesh", name) {
             Ok(found) => found,
             Err((message, expected)) => {

@@ -11,11 +11,14 @@
 //! error, parsing continues with a default value, since the scene is rejected anyway.
 
 mod bsdf;
+mod checkerboard;
 mod document;
 mod emitter;
+mod environment;
 mod instance;
 mod integrator;
 mod media;
+mod metals;
 mod normals;
 mod object;
 mod parameters;
@@ -27,9 +30,10 @@ mod transform;
 mod values;
 
 use super::element::Names;
+use super::environment_map::EnvironmentMap;
 use super::error::Report;
 use super::mesh_file::MeshFiles;
-use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Solve, Surface};
+use super::model::{Ambient, Band, LengthUnit, Light, Material, Receiver, Scene, Surface};
 use instance::Instance;
 use integrator::Integrator;
 use media::Media;
@@ -77,7 +81,8 @@ struct Reader<'a, 'r, 'f> {
     surfaces: Vec<Surface>,
     lights: Vec<Light>,
     receivers: Vec<Receiver>,
-    ambient_radiance: Option<Vec<f64>>,
+    /// The radiance from outside, and its dependence on the direction.
+    outside: Option<(Vec<f64>, Option<EnvironmentMap>)>,
     ambient_place: Range<usize>,
     integrator: Option<Integrator>,
 }
@@ -118,7 +123,7 @@ pub(super) fn read(report: &mut Report, files: &mut MeshFiles) -> Option<(Scene,
         surfaces: Vec::new(),
         lights: Vec::new(),
         receivers: Vec::new(),
-        ambient_radiance: None,
+        outside: None,
         ambient_place: 0..0,
         integrator: None,
     };
@@ -162,9 +167,10 @@ impl<'a> Reader<'a, '_, '_> {
             }
             "shape" => self.top_shape(node),
             "emitter" => self.emitter(node),
-            "texture" => self.texture(node),
+            // an unsupported texture is reported even if nothing refers to it
+            "texture" if self.kind(node) != "checkerboard" => self.texture(node),
             // these are read where other elements refer to them
-            "sampler" | "film" | "rfilter" => {}
+            "sampler" | "film" | "rfilter" | "texture" => {}
             "alias" => {
                 self.attributes(node, &["id", "as"]);
             }
@@ -242,16 +248,13 @@ impl<'a> Reader<'a, '_, '_> {
         if self.has_tables {
             self.report.note(SPECTRA_ARE_MEANS.to_owned());
         }
-        let solve = Solve { forced: self.forced(), ..Solve::default() };
+        let solve = self.solve();
         self.check_normals();
         let medium = self.ambient_medium();
         let (media, elements) = self.all_media();
         let surroundings = self.all_surroundings(elements);
-        let ambient = Ambient {
-            medium,
-            radiance: self.ambient_radiance.unwrap_or_else(|| vec![0.0; self.bands]),
-            place: self.report.place(self.ambient_place),
-        };
+        let (radiance, map) = self.outside.unwrap_or_else(|| (vec![0.0; self.bands], None));
+        let ambient = Ambient { medium, radiance, map, place: self.report.place(self.ambient_place) };
         let scene = Scene {
             name: String::new(),
             unit: LengthUnit::Metre,

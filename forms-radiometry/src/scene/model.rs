@@ -1,6 +1,7 @@
 //! Model of a scene: its geometry and materials, its receivers, and the required accuracy.
 
 use super::effect::ForcedEffect;
+use super::environment_map::EnvironmentMap;
 use super::place::Place;
 use crate::camera::Camera;
 use crate::geometry::{Disk, Mesh, Polygon, Quadric, Round, Sphere, Vector};
@@ -127,6 +128,17 @@ pub enum MaterialKind {
         /// Imaginary part of the index, not negative.
         k: Vec<f64>,
     },
+    /// A diffuse base below a smooth coat. With Fresnel's reflectance F of the coat at the angles θᵢ
+    /// and θₒ, specular reflection is F(θᵢ) times a factor, and the diffuse part of the
+    /// bidirectional reflectance is (1 − F(θᵢ)) (1 − F(θₒ)) ρ/π.
+    Plastic {
+        /// ρ, with all reflections inside the coat, and both refractions.
+        reflectance: Vec<f64>,
+        /// Factor of the specular reflection, from 0 to 1.
+        specular: Vec<f64>,
+        /// Index of the coat relative to the medium in front of it, above 1.
+        index: f64,
+    },
 }
 
 /// A surface: a shape with a material; it can emit light.
@@ -198,6 +210,11 @@ impl Shape {
             Self::Quadric(quadric) => Some(quadric),
             Self::Polygon(_) | Self::Mesh(_) => None,
         }
+    }
+
+    /// Whether the shape is a mesh whose normals are interpolated between its vertices.
+    pub(crate) fn is_smooth(&self) -> bool {
+        matches!(self, Self::Mesh(mesh) if mesh.is_smooth())
     }
 
     /// Whether the shape is a mesh without faces.
@@ -361,8 +378,11 @@ pub struct Ambient {
     /// The index of the medium that fills the scene outside all other media; vacuum if there is
     /// none.
     pub medium: Option<usize>,
-    /// Radiance from outside in W/(m² sr), per band, the same from all directions.
+    /// Radiance from outside in W/(m² sr), per band, the same from all directions; with a map, the
+    /// largest from any direction.
     pub radiance: Vec<f64>,
+    /// The dependence of this radiance on the direction, if it is not the same from all.
+    pub map: Option<EnvironmentMap>,
     /// The place of the table in the file.
     pub place: Place,
 }
@@ -379,10 +399,13 @@ pub struct Solve {
     /// The effects that are forced, in the order of [`Effect::ALL`](super::Effect::ALL); the solver decides about the
     /// others.
     pub forced: Vec<ForcedEffect>,
+    /// The largest number of events along a path (reflections, refractions and scatterings of any
+    /// kind), if the file limits it.
+    pub events: Option<u32>,
 }
 
 impl Default for Solve {
     fn default() -> Self {
-        Self { tolerance: 1e-3, seed: 1, forced: Vec::new() }
+        Self { tolerance: 1e-3, seed: 1, forced: Vec::new(), events: None }
     }
 }

@@ -181,7 +181,8 @@ fn ambient(report: &mut Report, root: &DeTable, known: &Known) -> Ambient {
         .optional("medium")
         .and_then(|_| element.reference(report, "medium", "the name of a medium", "medium", &known.media));
     let radiance = element.spectrum_or(report, "radiance", 0.0, &NOT_NEGATIVE, known.bands);
-    Ambient { medium, radiance: radiance.unwrap_or_default(), place: report.place(element.place.clone()) }
+    let place = report.place(element.place.clone());
+    Ambient { medium, radiance: radiance.unwrap_or_default(), map: None, place }
 }
 
 fn unit(report: &mut Report, value: &Value) -> Option<LengthUnit> {

@@ -11,7 +11,7 @@ use super::error::Report;
 use super::known::Known;
 use super::mesh_file::MeshFiles;
 use super::model::{Receiver, ReceiverKind, SurfaceSide, TimeBins};
-use super::value::{ANY, Domain, FIELD_OF_VIEW, POSITIVE, Value, choice, pixels, text};
+use super::value::{ANY, Domain, FIELD_OF_VIEW, LENGTH, POSITIVE, Value, choice, pixels, text};
 use crate::camera::Camera;
 
 const BINS: Domain = Domain {
@@ -54,7 +54,9 @@ pub(super) fn read(
         Kind::Surface => &["name", "kind", "surface", "side", "grid", "time"],
         Kind::Faces => &["name", "kind", "surface", "side", "time"],
         Kind::Ray => &["name", "kind", "origin", "direction", "time"],
-        Kind::Camera => &["name", "kind", "origin", "target", "up", "fov", "resolution", "time"],
+        Kind::Camera => {
+            &["name", "kind", "origin", "target", "up", "projection", "fov", "width", "resolution", "time"]
+        }
         Kind::Sphere => &["name", "kind", "position", "points", "line", "plane", "time"],
     };
     element.check_keys(report, own);
@@ -106,11 +108,24 @@ fn side(report: &mut Report, element: &Element, known: &Known) -> Option<(usize,
 
 fn camera(report: &mut Report, element: &Element) -> Option<Camera> {
     let [origin, target, up] = ["origin", "target", "up"].map(|key| element.point(report, key));
-    let fov = element.number(report, "fov", &FIELD_OF_VIEW);
+    let is_orthographic = is_orthographic(report, element)?;
+    let (needed, other) = if is_orthographic { ("width", "fov") } else { ("fov", "width") };
+    if let Some(value) = element.optional(other) {
+        let message = format!("a camera of this projection has no `{other}`");
+        report.error(value.span(), message, format!("`{needed}`"));
+    }
+    let frame = match is_orthographic {
+        true => element.number(report, "width", &LENGTH),
+        false => element.number(report, "fov", &FIELD_OF_VIEW),
+    };
     let resolution = element.required(report, "resolution", "resolution = [width, height]");
     let resolution =
         resolution.and_then(|value| pixels(report, value, "`resolution`", "resolution = [width, height]"));
-    let camera = Camera::new(origin?, target?, up?, fov?, resolution?);
+    let (origin, target, up, resolution) = (origin?, target?, up?, resolution?);
+    let camera = match is_orthographic {
+        true => Camera::orthographic(origin, target - origin, up, frame?, resolution),
+        false => Camera::new(origin, target, up, frame?, resolution),
+    };
     if camera.is_none() {
         let place = element.optional("up").map_or(element.place.clone(), |value| value.span());
         let expected =
@@ -118,6 +133,19 @@ fn camera(report: &mut Report, element: &Element) -> Option<Camera> {
         report.error(place, "the orientation of the camera is undefined", expected);
     }
     camera
+}
+
+/// Whether the projection of a camera is orthographic, and not perspective.
+fn is_orthographic(report: &mut Report, element: &Element) -> Option<bool> {
+    let Some(value) = element.optional("projection") else { return Some(false) };
+    let projection = text(report, value, "`projection`")?;
+    choice(
+        report,
+        value.span(),
+        projection,
+        "the projection",
+        &[("perspective", false), ("orthographic", true)],
+    )
 }
 
 fn time(report: &mut Report, value: &Value) -> Option<TimeBins> {

@@ -6,7 +6,7 @@
 
 use super::effect::{Effect, Force};
 use super::error::SceneError;
-use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape};
+use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 
 /// Returns an error for each requested feature that is not simulated, in the order of the file. A
@@ -59,6 +59,12 @@ impl Refusals {
         }
     }
 
+    fn coat(&mut self, surface: &Surface) {
+        let what = format!("light from point or distant lights that the coat of `{}` reflects", surface.name);
+        let expected = "diffuse surfaces, or area lights: surfaces with a radiance";
+        self.refuse(&surface.place, &what, expected);
+    }
+
     /// Rejects light from a point or from a single direction that a curved surface reflects or
     /// refracts: no path from a receiver finds it. The same holds for light of a point behind a
     /// refracting boundary. Flat surfaces are handled by image sources.
@@ -69,6 +75,11 @@ impl Refusals {
         for surface in scene.surfaces.iter().filter(|_| !scene.lights.is_empty()) {
             let [bends, mirrors] = match &scene.materials[surface.material].kind {
                 MaterialKind::Diffuse { .. } => [false; 2],
+                MaterialKind::Plastic { .. } if is_off(Effect::Mirror) => [false; 2],
+                MaterialKind::Plastic { .. } => {
+                    self.coat(surface);
+                    continue;
+                }
                 MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => {
                     [false, !is_off(Effect::Mirror)]
                 }
@@ -78,7 +89,7 @@ impl Refusals {
                     [differs && !is_off(Effect::Refraction); 2]
                 }
             };
-            let is_curved = surface.shape.is_curved();
+            let is_curved = surface.shape.is_curved() || surface.shape.is_smooth();
             if is_curved && mirrors {
                 let what = format!(
                     "light from point or distant lights that the curved surface `{}` reflects or refracts",

@@ -147,7 +147,7 @@ impl Scene {
                     move_point(position);
                 }
                 ReceiverKind::Ray { origin, .. } => move_point(origin),
-                ReceiverKind::Camera(camera) => move_point(&mut camera.origin),
+                ReceiverKind::Camera(camera) => *camera = camera.scaled(factor),
                 ReceiverKind::Points(points) => points.positions.iter_mut().for_each(move_point),
                 ReceiverKind::Surface { .. } | ReceiverKind::Faces { .. } => {}
             }

@@ -14,6 +14,7 @@ mod mitsuba_files;
 mod mitsuba_media;
 mod mitsuba_objects;
 mod mitsuba_spectra;
+mod mitsuba_textures;
 mod overlaps;
 mod page;
 mod subsurfaces;

@@ -1,7 +1,7 @@
 //! Scenes of Mitsuba 3: each element with an equivalent is read into the model as intended, and
 //! each element without one is named.
 
-use crate::{errors, read, scene, shown};
+use crate::{read, scene, shown};
 use forms_radiometry::geometry::{Mesh, Sphere, Vector};
 use forms_radiometry::scene::{
     Effect, Force, LightKind, MaterialKind, ReceiverKind, Scene, Shape, SurfaceSide, not_simulated,
@@ -281,10 +281,12 @@ fn a_limit_of_depth_is_a_limit_of_interreflection() {
     assert_eq!(forced(&path(5), CAMERA), [(Effect::Interreflection, Force::Orders(3))]);
     assert_eq!(forced(&path(5), METER), [(Effect::Interreflection, Force::Orders(4))]);
     assert_eq!(forced("<integrator type=\"direct\"/>", CAMERA), [(Effect::Interreflection, Force::Off)]);
-    let found = errors(&text(&path(5), &format!("{CAMERA}{METER}")), FILE);
-    let message = "a limit on path depth (`max_depth`) means one reflection fewer for a camera \
-                   than for an irradiance meter";
-    assert_eq!(found[0].message, message);
+    // of a camera and a meter, or with mirrors or media, all events count
+    let mirror = "<shape type=\"disk\"><bsdf type=\"conductor\"/></shape>";
+    for sensors in [format!("{CAMERA}{METER}"), format!("{mirror}{CAMERA}")] {
+        let scene = scene(&text(&path(5), &sensors), FILE);
+        assert_eq!((scene.solve.forced.len(), scene.solve.events), (0, Some(4)));
+    }
 }
 
 #[test]

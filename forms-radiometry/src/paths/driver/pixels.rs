@@ -16,11 +16,11 @@ use crate::scene::{MaterialKind, Medium, Scene};
 use crate::visibility::Face;
 
 /// Returns the part of each pixel, row by row, in which surfaces that send light may be visible;
-/// all of it where media may scatter light.
+/// all of it where media may scatter light, or where no film of a pinhole shows the surfaces.
 pub(super) fn shown(scene: &Scene, faces: &[Face], camera: &Camera) -> Vec<f64> {
     let [columns, rows] = camera.resolution;
     let scatters = |medium: &Medium| medium.scattering.iter().any(|&coefficient| coefficient > 0.0);
-    if scene.media.iter().any(scatters) {
+    if scene.media.iter().any(scatters) || camera.is_orthographic() {
         return vec![1.0; columns * rows];
     }
     let mut parts = vec![0.0; columns * rows];

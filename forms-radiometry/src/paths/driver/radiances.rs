@@ -79,7 +79,9 @@ fn brightest(scene: &Scene, reflected: &[f64], outside: &[f64], part: f64) -> Ve
 /// Returns, for each band, the brightest radiance that is found only by chance: from outside, of
 /// surfaces via curved mirrors and glass, or this part of the light that a surface reflects.
 fn by_chance(world: &World, outside: &[f64], (reflected, part): (&[f64], f64)) -> Vec<f64> {
-    let mut brightest = outside.to_vec();
+    let is_by_chance = world.finds_outside_by_chance();
+    let mut brightest: Vec<f64> =
+        outside.iter().map(|&radiance| if is_by_chance { radiance } else { 0.0 }).collect();
     add_brighter(&mut brightest, reflected, part);
     let turned = world.turned_by_chance();
     world.scene.surfaces.iter().for_each(|surface| add_brighter(&mut brightest, &surface.radiance, turned));

@@ -118,7 +118,6 @@ impl Reader<'_> {
             Some(accessor) => self.data.indices(accessor)?,
             None => (0..count).collect(),
         };
-        self.parts.has_normals |= primitive.attributes.normal.is_some();
         if let Some(wrong) = indices.iter().find(|&&index| index >= count) {
             return Err(format!("there is no vertex {wrong}: it has {count}"));
         }

@@ -1,20 +1,18 @@
 //! Wavefront OBJ: reads the vertices, the faces and the names of their groups, or of their materials
-//! if the file has no groups. A surface of a scene is flat between its edges, so normals are only
-//! compared with those of the faces. Texture coordinates are ignored, and so are lines and points,
-//! which have no area.
+//! if the file has no groups, the normals and the texture coordinates. Lines and points are ignored:
+//! they have no area.
 
 use super::parts::Parts;
 use super::words::{Word, extent, lines, words};
-use super::{Fault, Read, is_same_normal};
-use crate::geometry::{Polygon, Vector};
+use super::{Fault, Read};
+use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
 use crate::scene::value::values;
 
-/// Statements that do not affect the shape: texture coordinates and parameters, weights of vertices
+/// Statements that do not affect the shape: parameters of surfaces, weights of vertices
 /// and tags of subdivision, display settings, points, lines and curves.
 const WITHOUT_SHAPE: &[&str] = &[
-    "vt",
     "vp",
     "vw",
     "t",
@@ -70,20 +68,20 @@ impl Parts {
         let added = match keyword.text {
             "v" => vertex(keyword, arguments).map(|vertex| self.vertices.push(vertex)),
             "f" => face(arguments, self.vertices.len()).map(|face| {
-                self.faces_with_own_normal += usize::from(self.has_own_normal(&face, arguments));
+                self.add_attributes(arguments);
                 self.face(face, extent(statement));
             }),
             "vn" => {
-                self.has_normals = true;
-                self.normals.push(normal(arguments));
+                let [x, y, z] = numbers(arguments);
+                self.normals.values.push(Vector::new(x, y, z));
                 Ok(())
             }
-            "g" | "o" => {
-                self.group(&name(arguments));
+            "vt" => {
+                self.texture.values.push(numbers(arguments));
                 Ok(())
             }
-            "usemtl" => {
-                if by_material {
+            keyword @ ("g" | "o" | "usemtl") => {
+                if by_material || keyword != "usemtl" {
                     self.group(&name(arguments));
                 }
                 Ok(())
@@ -105,29 +103,31 @@ impl Parts {
 }
 
 impl Parts {
-    /// Whether all corners of a face are known to have the normal of the face, and the face is flat.
-    fn has_own_normal(&self, face: &[u32], arguments: &[Word]) -> bool {
-        if self.normals.is_empty() || !self.have_own_normals() {
-            return false;
+    /// Adds the texture coordinates and the normals at the corners of the next face.
+    fn add_attributes(&mut self, arguments: &[Word]) {
+        let face = self.face_count();
+        if !self.texture.values.is_empty() {
+            self.texture.push(face, attributes(arguments, 1, self.texture.values.len()));
         }
-        let corner = |&index: &u32| self.vertices.get(index as usize).copied();
-        let Some(corners) = face.iter().map(corner).collect::<Option<Vec<Vector>>>() else { return false };
-        let Ok(polygon) = Polygon::new(corners) else { return false };
-        arguments.iter().all(|word| {
-            let number = word.text.split('/').nth(2).and_then(|number| number.parse::<i64>().ok());
-            let from_zero = number.map(|n| if n < 0 { self.normals.len() as i64 + n } else { n - 1 });
-            let index = from_zero.and_then(|index| usize::try_from(index).ok());
-            let own = index.and_then(|index| *self.normals.get(index)?);
-            own.is_some_and(|own| is_same_normal(own, polygon.normal()))
-        })
+        if !self.normals.values.is_empty() {
+            self.normals.push(face, attributes(arguments, 2, self.normals.values.len()));
+        }
     }
 }
 
-/// Parses `vn x y z` into a unit vector; an invalid normal is `None`.
-fn normal(arguments: &[Word]) -> Option<Vector> {
-    let numbers: Vec<f64> = arguments.iter().map(|word| word.float().ok()).collect::<Option<_>>()?;
-    let [x, y, z] = numbers[..] else { return None };
-    Vector::new(x, y, z).unit()
+/// Parses the numbers of `vn x y z` or `vt u v w`; an invalid or missing number is zero.
+fn numbers<const N: usize>(arguments: &[Word]) -> [f64; N] {
+    std::array::from_fn(|i| arguments.get(i).and_then(|word| word.float().ok()).unwrap_or(0.0))
+}
+
+/// Returns the indices, from zero, at the corners of a face, of the texture coordinates (place 1) or
+/// the normals (place 2), of which there are `count` so far. There are none if a corner has none.
+fn attributes(arguments: &[Word], place: usize, count: usize) -> Vec<u32> {
+    let index = |word: &Word| {
+        let number = word.text.split('/').nth(place)?.parse::<i64>().ok()?;
+        u32::try_from(if number < 0 { count as i64 + number } else { number - 1 }).ok()
+    };
+    arguments.iter().map(index).collect::<Option<_>>().unwrap_or_default()
 }
 
 /// Returns the name of a group, or of all groups to which the next faces belong.

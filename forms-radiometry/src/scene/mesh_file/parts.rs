@@ -2,7 +2,7 @@
 //! are planar polygons, with notes on the faces that had to be changed.
 
 use super::{Fault, Group, MeshFile, Read};
-use crate::geometry::{FaceList, Mesh, PolygonError, Repaired, Vector, repaired};
+use crate::geometry::{Corners, FaceList, Mesh, PolygonError, Repaired, Vector, repaired};
 use crate::scene::SceneError;
 use crate::scene::place::{Place, Source};
 use forms::core::diagnostic::counted;
@@ -25,11 +25,9 @@ pub(super) struct Parts {
     /// The group of the faces that follow, and the group of each face.
     current: Option<u32>,
     group_of: Vec<Option<u32>>,
-    pub(super) has_normals: bool,
-    /// The normals so far to which faces refer; an invalid one is `None`.
-    pub(super) normals: Vec<Option<Vector>>,
-    /// The number of faces whose corners are known to have the normal of the face.
-    pub(super) faces_with_own_normal: usize,
+    /// The normals at the corners of the faces, which need not have length one.
+    pub(super) normals: Corners<Vector>,
+    pub(super) texture: Corners<[f64; 2]>,
     faults: Vec<Fault>,
     /// The number of further faults, which are only counted.
     more: usize,
@@ -76,9 +74,24 @@ impl Parts {
         self.group_of.push(self.current);
     }
 
-    /// Whether the corners of all faces so far are known to have the normals of their faces.
-    pub(super) fn have_own_normals(&self) -> bool {
-        self.faces_with_own_normal == self.faces.len()
+    /// Returns the number of faces so far.
+    pub(super) fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// Keeps the normals and the texture coordinates of the vertices, which belong to the corners of
+    /// the faces there, if the file has them.
+    pub(super) fn keep_attributes(&mut self, has_normals: bool, has_texture: bool) {
+        if has_normals {
+            self.normals.indices = self.faces.clone();
+        } else {
+            self.normals = Corners::default();
+        }
+        if has_texture {
+            self.texture.indices = self.faces.clone();
+        } else {
+            self.texture = Corners::default();
+        }
     }
 
     /// Adds a note on what was read in another way than it is written.
@@ -117,9 +130,9 @@ impl Parts {
         if !self.faults.is_empty() {
             return Err(told(source, self.faults, self.more));
         }
-        let has_normals_of_faces = self.have_own_normals();
         let mesh = Arc::new(Mesh::of_polygons(self.vertices, list));
-        Ok((MeshFile { mesh, groups, has_normals: self.has_normals, has_normals_of_faces }, self.notes))
+        let (normals, texture) = (Arc::new(self.normals), Arc::new(self.texture));
+        Ok((MeshFile { mesh, groups, normals, texture }, self.notes))
     }
 
     /// Returns the polygons that the faces stand for, each with its group. Faces that stand for
@@ -127,6 +140,7 @@ impl Parts {
     fn repaired(&mut self) -> (FaceList, Vec<Option<u32>>, Changed) {
         let (mut list, mut group_of, mut changed) = (FaceList::default(), Vec::new(), Changed::default());
         let mut faults = Vec::new();
+        let (mut normals, mut texture) = (FaceList::default(), FaceList::default());
         for index in 0..self.faces.len() {
             let face = self.faces.get(index);
             let polygons = match self.polygons_of(face) {
@@ -139,21 +153,17 @@ impl Parts {
                 }
             };
             let before = list.len();
-            match polygons {
-                Repaired::Whole => list.push(face.iter().copied()),
-                Repaired::Shorter(kept) => {
-                    changed.shortened += 1;
-                    list.push(kept.iter().map(|&corner| face[corner]));
-                }
-                Repaired::Triangles(triangles) => {
-                    changed.triangulated += 1;
-                    triangles.iter().for_each(|corners| list.push(corners.map(|corner| face[corner])));
-                }
-                Repaired::Nothing => changed.dropped += 1,
+            for corners in changed.corners(polygons, face.len()) {
+                let pick =
+                    |from: &[u32]| corners.iter().filter_map(|&i| from.get(i).copied()).collect::<Vec<_>>();
+                list.push(corners.iter().map(|&corner| face[corner]));
+                normals.push(pick(self.normals.indices_of(index)));
+                texture.push(pick(self.texture.indices_of(index)));
             }
             group_of.extend((before..list.len()).map(|_| self.group_of[index]));
         }
         faults.into_iter().for_each(|fault| self.fault(fault));
+        (self.normals.indices, self.texture.indices) = (normals, texture);
         (list, group_of, changed)
     }
 
@@ -194,6 +204,26 @@ impl Parts {
 const REST: &str = "rest";
 
 impl Changed {
+    /// Returns the corners of the polygons that a face with this number of corners stands for, and
+    /// counts a change.
+    fn corners(&mut self, polygons: Repaired, count: usize) -> Vec<Vec<usize>> {
+        match polygons {
+            Repaired::Whole => vec![(0..count).collect()],
+            Repaired::Shorter(kept) => {
+                self.shortened += 1;
+                vec![kept]
+            }
+            Repaired::Triangles(triangles) => {
+                self.triangulated += 1;
+                triangles.iter().map(|corners| corners.to_vec()).collect()
+            }
+            Repaired::Nothing => {
+                self.dropped += 1;
+                Vec::new()
+            }
+        }
+    }
+
     /// Describes the changes, each kind once.
     fn notes(&self) -> Vec<String> {
         let &Self { dropped, shortened, triangulated } = self;

@@ -58,9 +58,13 @@ fn is_corners(property: &Property) -> bool {
 
 impl Parts {
     fn read(&mut self, header: &Header, rows: &mut impl Rows) {
-        let is_normal = |property: &Property| matches!(&*property.name, "nx" | "ny" | "nz");
-        let mut vertices = header.elements.iter().filter(|element| element.name == "vertex");
-        self.has_normals = vertices.any(|element| element.properties.iter().any(is_normal));
+        let vertex = header.elements.iter().find(|element| element.name == "vertex");
+        let has = |names: &[&str]| {
+            let properties = vertex.map_or(&[][..], |vertex| &vertex.properties);
+            names.iter().all(|name| properties.iter().any(|own| own.name == *name && own.count.is_none()))
+        };
+        let has_normals = has(&["nx", "ny", "nz"]);
+        let has_texture = has(&["u", "v"]) || has(&["s", "t"]);
         let mut longer = 0;
         for (element, row) in header.elements.iter().flat_map(|e| (0..e.rows).map(move |row| (e, row))) {
             if let Err(stop) = self.row(element, row, rows) {
@@ -72,6 +76,7 @@ impl Parts {
                 longer += 1;
             }
         }
+        self.keep_attributes(has_normals, has_texture);
         if longer > 0 {
             let rows = counted(longer, "row");
             self.note(format!(
@@ -82,12 +87,12 @@ impl Parts {
 
     fn row(&mut self, element: &Element, row: u64, rows: &mut impl Rows) -> Result<(), Stop> {
         rows.begin(element, row)?;
-        let (mut vertex, mut corners) = (Vector::default(), Vec::new());
+        let (mut vertex, mut corners) = (Vertex::default(), Vec::new());
         for property in &element.properties {
             let Some(count) = property.count else {
                 let number = rows.number(property.scalar)?;
                 if element.name == "vertex" {
-                    place_coordinate(&mut vertex, property, number, rows)?;
+                    vertex.set(property, number, rows)?;
                 }
                 continue;
             };
@@ -99,7 +104,11 @@ impl Parts {
             }
         }
         match &*element.name {
-            "vertex" => self.vertices.push(vertex),
+            "vertex" => {
+                self.vertices.push(vertex.position);
+                self.normals.values.push(vertex.normal);
+                self.texture.values.push(vertex.texture);
+            }
             "face" => self.face(corners, rows.row_place()),
             _ => {}
         }
@@ -107,20 +116,34 @@ impl Parts {
     }
 }
 
-fn place_coordinate(
-    vertex: &mut Vector,
-    property: &Property,
-    number: f64,
-    rows: &impl Rows,
-) -> Result<(), Stop> {
-    let axis = match &*property.name {
-        "x" => &mut vertex.x,
-        "y" => &mut vertex.y,
-        "z" => &mut vertex.z,
-        _ => return Ok(()),
-    };
-    *axis = coordinate(rows.place(), number).map_err(|fault| passing(fault, rows))?;
-    Ok(())
+/// A vertex, with the normal and the texture coordinates that the file can have.
+#[derive(Default)]
+struct Vertex {
+    position: Vector,
+    normal: Vector,
+    texture: [f64; 2],
+}
+
+impl Vertex {
+    /// Sets the coordinate that a property stands for.
+    fn set(&mut self, property: &Property, number: f64, rows: &impl Rows) -> Result<(), Stop> {
+        let axis = match &*property.name {
+            "x" => &mut self.position.x,
+            "y" => &mut self.position.y,
+            "z" => &mut self.position.z,
+            "nx" => &mut self.normal.x,
+            "ny" => &mut self.normal.y,
+            "nz" => &mut self.normal.z,
+            "u" | "s" => &mut self.texture[0],
+            "v" | "t" => &mut self.texture[1],
+            _ => return Ok(()),
+        };
+        *axis = number;
+        if matches!(&*property.name, "x" | "y" | "z") {
+            coordinate(rows.place(), number).map_err(|fault| passing(fault, rows))?;
+        }
+        Ok(())
+    }
 }
 
 fn corner(number: f64, rows: &impl Rows) -> Result<u32, Stop> {

@@ -1,6 +1,8 @@
 //! Materials: parses `<bsdf>` into a law of reflection; a boundary of media becomes a material
 //! together with the interior medium of a shape.
 
+use super::checkerboard::{COLOURS, Checkerboard};
+use super::metals::{METALS, Metal};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
@@ -22,6 +24,8 @@ pub(super) struct Bsdf {
 pub(super) enum Law {
     /// A law that does not depend on the shape.
     Opaque(MaterialKind),
+    /// Diffuse reflection in two colours.
+    Checkered(Checkerboard),
     /// A boundary between media of these indices.
     Dielectric { inside: f64, outside: f64, outside_place: Range<usize> },
     /// A boundary without a change of index.
@@ -30,7 +34,7 @@ pub(super) enum Law {
     Wrong,
 }
 
-/// Identifies a material: its element, and the medium behind it.
+/// Identifies a material: its element, and the medium behind it or its colour on a checkerboard.
 pub(super) type Key = (usize, Option<usize>);
 
 /// The keys of the materials of shapes without a `<bsdf>`.
@@ -65,7 +69,7 @@ const INDICES: [(&str, f64); 23] = [
     ("diamond", 2.419),
 ];
 
-const KINDS: [&str; 5] = ["diffuse", "conductor", "dielectric", "twosided", "null"];
+const KINDS: [&str; 6] = ["diffuse", "conductor", "plastic", "dielectric", "twosided", "null"];
 
 impl Bsdf {
     /// Parses a `<bsdf>`, only once even if it is referenced several times.
@@ -102,11 +106,32 @@ impl Bsdf {
             MaterialKind::Dielectric { inside } => Some(inside),
             _ => None,
         };
+        self.known_material(reader, kind, inside, &self.name)
+    }
+
+    /// Returns the index of the material for a colour of a checkerboard.
+    pub(super) fn material_of_colour(
+        &self,
+        reader: &mut Reader,
+        board: &Checkerboard,
+        colour: usize,
+    ) -> usize {
+        let kind = MaterialKind::Diffuse { reflectance: board.colours[colour].clone() };
+        let name = format!("{}/{}", self.name, COLOURS[colour]);
+        self.known_material(reader, kind, Some(colour), &name)
+    }
+
+    fn known_material(
+        &self,
+        reader: &mut Reader,
+        kind: MaterialKind,
+        part: Option<usize>,
+        name: &str,
+    ) -> usize {
         let next = reader.materials.len();
-        let index = *reader.known_materials.entry((self.key, inside)).or_insert(next);
+        let index = *reader.known_materials.entry((self.key, part)).or_insert(next);
         if index == next {
-            let name =
-                unique(&self.name, |taken| reader.materials.iter().any(|material| material.name == taken));
+            let name = unique(name, |taken| reader.materials.iter().any(|material| material.name == taken));
             let place = reader.report.place(self.place.clone());
             reader.materials.push(Material { name, kind, place });
         }
@@ -127,7 +152,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let kind = reader.kind(inner);
     if matches!(&*kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
-        reader.error(inner, message, "`diffuse` or `conductor`");
+        reader.error(inner, message, "`diffuse`, `conductor` or `plastic`");
         return Law::Wrong;
     }
     Bsdf::read(reader, inner).law
@@ -136,6 +161,10 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     match &*object.kind {
         "diffuse" => {
+            if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
+                reader.finish(object, &["reflectance"]);
+                return Law::Checkered(board);
+            }
             let grey = vec![0.5; reader.bands];
             let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
             reader.finish(object, &["reflectance"]);
@@ -148,6 +177,7 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             reader.finish(object, &["int_ior", "ext_ior"]);
             Law::Dielectric { inside, outside, outside_place }
         }
+        "plastic" => plastic(reader, object),
         "null" => {
             reader.finish(object, &[]);
             Law::Null
@@ -159,21 +189,17 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     }
 }
 
-/// Returns the law of a metal with index η + ik; without an index, or with the material `none`, a
-/// perfect mirror.
+/// Returns the law of a metal with index η + ik, given by name or by numbers; without an index, or
+/// with the material `none`, a perfect mirror.
 fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
-    if let Some((name, place)) = reader.string(&mut object, "material")
-        && name != "none"
-    {
-        let expected = "`eta` and `k`, or the material `none`";
-        reader.report.error(
-            place,
-            format!("the refractive index of the metal `{name}` is not known"),
-            expected,
-        );
+    let metal = named_metal(reader, &mut object);
+    if metal.is_some() && (object.has("eta") || object.has("k")) {
+        let message = "this conductor has both a `material` and an index";
+        reader.error(object.node, message, "one of the two");
+        object.ignore(&["eta", "k"]);
     }
-    let eta = reader.colour(&mut object, "eta", &POSITIVE);
-    let k = reader.colour(&mut object, "k", &NOT_NEGATIVE);
+    let eta = reader.colour(&mut object, "eta", &POSITIVE).or(metal.map(|metal| metal.eta.to_vec()));
+    let k = reader.colour(&mut object, "k", &NOT_NEGATIVE).or(metal.map(|metal| metal.k.to_vec()));
     let reflectance = reader.colour(&mut object, "specular_reflectance", &FRACTION);
     let node = object.node;
     reader.finish(object, &["material", "eta", "k", "specular_reflectance"]);
@@ -196,6 +222,54 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             Law::Opaque(MaterialKind::Mirror { reflectance: vec![1.0; reader.bands] })
         }
     }
+}
+
+/// Returns the law of a diffuse base below a smooth coat. The base reflects ρ/(η² (1 − ρ F)), where F is
+/// the diffuse reflectance of the coat from inside; by default Mitsuba takes ρ as white in the
+/// denominator.
+fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    let or = |value: Option<Vec<f64>>, default: f64, bands: usize| value.unwrap_or(vec![default; bands]);
+    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
+    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
+    let (inside, _) = index(reader, &mut object, "int_ior", "polypropylene");
+    let (outside, place) = index(reader, &mut object, "ext_ior", "air");
+    let is_nonlinear = reader.boolean(&mut object, "nonlinear", false, false);
+    let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
+    reader.finish(object, &known);
+    let n = inside / outside;
+    if !(n > 1.0 && n.is_finite()) {
+        reader.report.error(
+            place,
+            "the coat of a plastic has no larger index than its exterior",
+            "`int_ior` above `ext_ior`",
+        );
+        return Law::Wrong;
+    }
+    let inner = diffuse_reflectance_from_inside(n);
+    let of_band = |rho: &f64| rho / (n * n * (1.0 - inner * if is_nonlinear { *rho } else { 1.0 }));
+    let reflectance = base.iter().map(of_band).collect();
+    Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n })
+}
+
+/// Returns the diffuse reflectance of a boundary from inside of a medium with this relative index: a
+/// fit, as in Mitsuba.
+///
+/// Source: W. G. Egan, T. W. Hilgeman, Optical properties of inhomogeneous materials (1979).
+fn diffuse_reflectance_from_inside(n: f64) -> f64 {
+    -1.4399 / (n * n) + 0.7099 / n + 0.6681 + 0.0636 * n
+}
+
+/// Returns the metal that a conductor names, if it names one.
+fn named_metal<'a>(reader: &mut Reader<'a, '_, '_>, object: &mut Object<'a>) -> Option<&'static Metal> {
+    let (name, place) = reader.string(object, "material").filter(|(name, _)| name != "none")?;
+    let metal = METALS.iter().find(|metal| metal.name == name);
+    if metal.is_none() {
+        let names = one_of(METALS.iter().map(|metal| metal.name));
+        let message = format!("the refractive index of the metal `{name}` is not known");
+        reader.report.error(place, message, format!("`eta` and `k`, the material `none`, or {names}"));
+    }
+    reader.has_tables |= metal.is_some();
+    metal
 }
 
 /// Returns an index of refraction, given as a number or by name, and its place.

@@ -3,9 +3,14 @@
 
 use super::object::Object;
 use super::{Node, Reader};
-use crate::geometry::Vector;
+use crate::geometry::{Affine, Vector};
+use crate::scene::environment_map::EnvironmentMap;
 use crate::scene::model::{Light, LightKind};
 use crate::scene::value::NOT_NEGATIVE;
+
+/// Properties of emitters outside shapes.
+const KNOWN: [&str; 8] =
+    ["to_world", "position", "intensity", "direction", "irradiance", "radiance", "filename", "scale"];
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
@@ -23,31 +28,35 @@ impl<'a> Reader<'a, '_, '_> {
                 let intensity = self.required_colour(&mut object, "intensity", &NOT_NEGATIVE);
                 Some(LightKind::Point { position, intensity })
             }
-            "directional" => {
-                let direction = self.vector(&mut object, "direction");
-                let direction = direction.unwrap_or_else(|| to_world.vector(Vector::new(0.0, 0.0, 1.0)));
-                let irradiance = self.required_colour(&mut object, "irradiance", &NOT_NEGATIVE);
-                match direction.unit() {
-                    Some(direction) => Some(LightKind::Distant { direction, irradiance }),
-                    None => {
-                        self.error(node, "the direction has length zero", "a vector with a direction");
-                        None
-                    }
-                }
-            }
+            "directional" => self.directional(&mut object, &to_world),
             "constant" => {
                 self.constant(&mut object);
                 None
             }
+            "envmap" => {
+                self.environment(&mut object, &to_world);
+                None
+            }
             _ => {
-                self.unknown(&mut object, &["point", "directional", "constant"]);
+                self.unknown(&mut object, &["point", "directional", "constant", "envmap"]);
                 return;
             }
         };
         let name = node.attribute("id").unwrap_or_default().to_owned();
-        self.finish(object, &["to_world", "position", "intensity", "direction", "irradiance", "radiance"]);
+        self.finish(object, &KNOWN);
         let place = self.report.place(node.range());
         self.lights.extend(kind.map(|kind| Light { name, kind, place }));
+    }
+
+    fn directional(&mut self, object: &mut Object<'a>, to_world: &Affine) -> Option<LightKind> {
+        let direction = self.vector(object, "direction");
+        let direction = direction.unwrap_or_else(|| to_world.vector(Vector::new(0.0, 0.0, 1.0)));
+        let irradiance = self.required_colour(object, "irradiance", &NOT_NEGATIVE);
+        let Some(direction) = direction.unit() else {
+            self.error(object.node, "the direction has length zero", "a vector with a direction");
+            return None;
+        };
+        Some(LightKind::Distant { direction, irradiance })
     }
 
     /// Checks that a shape refers to an area emitter outside all shapes, which is read there.
@@ -73,8 +82,18 @@ impl<'a> Reader<'a, '_, '_> {
     fn constant(&mut self, object: &mut Object<'a>) {
         let one = vec![1.0; self.bands];
         let radiance = self.colour(object, "radiance", &NOT_NEGATIVE).unwrap_or(one);
-        if self.ambient_radiance.replace(radiance).is_some() {
-            self.error(object.node, "more than one emitter of type `constant`", "one");
+        self.set_outside(object, radiance, None);
+    }
+
+    /// Sets the radiance from outside: with a map, the largest from any direction.
+    pub(super) fn set_outside(
+        &mut self,
+        object: &Object<'a>,
+        radiance: Vec<f64>,
+        map: Option<EnvironmentMap>,
+    ) {
+        if self.outside.replace((radiance, map)).is_some() {
+            self.error(object.node, "more than one emitter of type `constant` or `envmap`", "one");
         }
         self.ambient_place = object.node.range();
     }

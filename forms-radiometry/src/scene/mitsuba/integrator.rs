@@ -1,9 +1,10 @@
-//! Integrators: the number of light bounces of an `<integrator>` becomes a forced effect.
+//! Integrators: the number of light bounces of an `<integrator>` becomes a forced effect, or a limit on
+//! the events along paths.
 
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::effect::{Effect, Force, ForcedEffect};
-use crate::scene::model::{MaterialKind, Receiver, ReceiverKind, Surface};
+use crate::scene::model::{MaterialKind, Receiver, ReceiverKind, Solve, Surface};
 use crate::scene::value::Domain;
 use std::ops::Range;
 
@@ -91,11 +92,11 @@ impl<'a> Reader<'a, '_, '_> {
         self.finish(object, &["integrator"]);
     }
 
-    /// Returns the forced effects.
-    pub(super) fn forced(&mut self) -> Vec<ForcedEffect> {
-        let Some(integrator) = self.integrator.take() else { return Vec::new() };
+    /// Returns the settings that the integrator implies.
+    pub(super) fn solve(&mut self) -> Solve {
+        let Some(integrator) = self.integrator.take() else { return Solve::default() };
         self.check_integrator(&integrator);
-        let Integrator { depth: Some(depth), place, .. } = integrator else { return Vec::new() };
+        let Integrator { depth: Some(depth), place, .. } = integrator else { return Solve::default() };
         self.limited(depth, place)
     }
 
@@ -105,8 +106,7 @@ impl<'a> Reader<'a, '_, '_> {
             let message = "this integrator ignores the participating media of the scene";
             self.report.error(place(), message, "an integrator of type `volpath`");
         }
-        let has_visible_emitters =
-            self.surfaces.iter().any(Surface::emits) || self.ambient_radiance.is_some();
+        let has_visible_emitters = self.surfaces.iter().any(Surface::emits) || self.outside.is_some();
         if integrator.hides_emitters && has_visible_emitters {
             let message = "emitters hidden from the camera are not supported";
             self.report.error(place(), message, "hide_emitters = false");
@@ -121,24 +121,16 @@ impl<'a> Reader<'a, '_, '_> {
         self.materials.iter().all(|material| matches!(material.kind, MaterialKind::Diffuse { .. }))
     }
 
-    /// Returns the effect that limits the depth of paths. A path of depth d from a lamp to a camera
-    /// is reflected d − 1 times, the last time towards the camera. A path to an irradiance meter,
-    /// which is a surface itself, is reflected d − 1 times before it. All reflections must be
-    /// diffuse.
-    fn limited(&mut self, depth: u32, place: Range<usize>) -> Vec<ForcedEffect> {
-        if self.has_media() || !self.is_diffuse() {
-            let message =
-                "a limit on path depth (`max_depth`) is only supported for diffuse surfaces without media";
-            self.report.error(place, message, "max_depth = -1");
-            return Vec::new();
-        }
+    /// Returns the settings that limit the depth of paths. A path of depth d has d − 1 events between
+    /// the lamp and the sensor. Where all of them are diffuse reflections, they are orders of
+    /// interreflection: the last one is towards a camera, but before an irradiance meter, which is a
+    /// surface itself.
+    fn limited(&mut self, depth: u32, place: Range<usize>) -> Solve {
         let is_camera = |receiver: &Receiver| matches!(receiver.kind, ReceiverKind::Camera(_));
         let cameras = self.receivers.iter().filter(|receiver| is_camera(receiver)).count();
-        if 0 < cameras && cameras < self.receivers.len() {
-            let message = "a limit on path depth (`max_depth`) means one reflection fewer for a camera \
-                           than for an irradiance meter";
-            self.report.error(place, message, "max_depth = -1, or sensors of one kind");
-            return Vec::new();
+        let has_both = 0 < cameras && cameras < self.receivers.len();
+        if self.has_media() || !self.is_diffuse() || has_both {
+            return Solve { events: Some(depth - 1), ..Solve::default() };
         }
         let has_only_cameras = cameras == self.receivers.len();
         if depth == 1 && cameras > 0 {
@@ -146,7 +138,9 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let orders = depth.saturating_sub(if has_only_cameras { 2 } else { 1 });
         let force = if orders == 0 { Force::Off } else { Force::Orders(orders) };
-        vec![ForcedEffect { effect: Effect::Interreflection, force, place: self.report.place(place) }]
+        let place = self.report.place(place);
+        let forced = vec![ForcedEffect { effect: Effect::Interreflection, force, place }];
+        Solve { forced, ..Solve::default() }
     }
 
     /// Makes all surfaces black: light that is never reflected reaches a camera only straight from

@@ -58,13 +58,16 @@ impl FieldOfView {
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn sensor(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
-        if object.kind != "perspective" {
-            self.unknown(&mut object, &["perspective"]);
+        if !matches!(&*object.kind, "perspective" | "orthographic") {
+            self.unknown(&mut object, &["perspective", "orthographic"]);
             return;
         }
         let count = self.receivers.len();
         let name = self.name(&object, "sensor", count);
-        let camera = self.camera(&mut object);
+        let camera = match &*object.kind {
+            "orthographic" => self.orthographic(&mut object),
+            _ => self.camera(&mut object),
+        };
         let medium = self.take_object(&mut object, "medium").map(|medium| self.medium(medium));
         self.sensor_in(node, medium);
         self.take_object(&mut object, "sampler");
@@ -111,6 +114,24 @@ impl<'a> Reader<'a, '_, '_> {
             to_world.vector(Vector::new(0.0, 0.0, 1.0)),
         ];
         Camera::looking(origin, forward, up, 2.0 * half_height.atan().to_degrees(), resolution)
+    }
+
+    /// Returns the orthographic camera. Its picture shows the coordinates from −1 to 1 along x, and as
+    /// much along y as the shape of the film tells. Scaling along z has no effect.
+    fn orthographic(&mut self, object: &mut Object<'a>) -> Option<Camera> {
+        let to_world = self.transform(object);
+        let [right, up, forward] = to_world.columns;
+        let is_upright = forward.unit().is_some_and(|forward| {
+            let is_across = |axis: Vector| forward.dot(axis).abs() <= 1e-6 * axis.length();
+            is_across(right) && is_across(up)
+        });
+        let Some(scale) = to_world.scale(2).filter(|_| is_upright && !to_world.mirrors()) else {
+            let message = "non-uniform scaling or reflection of a camera is not supported";
+            self.error(object.node, message, "a rotation, a translation and uniform scaling");
+            return None;
+        };
+        let resolution = self.film(object)?;
+        Camera::orthographic(to_world.shift, forward, up, 2.0 * scale, resolution)
     }
 
     /// Returns the field of view: from `fov`, which is horizontal unless `fov_axis` states

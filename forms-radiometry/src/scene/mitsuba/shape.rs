@@ -5,16 +5,51 @@ use super::media::Index;
 use super::normals::{self, SmoothMesh};
 use super::object::Object;
 use super::{Node, Reader};
-use crate::geometry::{Affine, Disk, Mesh, MeshError, Polygon, Sphere, Vector};
+use crate::geometry::{Affine, Corners, Disk, Mesh, MeshError, Polygon, Profile, Quadric, Sphere, Vector};
 use crate::scene::element::unique;
+use crate::scene::mesh_file::MeshFile;
 use crate::scene::model::{MaterialKind, Shape, Surface};
-use crate::scene::value::{LENGTH, NOT_NEGATIVE};
+use crate::scene::value::{Domain, LENGTH, NOT_NEGATIVE};
 use std::sync::Arc;
 
-const KINDS: [&str; 8] = ["rectangle", "cube", "sphere", "disk", "obj", "ply", "shapegroup", "instance"];
+const KINDS: [&str; 10] =
+    ["rectangle", "cube", "sphere", "disk", "cylinder", "obj", "ply", "serialized", "shapegroup", "instance"];
 
-const PARTS: [&str; 8] =
-    ["to_world", "flip_normals", "bsdf", "emitter", "sensor", "medium", "filename", "face_normals"];
+const PARTS: [&str; 9] = [
+    "to_world",
+    "flip_normals",
+    "bsdf",
+    "emitter",
+    "sensor",
+    "medium",
+    "filename",
+    "face_normals",
+    "shape_index",
+];
+
+/// Numbers of the meshes of a file.
+const SHAPE_INDEX: Domain = Domain {
+    expected: "an integer of at least 0",
+    contains: |x| x.fract() == 0.0 && (0.0..=1e9).contains(&x),
+};
+
+const OPAQUE_WITH_MEDIUM: &str = "an interior or exterior medium of an opaque surface is not supported";
+
+/// The geometry of a shape.
+pub(super) struct Geometry {
+    pub(super) shape: Shape,
+    /// The texture coordinates at the corners of its polygon or mesh.
+    pub(super) texture: Corners<[f64; 2]>,
+    /// Its interpolated normals, if they are not those of its faces.
+    pub(super) smooth: Option<SmoothMesh>,
+}
+
+impl Geometry {
+    /// Returns the geometry of a shape without texture coordinates.
+    fn of(shape: Shape) -> Self {
+        Self { shape, texture: Corners::default(), smooth: None }
+    }
+}
 
 impl<'a> Reader<'a, '_, '_> {
     /// Parses a top-level shape. The shapes of a group are read with its instances.
@@ -29,7 +64,7 @@ impl<'a> Reader<'a, '_, '_> {
     pub(super) fn shape(&mut self, node: Node<'a>) {
         let mut object = self.object(node);
         let name = self.shape_name(&object);
-        let shape = self.geometry(&mut object);
+        let geometry = self.geometry(&mut object);
         let emitter = self.take_object(&mut object, "emitter");
         let radiance = emitter.map(|emitter| self.area_emitter(emitter));
         let bsdf = match self.take_object(&mut object, "bsdf") {
@@ -39,23 +74,48 @@ impl<'a> Reader<'a, '_, '_> {
         let material = self.material_of(&mut object, &bsdf);
         let radiance = radiance.unwrap_or_else(|| vec![0.0; self.bands]);
         self.check_sides(node, &bsdf, &radiance);
-        if let Some(sensor) = self.take_object(&mut object, "sensor") {
-            self.irradiance_meter(sensor, self.surfaces.len(), &name);
-        }
+        self.own_sensor(&mut object, &bsdf, &name);
         let place = node.attribute_node("type").map_or(node.range(), |kind| kind.range_value());
         self.finish(object, &PARTS);
-        if matches!(bsdf.law, Law::Null) || shape.is_none() {
-            // light passes a boundary without a change of index straight on, whatever its normal is
-            self.smooth_meshes.retain(|mesh| mesh.surface != self.surfaces.len());
-        }
-        let Some(shape) = shape else { return };
-        if shape.has_no_faces() {
+        let Some(geometry) = geometry else { return };
+        if geometry.shape.has_no_faces() {
             self.report.note(format!("the shape `{name}` has no faces, and is left out"));
             return;
         }
         let place = self.report.place(place);
         let two_sided = bsdf.two_sided;
-        self.surfaces.push(Surface { name, material, shape, radiance, exitance: None, two_sided, place });
+        let surface = Surface {
+            name,
+            material,
+            shape: geometry.shape.clone(),
+            radiance,
+            exitance: None,
+            two_sided,
+            place,
+        };
+        match &bsdf.law {
+            Law::Checkered(board) => self.checkered((&bsdf, board), &geometry, surface),
+            // light passes a boundary without a change of index straight on, whatever its normal is
+            Law::Null => self.surfaces.push(surface),
+            _ => self.add_surface(surface, geometry.smooth),
+        }
+    }
+
+    /// Parses the sensor of a shape.
+    fn own_sensor(&mut self, object: &mut Object<'a>, bsdf: &Bsdf, name: &str) {
+        let Some(sensor) = self.take_object(object, "sensor") else { return };
+        if let Law::Checkered(_) = bsdf.law {
+            let message = "an irradiance meter on a shape with a checkerboard is not supported";
+            self.error(sensor, message, "a reflectance without a texture");
+        }
+        self.irradiance_meter(sensor, self.surfaces.len(), name);
+    }
+
+    /// Adds a surface, with the interpolated normals of its mesh.
+    pub(super) fn add_surface(&mut self, surface: Surface, smooth: Option<SmoothMesh>) {
+        let index = self.surfaces.len();
+        self.smooth_meshes.extend(smooth.map(|smooth| SmoothMesh { surface: index, ..smooth }));
+        self.surfaces.push(surface);
     }
 
     /// Returns the id of a shape, or a name made of a number; within an instance, after its name.
@@ -85,8 +145,7 @@ impl<'a> Reader<'a, '_, '_> {
         let (index, n) = match &bsdf.law {
             Law::Opaque(kind) => {
                 if inside.is_some() || outside.is_some() {
-                    let message = "an interior or exterior medium of an opaque surface is not supported";
-                    self.error(node, message, "a bsdf of type `dielectric` or `null`");
+                    self.error(node, OPAQUE_WITH_MEDIUM, "a bsdf of type `dielectric` or `null`");
                 }
                 return bsdf.material(self, kind.clone());
             }
@@ -94,6 +153,12 @@ impl<'a> Reader<'a, '_, '_> {
                 (Index::Given(inside.to_bits()), Some((*outside, outside_place.clone())))
             }
             Law::Null => (Index::OfFront, None),
+            Law::Checkered(_) => {
+                if inside.is_some() || outside.is_some() {
+                    self.error(node, OPAQUE_WITH_MEDIUM, "a bsdf of type `dielectric` or `null`");
+                }
+                return 0;
+            }
             Law::Wrong => return 0,
         };
         if matches!(bsdf.law, Law::Null) && inside.is_none() {
@@ -120,16 +185,17 @@ impl<'a> Reader<'a, '_, '_> {
         Some(self.medium(medium))
     }
 
-    fn geometry(&mut self, object: &mut Object<'a>) -> Option<Shape> {
+    fn geometry(&mut self, object: &mut Object<'a>) -> Option<Geometry> {
         let own = self.transform(object);
         let to_world = self.instance.as_ref().map_or(own, |instance| instance.to_world.after(&own));
         let flipped = self.boolean(object, "flip_normals", false, false);
         match &*object.kind {
             "rectangle" => self.rectangle(object.node, &to_world, flipped),
-            "cube" => self.moved(object.node, cube(), &to_world, flipped),
-            "sphere" => self.sphere(object, &to_world, flipped),
-            "disk" => self.disk(object.node, &to_world, flipped),
-            "obj" | "ply" => self.mesh(object, &to_world, flipped),
+            "cube" => self.moved(object.node, cube(), &to_world, flipped).map(Geometry::of),
+            "sphere" => self.sphere(object, &to_world, flipped).map(Geometry::of),
+            "disk" => self.disk(object.node, &to_world, flipped).map(Geometry::of),
+            "cylinder" => self.cylinder(object, &to_world, flipped).map(Geometry::of),
+            "obj" | "ply" | "serialized" => self.mesh(object, &to_world, flipped),
             _ => {
                 self.unknown(object, &KINDS);
                 None
@@ -139,15 +205,20 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Returns the square [−1, 1]² of the plane z = 0, seen from above. Its normal is transformed
     /// by the inverse transpose of the transform, so a reflection keeps its front on the same side.
-    fn rectangle(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
-        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
-        let mut vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
+    fn rectangle(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Geometry> {
+        let mut corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         if flipped != to_world.mirrors() {
-            vertices.reverse();
+            corners.reverse();
         }
+        let vertices = corners.map(|(x, y)| to_world.point(Vector::new(x, y, 0.0))).to_vec();
+        let mut texture = Corners {
+            values: corners.map(|(x, y)| [0.5 + 0.5 * x, 0.5 + 0.5 * y]).to_vec(),
+            ..Corners::default()
+        };
+        texture.push(0, 0..4);
         let polygon =
             Polygon::new(vertices).map_err(|error| self.error(node, error.to_string(), "a rectangle"));
-        polygon.ok().map(Shape::Polygon)
+        polygon.ok().map(|polygon| Geometry { texture, ..Geometry::of(Shape::Polygon(polygon)) })
     }
 
     fn sphere(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
@@ -166,6 +237,28 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     /// Returns the unit disk of the plane z = 0, seen from above.
+    fn cylinder(&mut self, object: &mut Object<'a>, to_world: &Affine, inward: bool) -> Option<Shape> {
+        let ends = ["p0", "p1"].map(|key| self.vector(object, key));
+        let ends = [ends[0].unwrap_or_default(), ends[1].unwrap_or(Vector::new(0.0, 0.0, 1.0))];
+        let radius = self.float(object, "radius", 1.0, &LENGTH);
+        let Some(scale) = to_world.scale(3) else {
+            let message = "non-uniform scaling of a cylinder is not supported";
+            self.error(object.node, message, "uniform scaling");
+            return None;
+        };
+        if ends[0] == ends[1] {
+            self.error(
+                object.node,
+                "both ends of the cylinder are the same point",
+                "`p0` and `p1` that differ",
+            );
+            return None;
+        }
+        let ends = ends.map(|end| to_world.point(end));
+        let radii = [scale * radius; 2];
+        Some(Shape::Quadric(Quadric { ends, radii, profile: Profile::Straight, inward }))
+    }
+
     fn disk(&mut self, node: Node<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
         let [u, v] =
             [Vector::new(1.0, 0.0, 0.0), Vector::new(0.0, 1.0, 0.0)].map(|axis| to_world.vector(axis));
@@ -178,12 +271,38 @@ impl<'a> Reader<'a, '_, '_> {
         Some(Shape::Disk(Disk { center: to_world.point(Vector::default()), normal, radius, hole: 0.0 }))
     }
 
-    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Shape> {
+    fn mesh(&mut self, object: &mut Object<'a>, to_world: &Affine, flipped: bool) -> Option<Geometry> {
         let node = object.node;
         let has_flat_faces = self.boolean(object, "face_normals", false, true);
-        object.ignore(&["flip_tex_coords"]);
+        let flips_texture = self.boolean(object, "flip_tex_coords", object.kind == "obj", false);
+        let (file, name) = self.mesh_file(object)?;
+        let shape = match *to_world == Affine::IDENTITY && !flipped {
+            true => Shape::Mesh(Arc::clone(&file.mesh)),
+            false => self.moved(node, Ok((*file.mesh).clone()), to_world, flipped)?,
+        };
+        let mut geometry = Geometry::of(shape);
+        let Shape::Mesh(mesh) = &geometry.shape else { return None };
+        geometry.texture = texture(&file, flips_texture, flipped);
+        if !has_flat_faces {
+            let normals = normals::of_corners(&file, mesh, to_world, flipped);
+            let angle = normals::largest_angle(mesh, &normals);
+            let (place, surface) = (node.range(), self.surfaces.len());
+            geometry.smooth =
+                (angle > 0.0).then_some(SmoothMesh { file: name, place, surface, normals, angle });
+        }
+        Some(geometry)
+    }
+
+    /// Returns the mesh file of a shape, and its name.
+    fn mesh_file(&mut self, object: &mut Object<'a>) -> Option<(MeshFile, String)> {
+        let is_serialized = object.kind == "serialized";
+        let number = if is_serialized { self.float(object, "shape_index", 0.0, &SHAPE_INDEX) } else { 0.0 };
         let Some((name, place)) = self.string(object, "filename") else {
-            self.error(node, format!("this shape of type `{}` has no `filename`", object.kind), "a string");
+            self.error(
+                object.node,
+                format!("this shape of type `{}` has no `filename`", object.kind),
+                "a string",
+            );
             return None;
         };
         if !name.to_lowercase().ends_with(&format!(".{}", object.kind)) {
@@ -194,16 +313,11 @@ impl<'a> Reader<'a, '_, '_> {
             );
             return None;
         }
-        let file = self.files.file(self.report, place, &name)?;
-        if !has_flat_faces && let Err(angle) = normals::angle(&file) {
-            let surface = self.surfaces.len();
-            self.smooth_meshes.push(SmoothMesh { file: name, place: node.range(), surface, angle });
-        }
-        let mesh = file.mesh;
-        if *to_world == Affine::IDENTITY && !flipped {
-            return Some(Shape::Mesh(mesh));
-        }
-        self.moved(node, Ok((*mesh).clone()), to_world, flipped)
+        let file = match is_serialized {
+            true => self.files.serialized(self.report, place, &name, number as usize)?,
+            false => self.files.file(self.report, place, &name)?,
+        };
+        Some((file, name))
     }
 
     fn moved(
@@ -244,6 +358,17 @@ impl<'a> Reader<'a, '_, '_> {
         self.finish(object, &["radiance"]);
         radiance
     }
+}
+
+/// Returns the texture coordinates at the corners of a mesh, whose faces are reversed if it is flipped.
+fn texture(file: &MeshFile, is_turned: bool, flipped: bool) -> Corners<[f64; 2]> {
+    let turned = |&[u, v]: &[f64; 2]| if is_turned { [u, 1.0 - v] } else { [u, v] };
+    let values = file.texture.values.iter().map(turned).collect();
+    let mut texture = Corners { values, ..Corners::default() };
+    for face in 0..file.mesh.faces().len() {
+        texture.push(face, normals::in_order(file.texture.indices_of(face), flipped));
+    }
+    texture
 }
 
 /// Returns the cube [−1, 1]³, with its faces outwards.

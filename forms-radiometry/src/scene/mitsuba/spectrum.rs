@@ -1,5 +1,6 @@
 //! Spectra: a table over wavelength, or Planck’s law, becomes its mean in each band.
 
+use super::metals::METALS;
 use super::{Node, RGB, Reader};
 use crate::scene::model::Band;
 use crate::scene::value::{Domain, within};
@@ -17,14 +18,22 @@ const TABLE: &str = "wavelength:value pairs in nm, with increasing wavelengths";
 const TEMPERATURE: Domain =
     Domain { expected: "a temperature in K, above 0 and up to 1e6", contains: |x| x > 0.0 && x <= 1e6 };
 
-/// Whether a property has a value for each band: a colour, a table or a black body.
+/// Whether a property has a value for each band: a colour, a table, a black body, the name of a metal,
+/// or an environment map.
 pub(super) fn has_bands(node: Node, value: impl Fn(&str) -> Option<String>) -> bool {
     let is_table = || node.attribute("value").and_then(value).is_some_and(|value| value.contains(':'));
     match node.tag_name().name() {
         "rgb" => true,
+        "string" => node.attribute("name") == Some("material") && is_metal(node),
+        "emitter" => node.attribute("type") == Some("envmap"),
         "spectrum" => node.attribute("type") == Some("blackbody") || is_table(),
         _ => false,
     }
+}
+
+/// Whether a name is that of a metal, and not of a perfect mirror.
+fn is_metal(node: Node) -> bool {
+    METALS.iter().any(|metal| node.attribute("value") == Some(metal.name))
 }
 
 impl<'a> Reader<'a, '_, '_> {

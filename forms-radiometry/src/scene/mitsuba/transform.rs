@@ -9,9 +9,14 @@ impl<'a> Reader<'a, '_, '_> {
     /// Returns the transform of an object; the identity if it has none. A singular transform is an
     /// error.
     pub(super) fn transform(&mut self, object: &mut Object<'a>) -> Affine {
-        let Some(node) = object.take("to_world") else { return Affine::IDENTITY };
+        self.transform_named(object, "to_world")
+    }
+
+    /// Returns the transform of this name.
+    pub(super) fn transform_named(&mut self, object: &mut Object<'a>, name: &str) -> Affine {
+        let Some(node) = object.take(name) else { return Affine::IDENTITY };
         if !node.has_tag_name("transform") {
-            let message = format!("`to_world` cannot be a `{}`", node.tag_name().name());
+            let message = format!("`{name}` cannot be a `{}`", node.tag_name().name());
             self.error(node, message, "`transform`");
             return Affine::IDENTITY;
         }

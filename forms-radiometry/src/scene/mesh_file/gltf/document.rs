@@ -67,7 +67,6 @@ pub(super) struct Primitive {
 #[serde(rename_all = "UPPERCASE")]
 pub(super) struct Attributes {
     pub(super) position: Option<usize>,
-    pub(super) normal: Option<usize>,
 }
 
 /// A sequence of numbers or vectors in a view of a buffer.
