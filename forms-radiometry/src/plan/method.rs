@@ -347,7 +347,7 @@ mod tests {
     fn paths_are_traced_where_radiosity_would_cost_far_more() {
         let effects = |effects: &str| format!("{}effects = {{ {effects} }}\n", tolerance(1e-2));
         for (name, text, expected) in [
-            ("a sphere of many faces", sphere(0, &tolerance(1e-2)), Method::PathTracing),
+            ("a sphere", sphere(0, &tolerance(1e-2)), Method::ClosedForms),
             ("occluders in a sphere", sphere(9, &tolerance(1e-2)), Method::PathTracing),
             ("occlusion is left out", sphere(9, &effects("occlusion = \"off\"")), Method::Radiosity),
             ("direct light", sphere(0, &effects("interreflection = \"off\"")), Method::ClosedForms),

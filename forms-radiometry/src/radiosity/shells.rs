@@ -33,12 +33,14 @@ pub(crate) struct Shells {
     gaps: Vec<Gap>,
 }
 
-/// The radiance, in each band, that leaves the inner and the outer side of a gap, and their
-/// irradiance.
+/// What holds for the inner and the outer side of a gap, in each band.
 #[derive(Clone, Debug)]
 struct Gap {
+    /// The radiance that points of the gap receive.
     radiance: [Vec<f64>; 2],
     irradiance: [Vec<f64>; 2],
+    /// The radiance that a ray sees: the reflection by the side itself is not one of the orders.
+    seen: [Vec<f64>; 2],
 }
 
 /// A side of a gap in one band: what it emits, and what part it reflects.
@@ -86,28 +88,38 @@ impl Shells {
 
     /// Returns the light in a gap after the orders of reflection that are simulated.
     fn solved(&self, scene: &Scene, effects: &SimulatedEffects, gap: usize) -> Gap {
-        let radius = |is_outer: bool| self.sphere(gap, is_outer).map(|(_, sphere)| sphere.radius);
-        let q = match [radius(false), radius(true)] {
-            [Some(inner), Some(outer)] => (inner / outer).powi(2),
-            _ => 0.0,
-        };
-        let has_outer = radius(true).is_some();
+        let to_inner_and_outer = self.shares(gap);
         let of_band = |band: usize| {
-            let [inner, outer] = [false, true].map(|is_outer| self.side(scene, (gap, is_outer), band));
-            let arriving = |[a, b]: [f64; 2]| [b, if has_outer { q * a + (1.0 - q) * b } else { 0.0 }];
-            let radiance = match effects.orders {
-                None => all_orders(inner, outer, q),
-                Some(orders) => reflected([inner, outer], orders, arriving),
+            let sides = [false, true].map(|is_outer| self.side(scene, (gap, is_outer), band));
+            let arriving = |[a, b]: [f64; 2]| {
+                let [to_inner, to_outer] = to_inner_and_outer;
+                [b, to_inner * a + to_outer * b]
             };
-            (radiance, arriving(radiance))
+            let radiance = match effects.orders {
+                None => all_orders(sides, to_inner_and_outer),
+                Some(orders) => reflected(sides, orders, arriving),
+            };
+            let arriving = arriving(radiance);
+            let seen = [0, 1].map(|side| sides[side].emitted + sides[side].reflectance * arriving[side]);
+            [radiance, arriving.map(|value| PI * value), seen]
         };
-        let bands: Vec<([f64; 2], [f64; 2])> = (0..scene.band_count()).map(of_band).collect();
-        let each = |of: fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
-            [0, 1].map(|side| bands.iter().map(|band| of(band)[side]).collect())
-        };
-        let [inner, outer] = each(|band| band.1);
-        let irradiance = [inner, outer].map(|side: Vec<f64>| side.iter().map(|value| PI * value).collect());
-        Gap { radiance: each(|band| band.0), irradiance }
+        let bands: Vec<[[f64; 2]; 3]> = (0..scene.band_count()).map(of_band).collect();
+        let [radiance, irradiance, seen] = [0, 1, 2]
+            .map(|quantity| [0, 1].map(|side| bands.iter().map(|band| band[quantity][side]).collect()));
+        Gap { radiance, irradiance, seen }
+    }
+
+    /// Returns q and 1 − q of a gap: the parts of what leaves its outer side that arrive at its inner
+    /// and at its outer side.
+    fn shares(&self, gap: usize) -> [f64; 2] {
+        let radius = |is_outer: bool| self.sphere(gap, is_outer).map(|(_, sphere)| sphere.radius);
+        match [radius(false), radius(true)] {
+            [Some(inner), Some(outer)] => {
+                [(inner / outer).powi(2), (outer - inner) / outer * ((outer + inner) / outer)]
+            }
+            [None, Some(_)] => [0.0, 1.0],
+            [_, None] => [0.0; 2],
+        }
     }
 
     /// Returns the index of the gap around a point; `None` for a point on a sphere, up to rounding.
@@ -140,7 +152,7 @@ impl Shells {
             ReceiverKind::Ray { origin, direction } => {
                 let gap = &self.gaps[self.gap(origin)?];
                 let is_outer = !self.meets_inner(origin, direction)?;
-                let radiance = gap.radiance[usize::from(is_outer)].iter();
+                let radiance = gap.seen[usize::from(is_outer)].iter();
                 Some(vec![(Quantity::Radiance, radiance.map(|&value| [value, ROUNDING * value]).collect())])
             }
             ReceiverKind::Surface { .. }
@@ -260,7 +272,7 @@ fn concentric(scene: &Scene) -> Option<Vec<(usize, Sphere)>> {
 }
 
 /// Returns the radiance of the inner and of the outer side after all reflections.
-fn all_orders(inner: Side, outer: Side, q: f64) -> [f64; 2] {
+fn all_orders([inner, outer]: [Side; 2], [q, _]: [f64; 2]) -> [f64; 2] {
     let [a, b] = [inner.reflectance, outer.reflectance];
     let sent = outer.emitted + b * q * inner.emitted;
     let radiance = if sent > 0.0 { sent / ((1.0 - b) + b * q * (1.0 - a)) } else { 0.0 };

@@ -90,7 +90,7 @@ const CASES: &[(&str, &str, &str)] = &[
     ("value=\"-0.25\"", "value=\"-1\"", "`g` is out of range"),
     ("id=\"lamp\"", "id=\"floor\"", "the id `floor` is already defined in line 31"),
     ("<ref id=\"gold\"/>", "<ref id=\"silver\"/>", "no element has the id `silver`"),
-    ("type=\"cube\"", "type=\"cylinder\"", "a shape of type `cylinder` is not supported"),
+    ("type=\"cube\"", "type=\"sdfgrid\"", "a shape of type `sdfgrid` is not supported"),
     ("<scale x=\"2\" y=\"3\"/>", "<scale x=\"2\" y=\"0\"/>", "the transform has no inverse"),
     ("<scale x=\"2\" y=\"3\"/>", "<shear x=\"2\"/>", "`shear` is not supported in a transform"),
     ("<rotate x=\"1\" angle=\"180\"/>", "<rotate x=\"1\"/>", "this rotate has no `angle`"),

@@ -78,6 +78,22 @@ fn each_instance_is_surfaces_where_both_transforms_put_them() {
 }
 
 #[test]
+fn a_cylinder_keeps_its_shape_wherever_it_is_placed() {
+    let elements = r#"<shape type="cylinder" id="pipe"><point name="p0" x="0" y="0" z="1"/><float name="radius" value="0.5"/>
+        <point name="p1" x="0" y="0" z="3"/><boolean name="flip_normals" value="true"/>
+        <transform name="to_world"><scale value="2"/><rotate x="1" angle="90"/><translate x="7"/></transform></shape>"#;
+    let scene = scene(&text(elements), FILE);
+    let Shape::Quadric(pipe) = scene.surfaces[0].shape else { panic!("a cylinder") };
+    let ends = [Vector::new(7.0, -2.0, 0.0), Vector::new(7.0, -6.0, 0.0)];
+    assert!((0..2).all(|end| (pipe.ends[end] - ends[end]).length() < 1e-14), "{:?}", pipe.ends);
+    assert_eq!((pipe.radii, pipe.inward), ([1.0; 2], true));
+    let uneven = r#"<shape type="cylinder"><transform name="to_world"><scale z="2"/></transform></shape>"#;
+    assert_eq!(first_error(uneven), "non-uniform scaling of a cylinder is not supported");
+    let flat = r#"<shape type="cylinder"><point name="p1" x="0" y="0" z="0"/></shape>"#;
+    assert_eq!(first_error(flat), "both ends of the cylinder are the same point");
+}
+
+#[test]
 fn groups_contain_neither_groups_nor_emitters_nor_sensors() {
     let group = |inside: &str| {
         format!(

@@ -110,5 +110,5 @@ fn nested_spheres_have_the_light_that_other_methods_find() {
 #[test]
 fn a_gap_without_light_stays_dark_even_if_nothing_is_absorbed() {
     let white = Side { emitted: 0.0, reflectance: 1.0 };
-    assert_eq!(all_orders(white, white, 0.25), [0.0; 2]);
+    assert_eq!(all_orders([white; 2], [0.25, 0.75]), [0.0; 2]);
 }
