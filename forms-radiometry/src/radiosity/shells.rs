@@ -25,12 +25,18 @@ use crate::used_kernel::UsedKernel;
 use forms_kernels::{form_factor_point_sphere, solid_angle_sphere};
 use std::f64::consts::PI;
 
+/// Rounding error of a few products and sums, and of the radiances after all reflections too.
+const STRAIGHT: f64 = 2.0 * f64::EPSILON;
+const REFLECTED: f64 = 16.0 * f64::EPSILON;
+
 /// Concentric spheres, from the smallest on, and the light between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Shells {
     spheres: Vec<(usize, Sphere)>,
     /// The gap inside the first sphere, those between spheres, and the space around the last one.
     gaps: Vec<Gap>,
+    /// Rounding error of an answer, relative to the terms that it is the sum of.
+    rounding: f64,
 }
 
 /// What holds for the inner and the outer side of a gap, in each band.
@@ -61,7 +67,10 @@ impl Shells {
             return None;
         }
         let spheres = concentric(scene)?;
-        let mut shells = Self { spheres, gaps: Vec::new() };
+        let reflects =
+            (0..scene.surfaces.len()).any(|index| reflectance(scene, index).iter().any(|&part| part > 0.0));
+        let rounding = if reflects { REFLECTED } else { STRAIGHT };
+        let mut shells = Self { spheres, gaps: Vec::new(), rounding };
         shells.gaps = (0..=shells.spheres.len()).map(|gap| shells.solved(scene, effects, gap)).collect();
         let are_answered = scene.receivers.iter().all(|receiver| shells.values(scene, receiver).is_some());
         are_answered.then_some(shells)
@@ -153,7 +162,10 @@ impl Shells {
                 let gap = &self.gaps[self.gap(origin)?];
                 let is_outer = !self.meets_inner(origin, direction)?;
                 let radiance = gap.seen[usize::from(is_outer)].iter();
-                Some(vec![(Quantity::Radiance, radiance.map(|&value| [value, ROUNDING * value]).collect())])
+                Some(vec![(
+                    Quantity::Radiance,
+                    radiance.map(|&value| [value, self.rounding * value]).collect(),
+                )])
             }
             ReceiverKind::Surface { .. }
             | ReceiverKind::Faces { .. }
@@ -171,7 +183,7 @@ impl Shells {
         let values =
             if is_inside { &self.gaps[place].irradiance[1] } else { &self.gaps[place + 1].irradiance[0] };
         let scaled = |factor: f64| {
-            values.iter().map(|&value| factor * value).map(|value| [value, ROUNDING * value]).collect()
+            values.iter().map(|&value| factor * value).map(|value| [value, self.rounding * value]).collect()
         };
         Some(vec![(Quantity::Irradiance, scaled(1.0)), (Quantity::Flux, scaled(sphere.area()))])
     }
@@ -194,9 +206,10 @@ impl Shells {
         let radiance = &self.gaps[index].radiance;
         let value = |band: usize| {
             let [inner, outer] = [radiance[0][band], radiance[1][band]];
-            let value = PI * (of_inner[0] * inner + (all - of_inner[0]) * outer);
-            let error = PI * (of_inner[1] + ROUNDING * all.max(of_inner[0].abs())) * (inner + outer);
-            [value, error]
+            let terms = [of_inner[0] * inner, (all - of_inner[0]) * outer];
+            let size = terms[0].abs() + terms[1].abs() + all * outer;
+            let error = of_inner[1] * (inner + outer) + self.rounding * size;
+            [PI * (terms[0] + terms[1]), PI * error]
         };
         Some((0..scene.band_count()).map(value).collect())
     }
