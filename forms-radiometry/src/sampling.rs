@@ -6,7 +6,6 @@
 mod choice;
 mod draws;
 mod frame;
-mod round;
 mod sequence;
 mod sobol;
 

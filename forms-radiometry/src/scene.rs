@@ -15,6 +15,7 @@ mod material;
 mod medium;
 mod mesh_file;
 mod mesh_keys;
+mod midrange;
 mod mitsuba;
 mod model;
 mod overlaps;
@@ -25,6 +26,7 @@ mod receiver;
 mod receiving;
 mod regions;
 mod round;
+mod shape;
 mod simulated;
 mod solve;
 mod sources;
@@ -35,12 +37,12 @@ mod view3d;
 mod words;
 mod working_units;
 
-pub(crate) use bands::middle;
 pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};
 pub use environment_map::EnvironmentMap;
 pub use error::SceneError;
 pub use file::read_file;
+pub(crate) use midrange::middle;
 pub use model::{
     Ambient, Band, LengthUnit, Light, LightKind, Material, MaterialKind, Medium, Points, Receiver,
     ReceiverKind, Scene, Shape, Solve, Surface, SurfaceSide, TimeBins,

@@ -1,6 +1,7 @@
 //! Bands: reduces a scene with several bands to a single band, with the midrange of every optical
 //! number.
 
+use super::midrange::middle;
 use super::model::{LightKind, MaterialKind, Scene};
 
 impl Scene {
@@ -52,11 +53,4 @@ fn merge(values: &mut Vec<f64>) {
     if !values.is_empty() {
         *values = vec![middle(values)];
     }
-}
-
-/// Returns the midrange: halfway between the smallest and the largest value.
-pub(crate) fn middle(values: &[f64]) -> f64 {
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    0.5 * least + 0.5 * largest
 }

@@ -7,7 +7,7 @@
 //! Pixel (i, j) lies at u = (i + ½)/width and v = j/(height − 1), so the first and the last row are the
 //! poles. Values are relative to the largest of their band.
 
-use super::bands::middle;
+use super::midrange::middle;
 use crate::geometry::Vector;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;

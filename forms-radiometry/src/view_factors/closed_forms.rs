@@ -9,17 +9,13 @@
 //! What leaves a sphere evenly arrives at a surface element in front of it like light from its
 //! centre, because the element sees all of the sphere above its horizon.
 
-use super::{ViewFactor, coaxial};
+use super::ViewFactor;
+use super::coaxial::{self, COAXIAL, ROUNDING, area};
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Disk, Polygon, Round, Sphere, Vector};
 use crate::scene::{Scene, Shape, Surface};
 use forms_kernels::{solid_angle_triangle, view_factor_sphere_disk, view_factor_spheres};
 use std::f64::consts::PI;
-
-/// Rounding error of a view factor, relative to it.
-pub(super) const ROUNDING: f64 = 256.0 * f64::EPSILON;
-/// Largest sine of the angle, and distance in radii, within which two axes coincide.
-pub(super) const COAXIAL: f64 = 1e-14;
 
 /// The surfaces of a scene, each with a ball around it.
 pub(super) struct ClosedForms<'s> {
@@ -111,16 +107,6 @@ fn is_convex(shape: &Shape) -> bool {
         Shape::Quadric(quadric) => !quadric.inward,
         Shape::Polygon(_) | Shape::Disk(_) => true,
         Shape::Mesh(_) => false,
-    }
-}
-
-pub(super) fn area(shape: &Shape) -> Option<f64> {
-    match shape {
-        Shape::Polygon(polygon) => Some(polygon.area()),
-        Shape::Disk(disk) => Some(disk.area()),
-        Shape::Sphere(sphere) => Some(sphere.area()),
-        Shape::Quadric(quadric) => Some(quadric.area()),
-        Shape::Mesh(_) => None,
     }
 }
 

@@ -11,11 +11,15 @@
 //! the farther one.
 
 use super::ViewFactor;
-use super::closed_forms::{COAXIAL, ROUNDING, area};
 use crate::geometry::{Disk, Profile, Quadric, Vector};
 use crate::scene::{Shape, Surface};
 use forms_kernels::view_factor_coaxial_disks;
 use std::f64::consts::PI;
+
+/// Rounding error of a view factor, relative to it.
+pub(super) const ROUNDING: f64 = 256.0 * f64::EPSILON;
+/// Largest sine of the angle, and distance in radii, within which two axes coincide.
+pub(super) const COAXIAL: f64 = 1e-14;
 
 /// A disk about an axis: its height, and its radius.
 #[derive(Clone, Copy, Debug)]
@@ -241,4 +245,15 @@ fn widest_at(hull: &[Opening], height: f64) -> f64 {
     let pairs = hull.iter().flat_map(|a| hull.iter().map(move |b| (*a, *b)));
     let around = pairs.filter(|(a, b)| a.height <= height && height <= b.height);
     around.map(|(a, b)| between(a, b, height)).fold(0.0, f64::max)
+}
+
+/// Returns the area of a front; `None` of a mesh.
+pub(super) fn area(shape: &Shape) -> Option<f64> {
+    match shape {
+        Shape::Polygon(polygon) => Some(polygon.area()),
+        Shape::Disk(disk) => Some(disk.area()),
+        Shape::Sphere(sphere) => Some(sphere.area()),
+        Shape::Quadric(quadric) => Some(quadric.area()),
+        Shape::Mesh(_) => None,
+    }
 }

@@ -167,7 +167,14 @@ fn an_opening_is_named_by_an_edge_of_it() {
     assert_eq!(errors(&text(&[single], ""), "media.toml").len(), 1);
     let disk = "[[surface]]\nname = \"lens\"\nmaterial = \"glass\"\n\
                 disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 1 }\n";
-    refused("a disk", &[], disk, &["the boundary of `glass` at `lens` is not closed"]);
+    refused(
+        "a disk",
+        &[],
+        disk,
+        &[
+            "the boundary of `glass` at `lens` is not closed: the rim of `lens` around [0, 0, 0] meets no other surface",
+        ],
+    );
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Points of a uniform distribution over the area of round shapes, by points of the unit square.
 
-use super::Frame;
+use super::warps::{uniform_disk_sample, uniform_sphere_sample};
 use crate::geometry::{Disk, Sphere, Vector};
-use crate::paths::warps::{uniform_disk_sample, uniform_sphere_sample};
+use crate::sampling::Frame;
 
 impl Disk {
     /// Returns a point, and the unit normal.

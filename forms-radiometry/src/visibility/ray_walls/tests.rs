@@ -1,0 +1,89 @@
+//! Rays meet walls where they are, and never leave a closed room.
+
+use super::*;
+use crate::geometry::Profile;
+
+const UP: Vector = Vector::new(0.0, 0.0, 1.0);
+
+fn square(half: f64, height: f64, at: Vector) -> Wall {
+    let corner = |x: f64, y: f64| at + Vector::new(x * half, y * half, height);
+    let vertices = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    Wall::Polygon { vertices, normal: UP }
+}
+
+#[test]
+fn walls_are_met_where_they_are_and_on_the_side_that_is_turned_to_the_ray() {
+    let sphere = |inward| Wall::Sphere(Sphere { center: Vector::new(0.0, 0.0, 5.0), radius: 1.0, inward });
+    let disk = Wall::Disk(Disk { center: Vector::new(0.0, 0.0, 3.0), normal: -UP, radius: 1.0, hole: 0.0 });
+    let cases = [
+        ("a polygon from behind", vec![square(1.0, 2.0, Vector::default())], [0.5, 0.5], Some((2.0, false))),
+        ("beside a polygon", vec![square(1.0, 2.0, Vector::default())], [1.5, 0.5], None),
+        ("a disk from its front", vec![disk.clone()], [0.5, 0.5], Some((3.0, true))),
+        ("beside a disk", vec![disk.clone()], [0.8, 0.8], None),
+        ("a sphere from outside", vec![sphere(false)], [0.6, 0.0], Some((4.2, true))),
+        ("a hollow sphere from outside", vec![sphere(true)], [0.6, 0.0], Some((4.2, false))),
+        ("the nearer of two", vec![sphere(false), disk], [0.0, 0.0], Some((3.0, true))),
+    ];
+    for (name, walls, [x, y], expected) in cases {
+        let walls = Walls::of(walls);
+        let met = walls.first(walls.start_free(Vector::new(x, y, 0.0)), UP, f64::INFINITY);
+        let found = met.map(|met| ((1e12 * met.distance).round() / 1e12, met.is_front));
+        assert_eq!(found, expected, "{name}");
+    }
+}
+
+/// Traces rays that bounce in a closed box, sphere, cylinder or cone, moved far away, and scaled: none leaves,
+/// and none hits the wall where it starts.
+#[test]
+fn no_ray_leaves_a_closed_room_or_meets_the_wall_it_leaves() {
+    for scale in [1e-6, 1.0, 1e6] {
+        for offset in [0.0, 1e3, 1e8] {
+            let center = offset * scale * Vector::new(1.0, -0.7, 0.3);
+            let inside = Sphere { center, radius: scale, inward: true };
+            let cans =
+                [can(center, [scale; 2]), can(center, [scale, 0.4 * scale]), can(center, [scale, 0.0])];
+            for walls in [vec![Wall::Sphere(inside)], cube(center, scale)].into_iter().chain(cans) {
+                let walls = Walls::of(walls);
+                bounce(&walls, center);
+            }
+        }
+    }
+}
+
+/// A cone with its base, or the two ends of a cylinder, closed by disks.
+fn can(center: Vector, radii: [f64; 2]) -> Vec<Wall> {
+    let axis = Vector::new(0.48, -0.6, 0.64);
+    let ends = [center - 1.5 * radii[0] * axis, center + 1.5 * radii[0] * axis];
+    let side = Quadric { ends, radii, profile: Profile::Straight, inward: true };
+    let lid = |end: usize| Disk { center: ends[end], normal: axis, radius: radii[end], hole: 0.0 };
+    let lids = (0..2).map(lid).filter(|lid| lid.radius > 0.0).map(Wall::Disk);
+    [Wall::Quadric(side)].into_iter().chain(lids).collect()
+}
+
+fn cube(center: Vector, scale: f64) -> Vec<Wall> {
+    let corner = |bits: usize| {
+        let side = |bit: usize| if bits >> bit & 1 == 1 { scale } else { -scale };
+        center + Vector::new(side(0), side(1), side(2))
+    };
+    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let wall = |face: [usize; 4]| {
+        let vertices: Vec<Vector> = face.map(corner).to_vec();
+        let normal = (vertices[1] - vertices[0]).cross(vertices[3] - vertices[0]).unit();
+        Wall::Polygon { vertices, normal: normal.expect("a face has a normal") }
+    };
+    faces.map(wall).to_vec()
+}
+
+fn bounce(walls: &Walls, center: Vector) {
+    let mut samples = crate::sampling::Random::new(4);
+    let mut direction = Vector::new(0.36, 0.48, 0.8);
+    let mut start = walls.start_at(center);
+    for step in 0..20_000 {
+        let met = walls.first(start, direction, f64::INFINITY);
+        let met = met.unwrap_or_else(|| panic!("step {step}: a ray left the room at {center:?}"));
+        start = walls.start_on(&met, met.is_front);
+        let inside = if (center - met.position).dot(met.normal) > 0.0 { met.normal } else { -met.normal };
+        let frame = crate::sampling::Frame::about(inside);
+        direction = frame.place(forms_kernels::cosine_hemisphere_sample(samples.next(), samples.next()));
+    }
+}
