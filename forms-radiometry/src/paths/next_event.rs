@@ -45,7 +45,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             && let Some((lit, vertex)) = self.lit_point(path, medium, length, None, samples)
         {
             self.add_light_sample(&lit, &vertex, (&towards, &[]), hidden, &mut |_, value, length| {
-                add(value, length)
+                add(value, length);
             });
         }
         for (luminaire, chance) in beams.chain(luminaires.wall(sought, samples)) {

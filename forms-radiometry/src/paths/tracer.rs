@@ -169,13 +169,13 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             path.optical_path_length = self.longer(path.optical_path_length, medium, met.distance);
             self.emitted(path, met, add);
         } else if self.limits.direct || !path.is_straight {
-            self.from_outside(path, add);
+            self.light_from_outside(path, add);
         }
     }
 
     /// Adds the light from outside, which next-event estimation at the last vertex could have sampled
     /// if there is an environment map and no mirror since then.
-    fn from_outside(&self, path: &Path<N>, add: &mut impl FnMut(&[f64; N], f64)) {
+    fn light_from_outside(&self, path: &Path<N>, add: &mut impl FnMut(&[f64; N], f64)) {
         let part = match &self.world.environment {
             Some(light) if path.density.is_finite() && path.chain == 0 => {
                 mis_weight(path.density, light.density(path.direction))

@@ -146,7 +146,7 @@ impl Checkerboard {
             for last in 2..polygon.vertices().len().min(uv.len()) {
                 let triangle = [0, last - 1, last].map(corner);
                 count += extent(&triangle, 0) * extent(&triangle, 1);
-                if !(count <= MOST_FIELDS) {
+                if count.is_nan() || count > MOST_FIELDS {
                     return Err("has too many fields of a checkerboard");
                 }
                 cut(&triangle, &mut parts);

@@ -16,6 +16,7 @@ const fn metal(name: &'static str, eta: [f64; 3], k: [f64; 3]) -> Metal {
     Metal { name, eta, k }
 }
 
+#[expect(clippy::approx_constant, reason = "an index that is near π by chance")]
 pub(super) const METALS: [Metal; 18] = [
     metal("Ag", [0.136_29, 0.125_14, 0.150_1], [4.127_2, 3.336_8, 2.462]),
     metal("Al", [1.486_9, 0.967_19, 0.621_73], [7.795_4, 6.679_9, 5.470_6]),

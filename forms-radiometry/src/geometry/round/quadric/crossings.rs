@@ -54,7 +54,7 @@ impl Quadric {
         let crossing = |root: f64| {
             let s = line.along[0] + root * line.along[1];
             let is_on = root.is_finite() && (-JOINT..=1.0 + JOINT).contains(&s);
-            is_on.then(|| Crossing { distance: shift + root, enters: 2.0 * line.a * root + line.b < 0.0 })
+            is_on.then_some(Crossing { distance: shift + root, enters: 2.0 * line.a * root + line.b < 0.0 })
         };
         roots.map(crossing)
     }
