@@ -16,17 +16,18 @@ use super::measure::Measure;
 use super::reflectance;
 use crate::answer::{Answer, ErrorKind, ErrorParts, Moment, Quantity, Simulation};
 use crate::effects::{Hiding, SimulatedEffects};
-use crate::form_factor::double_double::SeenWhole;
+use crate::form_factor::double_double::{Rounded, SeenWhole};
 use crate::geometry::{Sphere, Vector};
 use crate::progress::Progress;
 use crate::radiosity::driver::ROUNDING;
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Shape, SurfaceSide};
 use crate::used_kernel::UsedKernel;
+use forms::math::Real;
 use forms_kernels::{form_factor_point_sphere, solid_angle_sphere};
 use std::f64::consts::PI;
 
-/// Rounding error of a few products and sums, and of the radiances after all reflections too.
-const STRAIGHT: f64 = 2.0 * f64::EPSILON;
+/// Rounding error of a few products, and of radiances after all reflections.
+const OF_PRODUCT: f64 = 4.0 * f64::EPSILON;
 const REFLECTED: f64 = 16.0 * f64::EPSILON;
 
 /// Concentric spheres, from the smallest on, and the light between them.
@@ -35,8 +36,8 @@ pub(crate) struct Shells {
     spheres: Vec<(usize, Sphere)>,
     /// The gap inside the first sphere, those between spheres, and the space around the last one.
     gaps: Vec<Gap>,
-    /// Rounding error of an answer, relative to the terms that it is the sum of.
-    rounding: f64,
+    /// Rounding error of the radiances, relative to them.
+    of_radiances: f64,
 }
 
 /// What holds for the inner and the outer side of a gap, in each band.
@@ -69,8 +70,8 @@ impl Shells {
         let spheres = concentric(scene)?;
         let reflects =
             (0..scene.surfaces.len()).any(|index| reflectance(scene, index).iter().any(|&part| part > 0.0));
-        let rounding = if reflects { REFLECTED } else { STRAIGHT };
-        let mut shells = Self { spheres, gaps: Vec::new(), rounding };
+        let of_radiances = if reflects { REFLECTED } else { 0.0 };
+        let mut shells = Self { spheres, gaps: Vec::new(), of_radiances };
         shells.gaps = (0..=shells.spheres.len()).map(|gap| shells.solved(scene, effects, gap)).collect();
         let are_answered = scene.receivers.iter().all(|receiver| shells.values(scene, receiver).is_some());
         are_answered.then_some(shells)
@@ -164,7 +165,7 @@ impl Shells {
                 let radiance = gap.seen[usize::from(is_outer)].iter();
                 Some(vec![(
                     Quantity::Radiance,
-                    radiance.map(|&value| [value, self.rounding * value]).collect(),
+                    radiance.map(|&value| [value, (OF_PRODUCT + self.of_radiances) * value]).collect(),
                 )])
             }
             ReceiverKind::Surface { .. }
@@ -183,7 +184,11 @@ impl Shells {
         let values =
             if is_inside { &self.gaps[place].irradiance[1] } else { &self.gaps[place + 1].irradiance[0] };
         let scaled = |factor: f64| {
-            values.iter().map(|&value| factor * value).map(|value| [value, self.rounding * value]).collect()
+            values
+                .iter()
+                .map(|&value| factor * value)
+                .map(|value| [value, (OF_PRODUCT + self.of_radiances) * value])
+                .collect()
         };
         Some(vec![(Quantity::Irradiance, scaled(1.0)), (Quantity::Flux, scaled(sphere.area()))])
     }
@@ -194,22 +199,23 @@ impl Shells {
         let of_inner = match self.sphere(index, false) {
             Some((_, sphere)) => {
                 let seen: &dyn SeenWhole = sphere;
-                measure.of_whole(point, seen)?.nearest()
+                measure.of_whole(point, seen)?
             }
-            None => [0.0; 2],
+            None => Rounded::exactly(0.0),
         };
         let all = match measure {
             Measure::Plane(_) => 1.0,
             Measure::Sphere => 4.0,
             Measure::Flow(_) => 0.0,
         };
+        let of_outer = Rounded::exactly(all) + of_inner.times(-1.0);
         let radiance = &self.gaps[index].radiance;
         let value = |band: usize| {
-            let [inner, outer] = [radiance[0][band], radiance[1][band]];
-            let terms = [of_inner[0] * inner, (all - of_inner[0]) * outer];
-            let size = terms[0].abs() + terms[1].abs() + all * outer;
-            let error = of_inner[1] * (inner + outer) + self.rounding * size;
-            [PI * (terms[0] + terms[1]), PI * error]
+            let [inner, outer] =
+                [of_inner.times_datum(radiance[0][band]), of_outer.times_datum(radiance[1][band])];
+            let size = PI * (inner.value.to_f64().abs() + outer.value.to_f64().abs());
+            let [value, error] = (inner + outer).times_pi().nearest();
+            [value, error + self.of_radiances * size]
         };
         Some((0..scene.band_count()).map(value).collect())
     }
