@@ -38,18 +38,18 @@ fn shares_come_to_the_bits_of_one_run_however_many_there_are() {
 #[test]
 fn points_and_faces_are_divided_among_shares_like_cells() {
     let many = "[[receiver]]\nname = \"many\"\nkind = \"sphere\"\npoints = \"points.csv\"\n\
-                [[receiver]]\nname = \"back\"\nkind = \"faces\"\nsurface = \"lamp\"\nside = \"back\"\n";
+                [[receiver]]\nname = \"faces\"\nkind = \"faces\"\nsurface = \"floor\"\n";
     let text = hall(0.1).replace("[solve]", &format!("{many}[solve]"));
     let folder = Folder::with(&[("hall.toml", &text), ("points.csv", "x,y,z\n1,0.5,0.1\n0.2,0.5,0.5\n")]);
     assert_shares_are_the_whole(&folder, 3, ["1", "2"], &[]);
     let table = String::from_utf8(folder.read("merged/results.csv")).expect("text");
     let rows = |start: &str| table.lines().filter(|line| line.starts_with(start)).count();
     assert_eq!(rows("many,fluence_rate,,,1,0,"), 1);
-    assert_eq!((rows("many,"), rows("back,net_flux,")), (4 * 3, 2));
+    assert_eq!((rows("many,"), rows("faces,net_flux,")), (4 * 3, 2));
     let parts = ["1.part", "2.part", "3.part"];
     let run = forms(&folder, &[&["merge"], &parts[..], &["--out", "geometry", "--vtu"]].concat());
     assert_eq!((run.status, run.errors.as_str()), (0, ""));
-    for file in ["scene.vtu", "here.vtu", "map.vtu", "many.vtu", "back.vtu"] {
+    for file in ["scene.vtu", "here.vtu", "map.vtu", "many.vtu", "faces.vtu"] {
         assert!(!folder.read(&format!("geometry/{file}")).is_empty(), "{file}");
     }
 }
