@@ -104,7 +104,7 @@ fn cells(row: &str) -> Vec<String> {
 #[test]
 fn blocks_are_closed_and_of_a_known_kind() {
     // These kinds are tested by forms-radiometry.
-    let scenes = ["toml,error", "toml,refused", "xml", "xml,error", "obj,error", "ply,error"];
+    let scenes = ["toml,error", "toml,refused", "xml", "xml,error", "obj,error", "ply,error", "csv,error"];
     checked(|page| {
         let more: &[&str] = if page.path == "docs/scenes.md" { &scenes } else { &[] };
         Report { problems: check_kinds(page, more), ..Report::default() }
