@@ -21,16 +21,16 @@ LONGEST = 120
 
 
 def run(scene, *options):
-    """Returns the processor time of a run, and the effects that are on; None for both if it fails."""
+    """Returns the processor time of a run, or why there is none, and the effects that are on."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     try:
         done = subprocess.run(
             [FORMS, "simulate", scene, "--json", *options], capture_output=True, text=True, timeout=LONGEST
         )
     except subprocess.TimeoutExpired:
-        return None, None
+        return f"longer than {LONGEST} s", []
     if done.returncode not in (0, 3):
-        return None, None
+        return "refused", []
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     rows = [json.loads(line) for line in done.stdout.splitlines()]
     effects = [row["effect"] for row in rows if row.get("effect") and row.get("on")]
@@ -43,13 +43,14 @@ def main():
     worst = 0.0
     for scene in scenes:
         _, effects = run(scene)
-        for effect in effects or []:
+        for effect in effects:
             on, off = [], []
             for _ in range(RUNS):
                 on.append(run(scene)[0])
                 off.append(run(scene, "--effects", f"{effect}=off")[0])
-            if None in on + off:
-                print(f"{scene.stem:24} {effect:16} refused or longer than {LONGEST} s")
+            failure = next((run for run in on + off if isinstance(run, str)), None)
+            if failure:
+                print(f"{scene.stem:24} {effect:16} {failure}")
                 continue
             ratio = min(off) / min(on)
             worst = max(worst, ratio)
