@@ -16,7 +16,7 @@ pub(crate) struct ViewFactorArguments {
     /// Seed of the rays; overrides the scene
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = Overrides::seed)]
     pub(crate) seed: Option<u64>,
-    /// What a row belongs to: surfaces, the groups that mesh files name, or the faces of meshes
+    /// Unit of a row: surfaces, the groups that mesh files name, or the faces of meshes
     #[arg(long, value_name = "WHAT", value_enum, default_value_t = By::Surface)]
     pub(crate) by: By,
     /// Print one line for each pair with a factor above zero: from, to, factor, error
@@ -41,7 +41,7 @@ pub(crate) struct ViewFactorArguments {
     pub(crate) json: bool,
 }
 
-/// What a row belongs to.
+/// Unit of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum By {
     Surface,

@@ -116,7 +116,8 @@ fn found(
     Ok(Ok(found))
 }
 
-/// Encloses the matrix if that is asked for, and tells what the rows say of themselves.
+/// Encloses the matrix if that is asked for, and reports the contradictions, missed tolerances and
+/// residuals of the rows.
 fn finish(
     arguments: &ViewFactorArguments,
     scene: &Scene,
