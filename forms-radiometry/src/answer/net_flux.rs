@@ -11,9 +11,8 @@ use super::cells::mean_of_cells;
 use super::error_budget::ErrorParts;
 use super::quantity::Quantity;
 use super::results::{Answer, Map, Simulation};
-use crate::scene::{MaterialKind, ReceiverKind, Scene, Shape, SurfaceSide};
+use crate::scene::{ReceiverKind, Scene, Shape, SurfaceSide};
 use std::collections::HashMap;
-use std::f64::consts::PI;
 
 /// The faces of all receivers of faces that have a net flux.
 #[derive(Clone, Debug, Default)]
@@ -75,15 +74,8 @@ impl Faces {
         };
         let is_black = side == SurfaceSide::Back && !surface.two_sided;
         let of_band = |band: usize| {
-            let reflectance = match &scene.materials[surface.material].kind {
-                MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
-                    reflectance[band]
-                }
-                MaterialKind::Dielectric { .. }
-                | MaterialKind::Conductor { .. }
-                | MaterialKind::Plastic { .. } => return None,
-            };
-            let exitance = surface.exitance_of(band).unwrap_or(PI * surface.radiance[band]);
+            let reflectance = scene.materials[surface.material].kind.reflectance_in(band)?;
+            let exitance = surface.exitance_in(band);
             Some(if is_black { [1.0, 0.0] } else { [1.0 - reflectance, exitance] })
         };
         let bands = (0..scene.band_count()).map(of_band).collect::<Option<_>>()?;

@@ -25,12 +25,12 @@ impl BoundingRectangle {
         Some(Self { corner, axes, ranges: axes.map(range) })
     }
 
-    /// Returns the points on the lowest edge at these numbers of columns, of so many.
+    /// Returns the points on the lowest edge at these numbers of columns, of `count`.
     pub(crate) fn on_lowest_edge(&self, columns: impl Iterator<Item = f64>, count: usize) -> Vec<Vector> {
         columns.map(|column| self.corner + self.place(0, column, count) * self.axes[0]).collect()
     }
 
-    /// Returns the offsets from that edge at these numbers of rows, of so many.
+    /// Returns the offsets from that edge at these numbers of rows, of `count`.
     pub(crate) fn offsets(&self, rows: impl Iterator<Item = f64>, count: usize) -> Vec<Vector> {
         rows.map(|row| self.place(1, row, count) * self.axes[1]).collect()
     }

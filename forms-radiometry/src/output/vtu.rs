@@ -10,8 +10,7 @@
 use crate::answer::{Answer, Map, Simulation};
 use crate::faces::faces;
 use crate::geometry::{BoundingRectangle, Polygon, Vector};
-use crate::scene::{MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
-use std::f64::consts::PI;
+use crate::scene::{Receiver, ReceiverKind, Scene, Shape, Surface};
 use std::io;
 use vtkio::model::{
     Attribute, Attributes, ByteOrder, CellType, Cells, DataSet, UnstructuredGridPiece, Version,
@@ -65,17 +64,13 @@ pub fn scene_vtu(scene: &Scene) -> io::Result<Vec<u8>> {
     let column = |name: String, of: &dyn Fn(&Surface) -> f64| {
         (name, surfaces.iter().map(|&surface| of(&scene.surfaces[surface])).collect())
     };
-    let reflectance = |surface: &Surface, band: usize| match &scene.materials[surface.material].kind {
-        MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => reflectance[band],
-        MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } | MaterialKind::Plastic { .. } => {
-            f64::NAN
-        }
+    let reflectance = |surface: &Surface, band: usize| {
+        scene.materials[surface.material].kind.reflectance_in(band).unwrap_or(f64::NAN)
     };
     let mut columns = vec![("surface".to_owned(), surfaces.iter().map(|&surface| surface as f64).collect())];
     for band in 0..scene.band_count() {
         let name = |what: &str| named(what, "", (scene.band_count() > 1).then_some(band));
-        let exitance = |surface: &Surface| surface.exitance_of(band).unwrap_or(PI * surface.radiance[band]);
-        columns.push(column(name("exitance"), &exitance));
+        columns.push(column(name("exitance"), &|surface| surface.exitance_in(band)));
         columns.push(column(name("reflectance"), &|surface| reflectance(surface, band)));
     }
     Grid { kind: CellType::Polygon, points, counts, columns }.encoded(&scene.name)

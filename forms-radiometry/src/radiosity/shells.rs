@@ -152,9 +152,7 @@ impl Shells {
                 Some(vec![(Quantity::Irradiance, self.at(scene, position, Measure::Plane(normal))?)])
             }
             ReceiverKind::Sphere { position } => {
-                let quantities =
-                    std::iter::once(Quantity::FluenceRate).chain((0..3).map(Quantity::VectorIrradiance));
-                let measured = quantities.zip(Measure::ALL_SIDES);
+                let measured = Quantity::ALL_AROUND.into_iter().zip(Measure::ALL_SIDES);
                 measured
                     .map(|(quantity, measure)| Some((quantity, self.at(scene, position, measure)?)))
                     .collect()

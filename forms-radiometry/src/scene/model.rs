@@ -141,6 +141,16 @@ pub enum MaterialKind {
     },
 }
 
+impl MaterialKind {
+    /// Returns the reflectance in a band; `None` where it depends on the direction of light.
+    pub(crate) fn reflectance_in(&self, band: usize) -> Option<f64> {
+        match self {
+            Self::Diffuse { reflectance } | Self::Mirror { reflectance } => Some(reflectance[band]),
+            Self::Dielectric { .. } | Self::Conductor { .. } | Self::Plastic { .. } => None,
+        }
+    }
+}
+
 /// A surface: a shape with a material; it can emit light.
 #[derive(Clone, Debug)]
 pub struct Surface {
@@ -166,6 +176,11 @@ impl Surface {
     /// Whether the surface emits light in any band.
     pub fn emits(&self) -> bool {
         self.radiance.iter().any(|&radiance| radiance > 0.0)
+    }
+
+    /// Returns the exitance in a band.
+    pub(crate) fn exitance_in(&self, band: usize) -> f64 {
+        self.exitance_of(band).unwrap_or(PI * self.radiance[band])
     }
 
     /// Returns the exitance in a band from which the radiance was computed, if the radiance is

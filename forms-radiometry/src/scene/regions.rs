@@ -251,7 +251,8 @@ impl Regions {
         for (index, disk) in
             interfaces.iter().enumerate().filter_map(|(index, interface)| Some((index, interface.disk()?)))
         {
-            if let Some(base) = interfaces.iter().position(|interface| interface.has_round_hole(disk)) {
+            if let Some(base) = interfaces.iter().position(|interface| interface.round_holes().contains(disk))
+            {
                 self.join(Side::Front(index), Side::Front(base));
                 self.join(Side::Back(index), Side::Back(base));
             }

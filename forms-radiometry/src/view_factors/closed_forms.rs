@@ -30,30 +30,25 @@ impl<'s> ClosedForms<'s> {
 
     /// Returns the view factors of a surface that have a closed form.
     pub(super) fn row(&self, surface: usize) -> Vec<Option<ViewFactor>> {
-        (0..self.surfaces.len())
-            .map(|other| {
-                let value = self.factor(surface, other);
-                value.map(|value| ViewFactor { value, error: ROUNDING * value }).or_else(|| {
-                    let is_one_sided = |index: usize| !self.surfaces[index].two_sided;
-                    let are_one_sided = is_one_sided(surface) && is_one_sided(other);
-                    are_one_sided.then(|| coaxial::factor(self.surfaces, surface, other)).flatten()
-                })
-            })
-            .collect()
+        (0..self.surfaces.len()).map(|other| self.factor(surface, other)).collect()
     }
 
-    fn factor(&self, from: usize, to: usize) -> Option<f64> {
-        let [one, other] = [from, to].map(|index| &self.surfaces[index]);
-        if one.two_sided || other.two_sided {
+    fn factor(&self, from: usize, to: usize) -> Option<ViewFactor> {
+        if self.surfaces[from].two_sided || self.surfaces[to].two_sided {
             return None;
         }
-        if let Some(value) = self.enclosed(from, to) {
-            return Some(value);
-        }
+        let value = self.enclosed(from, to).or_else(|| self.between(from, to));
+        let rounded = value.map(|value| ViewFactor { value, error: ROUNDING * value });
+        rounded.or_else(|| coaxial::factor(self.surfaces, from, to))
+    }
+
+    /// Returns the view factor of two surfaces that nothing occludes, or of a surface to itself.
+    fn between(&self, from: usize, to: usize) -> Option<f64> {
+        let [one, other] = [from, to].map(|index| &self.surfaces[index].shape);
         if from == to {
-            return is_convex(&one.shape).then_some(0.0);
+            return is_convex(one).then_some(0.0);
         }
-        self.is_free(from, to).then(|| unobstructed(&one.shape, &other.shape)).flatten()
+        self.is_free(from, to).then(|| unobstructed(one, other)).flatten()
     }
 
     /// Returns the view factor where a sphere around a convex surface is all there is.

@@ -54,19 +54,12 @@ impl Disk {
         [Self { hole: 0.0, ..*self }, Self { radius: self.hole, hole: 0.0, ..*self }]
     }
 
-    /// Returns the point at these polar coordinates about the centre: the distance, and the angle in
-    /// full turns.
-    fn place(&self, distance: f64, turns: f64) -> Vector {
-        let [u, v] = across(self.normal);
-        let (sine, cosine) = (2.0 * PI * turns).sin_cos();
-        self.center + distance * (cosine * u + sine * v)
-    }
-
     /// Returns a point of a uniform distribution over an annulus, by a point of the unit square:
     /// ρ² is uniform between those of its borders.
     pub(crate) fn point(&self, [u, v]: [f64; 2]) -> Vector {
         let squared = self.hole * self.hole * (1.0 - u) + self.radius * self.radius * u;
-        self.place(squared.sqrt(), v)
+        let ([right, up], (sine, cosine)) = (across(self.normal), (2.0 * PI * v).sin_cos());
+        self.center + squared.sqrt() * (cosine * right + sine * up)
     }
 
     /// Whether the disk contains a point of its plane.

@@ -105,9 +105,8 @@ impl Quadric {
         }
     }
 
-    /// Returns a point relative to the axis: s, and the vector from the axis.
-    fn relative(&self, point: Vector) -> (f64, Vector) {
-        let (axis, length) = self.axis();
+    /// Returns a point relative to this axis of its own: s, and the vector from the axis.
+    fn relative(&self, (axis, length): (Vector, f64), point: Vector) -> (f64, Vector) {
         let way = point - self.ends[0];
         let along = axis.dot(way);
         (along / length, way - along * axis)
@@ -174,7 +173,8 @@ impl Quadric {
     /// Projects a point near the shape onto it, away from the axis, and returns it with the unit
     /// normal of the front.
     pub(crate) fn foot(&self, point: Vector) -> (Vector, Vector) {
-        let ((s, off), (axis, length)) = (self.relative(point), self.axis());
+        let (axis, length) = self.axis();
+        let (s, off) = self.relative((axis, length), point);
         let s = s.clamp(0.0, 1.0);
         let outward = off.unit().unwrap_or(across(axis)[0]);
         let position = self.ends[0] + (s * length) * axis + self.radius_at(s) * outward;
@@ -183,7 +183,7 @@ impl Quadric {
 
     /// Returns how far outside a point is, to first order; negative inside. `None` beyond the ends.
     pub(crate) fn height(&self, point: Vector) -> Option<f64> {
-        let (s, off) = self.relative(point);
+        let (s, off) = self.relative(self.axis(), point);
         let is_beside = (-JOINT..=1.0 + JOINT).contains(&s);
         is_beside.then(|| {
             let radius = self.radius_at(s.clamp(0.0, 1.0));
@@ -194,7 +194,7 @@ impl Quadric {
 
     /// Whether a point is inside, between the planes of the ends.
     pub(crate) fn holds(&self, point: Vector) -> bool {
-        let (s, off) = self.relative(point);
+        let (s, off) = self.relative(self.axis(), point);
         (0.0..=1.0).contains(&s) && off.length() < self.radius_at(s)
     }
 
@@ -287,7 +287,8 @@ impl Round for Quadric {
 
     /// Returns a bound from below: |ρ² − r²(s)| changes by at most 2 √(ρ² + (r dr/dz)²) per length.
     fn distance(&self, point: Vector) -> f64 {
-        let ((s, off), (_, length)) = (self.relative(point), self.axis());
+        let (axis, length) = self.axis();
+        let (s, off) = self.relative((axis, length), point);
         let within = s.clamp(0.0, 1.0);
         let (away, radius) = (off.length(), self.radius_at(within));
         let most = away.max(self.largest_radius());

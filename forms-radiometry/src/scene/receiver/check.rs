@@ -3,12 +3,14 @@
 use crate::geometry::{Flat, common_area, off_plane};
 use crate::scene::error::Report;
 use crate::scene::model::{ReceiverKind, Scene, Shape, SurfaceSide};
+use std::cell::OnceCell;
 
 /// Part of a side that other surfaces cover, above which all of it is covered.
 const COVERED: f64 = 1.0 - 1e-6;
 
 /// Reports receivers of faces on surfaces without faces, and receivers on sides that see nothing.
 pub(in crate::scene) fn check(report: &mut Report, scene: &Scene) {
+    let working = OnceCell::new();
     for receiver in &scene.receivers {
         let (ReceiverKind::Surface { surface, side, .. } | ReceiverKind::Faces { surface, side }) =
             receiver.kind
@@ -25,7 +27,7 @@ pub(in crate::scene) fn check(report: &mut Report, scene: &Scene) {
             report.error_at(&receiver.place, message, expected);
         }
         if side == SurfaceSide::Back
-            && let Some(cover) = cover(scene, surface)
+            && let Some(cover) = cover(working.get_or_init(|| scene.in_working_units().scene), surface)
         {
             let message = format!("the back of `{name}` sees nothing: `{cover}` touches it back to back");
             report.error_at(&receiver.place, message, "side = \"front\"");
@@ -33,13 +35,12 @@ pub(in crate::scene) fn check(report: &mut Report, scene: &Scene) {
     }
 }
 
-/// Returns the name of a surface in contact with the back of a planar surface that others cover
-/// completely.
+/// Returns the name of a surface of a scene in working units that is in contact with the back of a
+/// planar surface, if others cover that completely.
 fn cover(scene: &Scene, surface: usize) -> Option<&str> {
-    let working = scene.in_working_units();
-    let own = flat(&working.scene.surfaces[surface].shape)?;
+    let own = flat(&scene.surfaces[surface].shape)?;
     let mut covers = Vec::new();
-    for (index, other) in working.scene.surfaces.iter().enumerate().filter(|(index, _)| *index != surface) {
+    for (index, other) in scene.surfaces.iter().enumerate().filter(|(index, _)| *index != surface) {
         let Some(flat) = flat(&other.shape) else { continue };
         let is_back_to_back = flat.normal().dot(own.normal()) < 0.0 && off_plane(&flat, &own).is_none();
         if is_back_to_back {

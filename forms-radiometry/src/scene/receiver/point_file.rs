@@ -93,14 +93,13 @@ fn parsed(text: &str, may_face: bool, faults: &mut Vec<Fault>) -> Option<PointFi
 /// Returns the fields of a line that starts at this byte.
 fn fields(start: usize, line: &str) -> Vec<Word<'_>> {
     let mut begin = start;
-    let field = |field: &'_ str| -> Range<usize> {
-        let own = begin;
+    let mut words = Vec::new();
+    for field in line.split(',') {
+        let (text, own) = (field.trim(), begin + field.len() - field.trim_start().len());
+        words.push(Word { text, range: own..own + text.len() });
         begin += field.len() + 1;
-        let blank = field.len() - field.trim_start().len();
-        own + blank..own + blank + field.trim().len()
-    };
-    let ranges: Vec<Range<usize>> = line.split(',').map(field).collect();
-    line.split(',').zip(ranges).map(|(text, range)| Word { text: text.trim(), range }).collect()
+    }
+    words
 }
 
 /// Returns the columns of the file: the index of the coordinate that each holds.

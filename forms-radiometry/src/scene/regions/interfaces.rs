@@ -37,9 +37,9 @@ impl Interface {
         if let Piece::Disk(disk) = &self.shape { Some(disk) } else { None }
     }
 
-    /// Whether this disk was cut out of the sheet.
-    pub(crate) fn has_round_hole(&self, disk: &Disk) -> bool {
-        matches!(&self.shape, Piece::Face(polygon, _) if polygon.round_holes().contains(disk))
+    /// Returns the disks that were cut out of the sheet.
+    pub(crate) fn round_holes(&self) -> &[Disk] {
+        if let Piece::Face(polygon, _) = &self.shape { polygon.round_holes() } else { &[] }
     }
 }
 

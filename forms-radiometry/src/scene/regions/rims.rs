@@ -9,7 +9,7 @@
 use super::edges::{Edge, Wing};
 use super::interfaces::{Interface, Piece};
 use crate::geometry::round::across;
-use crate::geometry::{Rim, Vector, Welded, closeness};
+use crate::geometry::{Disk, Rim, Vector, Welded, closeness};
 use rustc_hash::FxHashMap;
 
 /// Largest sine of the angle between the axes of circles that coincide.
@@ -18,9 +18,10 @@ const PARALLEL: f64 = 1e-9;
 /// Returns the edges at which disks and quadrics end. The rims of disks that were cut out of a
 /// polygon are left out.
 pub(super) fn rims(interfaces: &[Interface]) -> Vec<Edge> {
+    let holes: Vec<&Disk> = interfaces.iter().flat_map(Interface::round_holes).collect();
     let own = |(index, interface): (usize, &Interface)| {
         let rims = match &interface.shape {
-            Piece::Disk(disk) if interfaces.iter().any(|base| base.has_round_hole(disk)) => Vec::new(),
+            Piece::Disk(disk) if holes.contains(&disk) => Vec::new(),
             Piece::Disk(disk) => disk.rims(),
             Piece::Quadric(quadric) => quadric.rims(),
             Piece::Face(..) | Piece::Sphere(_) => Vec::new(),

@@ -29,7 +29,8 @@ struct Line {
 
 impl Quadric {
     fn line(&self, from: Vector, direction: Vector) -> Line {
-        let ((s, p), (axis, length)) = (self.relative(from), self.axis());
+        let (axis, length) = self.axis();
+        let (s, p) = self.relative((axis, length), from);
         let d = axis.dot(direction);
         let (along, q) = ([s, d / length], direction - d * axis);
         let [q0, q1, q2] = self.squared();
