@@ -18,7 +18,7 @@ mod survey;
 pub(crate) mod working_scene;
 
 use crate::effects::PlannedEffect;
-use crate::scene::{Effect, Scene};
+use crate::scene::Scene;
 use crate::used_kernel::UsedKernel;
 use method::{Method, ReceiverMethod, Solver, distinct};
 use reduced_scene::without;
@@ -39,8 +39,7 @@ impl Plan {
     /// surveyed, decided or refused. The effects are those of
     /// [`Effect::ALL`](crate::scene::Effect::ALL), in this order.
     pub fn with_effects(scene: &Scene, effects: Vec<PlannedEffect>) -> Self {
-        let is_off = |planned: &PlannedEffect| planned.effect == Effect::Direct && !planned.on;
-        let reason = method::reason_for_paths(&without(scene, &effects), !effects.iter().any(is_off));
+        let reason = method::reason_for_paths(&without(scene, &effects));
         Self::new(scene, (effects, 0.0), reason)
     }
 

@@ -13,7 +13,7 @@ use super::Plan;
 use super::method::{Solver, reason_for_paths};
 use super::reduced_scene::without_forced;
 use super::survey::Survey;
-use crate::effects::{EffectSet, PlannedEffect, forced, forcing};
+use crate::effects::{EffectSet, PlannedEffect, forcing};
 use crate::paths::driver::{Computable, all_estimands};
 use crate::paths::{Limits, World, endless, has_too_many_images, trap};
 use crate::radiosity::orders;
@@ -31,8 +31,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
     if !refused.is_empty() {
         return Err(refused);
     }
-    let has_direct = forced(scene, Effect::Direct) != Some(Force::Off);
-    if let Some(reason) = reason_for_paths(&without_forced(scene), has_direct) {
+    if let Some(reason) = reason_for_paths(&without_forced(scene)) {
         return plan_of_paths(scene, reason);
     }
     let survey = Survey::of(&scene.in_working_units());

@@ -88,10 +88,8 @@ pub(crate) enum Solver {
 
 /// Returns the reason why a scene needs path tracing. There is none if it has only diffuse surfaces
 /// with the normals of their faces in a vacuum, with numbers and maps of them, and with images only
-/// of flat surfaces with few faces. `has_direct` tells whether direct light counts. For radiosity,
-/// the receiver of direct light along a ray is the surface that the ray meets; but what does not
-/// count then is the light straight from a light source to the eye.
-pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String> {
+/// of flat surfaces with few faces.
+pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
     let kind = |material: usize| &scene.materials[material].kind;
     let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
     if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
@@ -112,14 +110,6 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
     let ambient = scene.ambient.medium.map(|medium| &scene.media[medium]);
     if let Some(medium) = ambient.filter(|medium| !medium.is_vacuum()) {
         return Some(format!("the medium `{}` fills the scene", medium.name));
-    }
-    let is_view =
-        |receiver: &&Receiver| is_image(receiver) || matches!(receiver.kind, ReceiverKind::Ray { .. });
-    if let Some(receiver) = scene.receivers.iter().find(is_view).filter(|_| !has_direct) {
-        return Some(format!(
-            "light straight from light sources to the receiver `{}` does not count",
-            receiver.name
-        ));
     }
     let is_parallel = |receiver: &&Receiver| match &receiver.kind {
         ReceiverKind::Camera(camera) => camera.is_orthographic(),
@@ -351,7 +341,7 @@ mod tests {
             ("occluders in a sphere", sphere(9, &tolerance(1e-2)), Method::PathTracing),
             ("occlusion is left out", sphere(9, &effects("occlusion = \"off\"")), Method::Radiosity),
             ("direct light", sphere(0, &effects("interreflection = \"off\"")), Method::ClosedForms),
-            ("no direct light along a ray", ray_in_room(&effects("direct = \"off\"")), Method::PathTracing),
+            ("no direct light along a ray", ray_in_room(&effects("direct = \"off\"")), Method::Radiosity),
             ("all light along a ray", ray_in_room(&tolerance(1e-2)), Method::Radiosity),
         ] {
             assert_eq!(methods(&text)[0], expected, "{name}");

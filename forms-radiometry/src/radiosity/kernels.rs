@@ -23,6 +23,9 @@ use forms_kernels::{
 struct Computed {
     /// The kinds of light that receivers gather by exact pieces, if any receiver does.
     gathered: Option<LightKinds>,
+    /// The kinds of light that surfaces send on to rays and cameras, if light straight from light
+    /// sources to these does not count.
+    seen: Option<LightKinds>,
     /// The kinds of direct light at the points of surfaces that reflect or whose mean is computed,
     /// if there are any.
     straight: Option<LightKinds>,
@@ -48,10 +51,10 @@ impl Computed {
             ReceiverKind::Point { .. } | ReceiverKind::Points(_) | ReceiverKind::Sphere { .. } => false,
             ReceiverKind::Surface { grid, .. } => grid.is_some(),
             ReceiverKind::Faces { .. } => false,
-            ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => true,
+            ReceiverKind::Ray { .. } | ReceiverKind::Camera(_) => false,
         });
         // the closed forms for points add up light in double-double, without the kernel
-        let gathers = asks_elsewhere || (asks_points && !is_precise);
+        let gathers = asks_elsewhere || (question.is_seen && question.direct) || (asks_points && !is_precise);
         let on_surfaces = !question.receives.all().is_empty();
         let has_points = on_surfaces || reflected;
         let from_faces = straight.luminaires || (straight.surroundings && !faces.is_empty());
@@ -67,8 +70,9 @@ impl Computed {
                 is_whole(|shape| matches!(shape, Shape::Disk(_))),
             ],
             gathered: gathers.then(|| question.kinds(straight)),
+            seen: (question.is_seen && !question.direct).then(|| question.seen_kinds(straight)),
             straight: has_points.then_some(straight),
-            views: reflected || (from_faces && (question.direct || has_points)),
+            views: reflected || (from_faces && (question.direct || has_points || question.is_seen)),
             spheres: asks(ReceiverKind::is_all_around),
             reflections: reflected,
             exchange: on_surfaces && from_faces && !straight.surroundings && !straight.beams,
@@ -84,11 +88,12 @@ pub(crate) fn kernels(
     question: &Question,
     is_precise: bool,
 ) -> Vec<UsedKernel> {
-    let Computed { gathered, straight, views, spheres, reflections, whole, exchange } =
+    let Computed { gathered, seen, straight, views, spheres, reflections, whole, exchange } =
         Computed::of(scene, faces, question, is_precise);
     let [whole_spheres, whole_disks] = whole;
     let all_light = gathered.map(|kinds| member(kinds, "light gathered by a receiver"));
-    let is_another = straight.filter(|straight| Some(*straight) != gathered);
+    let seen_light = seen.map(|kinds| member(kinds, "light gathered by a surface that is seen"));
+    let is_another = straight.filter(|straight| ![gathered, seen].contains(&Some(*straight)));
     let direct_light = is_another.map(|kinds| member(kinds, "direct light at points of surfaces"));
     macro_rules! row {
         ($is_used:expr, $name:ident, $what:literal) => {
@@ -97,6 +102,7 @@ pub(crate) fn kernels(
     }
     let table = [
         all_light,
+        seen_light,
         direct_light,
         row!(views, edge_form_factor, "form factor of the visible part of a face, edge by edge"),
         row!(views && spheres, solid_angle_triangle, "solid angle of the visible part of a face"),

@@ -33,6 +33,13 @@ impl Question {
     /// Returns the kinds of light that receivers gather if these are the kinds of direct light.
     pub(super) fn kinds(&self, straight: LightKinds) -> LightKinds {
         let straight = if self.direct { straight } else { LightKinds::NONE };
+        self.seen_kinds(straight)
+    }
+
+    /// Returns the kinds of light that seen surfaces gather if these are the kinds of direct light:
+    /// the light of a source is direct to the eye that sees the source, and not where a surface
+    /// reflects it to the eye.
+    pub(super) fn seen_kinds(&self, straight: LightKinds) -> LightKinds {
         LightKinds { interreflection: self.orders != Some(0), ..straight }
     }
 }

@@ -287,8 +287,19 @@ impl<'t> Radiosity<'t> {
     }
 
     /// Gathers the same light of all bands, point by point; only part of it if the work is stopped.
-    pub(crate) fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+    fn gather(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         self.gather_kinds(self.kinds, group, scratch, gathered);
+    }
+
+    /// Gathers the light that reaches points of a surface that is seen, including direct light.
+    pub(crate) fn gather_seen(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let kinds = Kinds::of(self.question.seen_kinds(self.lights.kinds()));
+        self.gather_kinds(kinds, group, scratch, gathered);
+    }
+
+    /// Whether light counts that an eye gets straight from a light source.
+    pub(crate) fn sees_sources(&self) -> bool {
+        self.question.direct
     }
 
     /// Gathers the light that surfaces reflect, without direct light.

@@ -114,9 +114,13 @@ impl Radiosity<'_> {
         contact::pieces(faces, closeness, reflects, |index, face| shadows.borders(index, face, closeness))
     }
 
-    /// Returns the radiance that a piece emits in each band; empty if it does not emit.
+    /// Returns the radiance that an eye gets from a piece in each band as from a light source; empty
+    /// if there is none.
     pub(crate) fn emitted(&self, piece: &SeenPiece) -> &[f64] {
-        emitted(self.scene, &self.transport.faces[piece.face])
+        match self.sees_sources() {
+            true => emitted(self.scene, &self.transport.faces[piece.face]),
+            false => &[],
+        }
     }
 
     /// Computes the radiance of points of a piece, point by point and band by band; the outline
@@ -136,19 +140,21 @@ impl Radiosity<'_> {
         }
         let emitted = &self.scene.surfaces[face.surface].radiance;
         let bands = emitted.len();
+        let seen = if self.sees_sources() { 1.0 } else { 0.0 };
         if !reflects(self.scene, face.surface) {
-            radiance.chunks_exact_mut(bands).for_each(|of_point| of_point.copy_from_slice(emitted));
+            let emitted = emitted.iter().map(|emitted| seen * emitted).cycle();
+            radiance.iter_mut().zip(emitted).for_each(|(value, emitted)| *value = emitted);
             return;
         }
         let group = Group { points, outline, measure: Measure::Plane(piece.normal) };
         match piece.element.filter(|_| reflected == Reflected::Interpolated) {
             Some(element) => self.gather_on(element, group, scratch, radiance),
-            None => self.gather(group, scratch, radiance),
+            None => self.gather_seen(group, scratch, radiance),
         }
         let reflectances = reflectance(self.scene, face.surface);
         for of_point in radiance.chunks_exact_mut(bands) {
             for ((value, emitted), rho) in of_point.iter_mut().zip(emitted).zip(reflectances) {
-                *value = emitted + rho / PI * *value;
+                *value = seen * emitted + rho / PI * *value;
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Path tracing and radiosity find the same light.
 
-use super::{Answer, ErrorKind, Quantity, Unwatched, plan};
+use super::{Answer, ErrorKind, Unwatched, plan};
 use crate::job::Share;
 use crate::paths::driver::{Computable, Division, simulate};
 use crate::paths::{Limits, World};
@@ -153,11 +153,7 @@ fn paths_and_radiosity_find_the_same_light() {
             let solve = format!("[solve]\ntolerance = {tolerance}\neffects = {{ {effects} }}\n");
             format!("{}{RECEIVERS}{lights}{solve}", closed_room())
         });
-        // without direct light, plans leave rays to path tracing
-        let is_for_both =
-            |answer: &Answer| answer.quantity != Quantity::Radiance || !effects.contains("direct");
-        let pairs = by_radiosity(&finely).into_iter().zip(by_paths(&roughly));
-        for (exact, sampled) in pairs.filter(|(exact, _)| is_for_both(exact)) {
+        for (exact, sampled) in by_radiosity(&finely).into_iter().zip(by_paths(&roughly)) {
             assert_same(name, &exact, &sampled);
         }
     }

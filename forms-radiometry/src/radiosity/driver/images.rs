@@ -107,7 +107,8 @@ impl Work<'_> {
         sight: &Transport,
         watched: &[Watched],
     ) -> Map {
-        let outside = &self.scene.ambient.radiance;
+        let seen = if radiosity.sees_sources() { 1.0 } else { 0.0 };
+        let outside: Vec<f64> = self.scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
         let bands = outside.len();
         let is_seen_past = outside.iter().any(|&radiance| radiance > 0.0);
         let pieces = radiosity.seen_from(camera.origin, sight, is_seen_past);
@@ -116,7 +117,7 @@ impl Work<'_> {
         let scale = |watched: &Watched| if watched.scale > 0.0 { watched.scale } else { f64::INFINITY };
         let scales: Vec<f64> = watched.iter().map(scale).collect();
         let tolerance = RULES * self.scene.solve.tolerance;
-        let view = View { camera, radiosity, pieces: &pieces, outside, tolerance, scales: &scales };
+        let view = View { camera, radiosity, pieces: &pieces, outside: &outside, tolerance, scales: &scales };
         let blocks = blocks(camera, &pieces);
         let done = AtomicUsize::new(0);
         let of_block = |scratch: &mut Scratch, block: &Block| {

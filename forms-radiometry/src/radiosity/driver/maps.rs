@@ -42,8 +42,9 @@ impl Work<'_> {
         }
         self.emitted = vec![Vec::new(); self.readings.len() - self.requested];
         let pixels = self.watched_pixels();
+        let seen = if self.question().direct { 1.0 } else { 0.0 };
         let emitted = |reading: &Reading| {
-            let of_band = |[emitted, _]: [f64; 2]| emitted;
+            let of_band = |[emitted, _]: [f64; 2]| seen * emitted;
             reading.made_of(self.scene, sight).into_iter().map(of_band).collect()
         };
         self.emitted.extend(pixels.iter().map(emitted).collect::<Vec<_>>());

@@ -301,18 +301,25 @@ fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut S
 }
 
 /// Returns the radiance along a ray: L = Lₑ + ρ E/π on a face that it sees from its front, zero on
-/// a black back, and the light from outside where it meets nothing.
+/// a black back, and the light from outside where it meets nothing. Lₑ and the light from outside
+/// are direct light: they are zero where that is left out.
 fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
-    let Some(met) = met(scene, ray, radiosity.transport()) else { return scene.ambient.radiance.clone() };
+    let seen = if radiosity.sees_sources() { 1.0 } else { 0.0 };
+    let Some(met) = met(scene, ray, radiosity.transport()) else {
+        return scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
+    };
     let Met { surface: index, position, normal, is_bright } = met;
     if !is_bright {
         return vec![0.0; scene.band_count()];
     }
     let surface = &scene.surfaces[index];
-    let arriving = at(position, Measure::Plane(normal), radiosity, scratch);
+    let points = [position];
+    let group = Group { points: &points, outline: &points, measure: Measure::Plane(normal) };
+    let mut arriving = vec![0.0; scene.band_count()];
+    radiosity.gather_seen(group, scratch, &mut arriving);
     let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
     // E/π is the radiance of a surface that sends E equally in all directions
-    bands.map(|((emitted, rho), arriving)| emitted + rho * arriving / PI).collect()
+    bands.map(|((emitted, rho), arriving)| seen * emitted + rho * arriving / PI).collect()
 }
 
 /// First surface along a ray.
