@@ -4,7 +4,9 @@
 use forms_kernels::gathered_light::{self, Effects};
 use forms_radiometry::scene::{Effect, ReceiverKind, Scene, read};
 use forms_radiometry::simulation::{Plan, PlannedEffect, Unwatched, UsedKernel, plan, simulate};
+use forms_radiometry_testing::effects_code::callgrind::Counts;
 use forms_radiometry_testing::effects_code::{callgrind, parts};
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// Environment variable that names the scene which this program simulates under callgrind.
@@ -192,6 +194,62 @@ fn the_counted_scene_has_answers() {
     assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
 }
 
+/// Returns the instructions of this program where it simulates a scene with some effects.
+fn counted(scene: &str) -> Counts {
+    let program = std::env::current_exe().expect("this program");
+    let arguments = ["--exact", "the_counted_scene_has_answers", "--test-threads=1"];
+    callgrind::counted(&program, &arguments, &[(COUNTED, scene)]).expect("valgrind runs")
+}
+
+/// Asserts that a scene executes nothing for the effects that are off, and that the kernels of the
+/// plan run. Returns whether kernels that are inlined could be found.
+fn assert_counted(name: &str, by_paths: bool) -> bool {
+    let scene = scene(name);
+    let plan = planned(&scene);
+    let is_by_paths = plan.is_by_paths();
+    assert_eq!(is_by_paths, by_paths, "{name}");
+    let on = plan.effects().iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
+    // a receiver along a ray asks for the surface that the ray meets
+    let looks = scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }));
+    let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
+    let counts = counted(&scene);
+    assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
+    // where nothing is inlined, functions identify the effects
+    let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
+    let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
+    for planned in plan.effects().iter().filter(is_told) {
+        let count = parts::of_effect(&counts, planned.effect);
+        let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
+        assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
+    }
+    let rays = parts::of_rays(&counts);
+    // occluders are found along rays, too
+    let hides = plan.effects().iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
+    let has_use = is_by_paths || hides || looks;
+    assert!(has_use || rays == 0, "{name}: {rays} instructions for rays without a use");
+    let listed: BTreeSet<String> = plan.kernels().iter().map(|kernel| kernel.name.to_owned()).collect();
+    let run = parts::kernels(&counts);
+    assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");
+    let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
+    let of_lines = parts::kernel_files(&counts);
+    assert!(of_lines.is_subset(&files), "{name}: {of_lines:?} run, and {files:?} are in the plan");
+    if !parts::has_lines(&counts) {
+        return false;
+    }
+    // the error decides between two methods of integration from surface to surface
+    let by_error = ["exchange_density", "edge_potential"];
+    let has_run = |kernel: &str| {
+        run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))
+    };
+    let is_seen = |kernel: &&UsedKernel| {
+        kernel.name == "gathered_light" || kernel.operations >= SEEN && !INLINED.contains(&kernel.name)
+    };
+    let mut seen = plan.kernels().iter().filter(is_seen).map(|kernel| kernel.name);
+    let unused = seen.find(|kernel| !by_error.contains(kernel) && !has_run(kernel));
+    assert_eq!(unused, None, "{name}: is in the plan and does not run");
+    true
+}
+
 #[test]
 fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan() {
     const TEST: &str =
@@ -200,57 +258,10 @@ fn what_is_off_executes_nothing_and_the_kernels_that_run_are_those_of_the_plan()
         forms_testing::skipped(TEST, "valgrind", "no instructions are counted");
         return;
     }
-    let program = std::env::current_exe().expect("this program");
-    let arguments = ["--exact", "the_counted_scene_has_answers", "--test-threads=1"];
-    let mut without_lines = Vec::new();
-    let paths = scenes_of_paths();
-    let by_paths: Vec<&str> = paths.iter().map(|(name, _)| *name).collect();
-    for name in scenes().iter().map(|(name, ..)| *name).chain(by_paths.iter().copied()) {
-        let scene = scene(name);
-        let plan = planned(&scene);
-        let is_by_paths = plan.is_by_paths();
-        assert_eq!(is_by_paths, by_paths.contains(&name), "{name}");
-        let on = plan.effects().iter().filter(|planned| planned.on).map(|planned| planned.effect.name());
-        // a receiver along a ray asks for the surface that the ray meets
-        let looks = scene.receivers.iter().any(|receiver| matches!(receiver.kind, ReceiverKind::Ray { .. }));
-        let scene = format!("{name}:{}", on.collect::<Vec<_>>().join(","));
-        let counts = callgrind::counted(&program, &arguments, &[(COUNTED, &scene)]).expect("valgrind runs");
-        assert!(parts::of_solver(&counts) > 1000, "{name}: nothing of the solver was found");
-        // where nothing is inlined, functions identify the effects
-        let is_sure = cfg!(debug_assertions) || parts::has_lines(&counts);
-        let is_told = |planned: &&PlannedEffect| parts::effects(is_by_paths).any(|own| own == planned.effect);
-        for planned in plan.effects().iter().filter(is_told) {
-            let count = parts::of_effect(&counts, planned.effect);
-            let is_right = if planned.on { count > 0 || !is_sure } else { count == 0 };
-            assert!(is_right, "{name}: {} takes {count}", planned.effect.name());
-        }
-        let rays = parts::of_rays(&counts);
-        // occluders are found along rays, too
-        let hides = plan.effects().iter().any(|planned| planned.effect == Effect::Occlusion && planned.on);
-        let has_use = is_by_paths || hides || looks;
-        assert!(has_use || rays == 0, "{name}: {rays} instructions for rays without a use");
-        let listed: BTreeSet<String> = plan.kernels().iter().map(|kernel| kernel.name.to_owned()).collect();
-        let run = parts::kernels(&counts);
-        assert!(run.is_subset(&listed), "{name}: {run:?} run, and {listed:?} are in the plan");
-        let files: BTreeSet<&str> = listed.iter().filter_map(|kernel| parts::file_of(kernel)).collect();
-        let of_lines = parts::kernel_files(&counts);
-        assert!(of_lines.is_subset(&files), "{name}: {of_lines:?} run, and {files:?} are in the plan");
-        if !parts::has_lines(&counts) {
-            without_lines.push(name);
-            continue;
-        }
-        // the error decides between two methods of integration from surface to surface
-        let by_error = ["exchange_density", "edge_potential"];
-        let has_run = |kernel: &str| {
-            run.contains(kernel) || parts::file_of(kernel).is_some_and(|file| of_lines.contains(file))
-        };
-        let is_seen = |kernel: &&UsedKernel| {
-            kernel.name == "gathered_light" || kernel.operations >= SEEN && !INLINED.contains(&kernel.name)
-        };
-        let mut seen = plan.kernels().iter().filter(is_seen).map(|kernel| kernel.name);
-        let unused = seen.find(|kernel| !by_error.contains(kernel) && !has_run(kernel));
-        assert_eq!(unused, None, "{name}: is in the plan and does not run");
-    }
+    let paths = scenes_of_paths().into_iter().map(|(name, _)| (name, true));
+    let all: Vec<_> = scenes().into_iter().map(|(name, ..)| (name, false)).chain(paths).collect();
+    let is_without_lines = |&&(name, by_paths): &&(&'static str, bool)| !assert_counted(name, by_paths);
+    let without_lines: Vec<_> = all.par_iter().filter(is_without_lines).collect();
     if !without_lines.is_empty() {
         let why = "kernels that are inlined cannot be found, so nothing says whether those of the plan run";
         forms_testing::skipped(TEST, "debug information", why);

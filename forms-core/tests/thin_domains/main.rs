@@ -13,7 +13,7 @@ use forms_core::decide::{Verdict, decide};
 use statement::{Dice, Statement};
 
 /// Default number of statements.
-const STATEMENTS: u64 = 800;
+const STATEMENTS: u64 = 240;
 
 /// Number of points for each statement.
 const POINTS: usize = 120;

@@ -3,7 +3,7 @@
 //!
 //! They are compared with the same scene under another seed, with enough samples to meet rare
 //! light. A fixed number of samples keeps their mean unbiased, whatever they find. `FORMS_RARE` is
-//! the number of scenes.
+//! the number of scenes, and of seeds.
 
 use forms_radiometry::scene::{Scene, read};
 use forms_radiometry::simulation::{
@@ -108,7 +108,7 @@ fn pixels_of_clouds_are_not_too_dark() {
 
 #[test]
 fn pixels_and_cells_say_how_far_they_are_off_where_light_is_rare() {
-    let count = std::env::var("FORMS_RARE").map_or(6, |count| count.parse().expect("a number"));
+    let count = std::env::var("FORMS_RARE").map_or(4, |count| count.parse().expect("a number"));
     let off = (0..count).flat_map(|seed| {
         let [found, many] = both(of(seed));
         assert!(found.maps.iter().all(|map| map.kind == ErrorKind::Sigma), "{seed}: no paths");
@@ -135,6 +135,8 @@ fn above_a_lit_disk([near, far]: [f64; 2], reflectance: f64, radius: f64) -> f64
 /// Few paths meet the spot below a light that is near a surface.
 #[test]
 fn light_that_a_bright_spot_reflects_is_not_missed() {
+    let seeds: u64 = std::env::var("FORMS_RARE").map_or(8, |count| count.parse().expect("a number"));
+    let mut all = Vec::new();
     for (near, radius) in [(0.003, 1.0), (0.01, 2.0), (0.05, 1.0), (0.2, 1.0)] {
         let right = above_a_lit_disk([near, 1.0], 0.5, radius);
         let scene = |seed: u64| {
@@ -155,9 +157,10 @@ fn light_that_a_bright_spot_reflects_is_not_missed() {
             assert_eq!(found.kind, ErrorKind::Sigma);
             (found.value - right).abs() / found.error
         };
-        let all: Vec<f64> = (0..40).map(off).collect();
-        assert!(all.iter().all(|&off| off < 5.0), "{near}: right is {right}, off by {all:?}");
-        let beyond = all.iter().filter(|&&off| off > 3.0).count();
-        assert!(20 * beyond <= all.len(), "{near}: {beyond} of {} are off by more than 3 errors", all.len());
+        let of_light: Vec<f64> = (0..seeds).map(off).collect();
+        assert!(of_light.iter().all(|&off| off < 5.0), "{near}: right is {right}, off by {of_light:?}");
+        all.extend(of_light);
     }
+    let beyond = all.iter().filter(|&&off| off > 3.0).count();
+    assert!(20 * beyond <= all.len(), "{beyond} of {} are off by more than 3 errors", all.len());
 }
