@@ -1,5 +1,5 @@
-//! Pieces: shapes become parallelograms, triangles and spheres, which provide intersections with
-//! rays and points on their surface.
+//! Pieces: shapes become parallelograms, triangles, spheres, disks and sides of cones, which provide
+//! intersections with rays and points on their surface.
 
 use crate::world::Shape;
 use forms_radiometry::geometry::Vector;
@@ -30,6 +30,70 @@ enum PieceShape {
         center: Vector,
         radius: f64,
     },
+    /// Disk with a hole: centre, unit normal, and the radii of its borders.
+    Disk {
+        center: Vector,
+        normal: Vector,
+        radii: [f64; 2],
+    },
+    Turned(Turned),
+}
+
+/// Side of a cone or cylinder: the points at the distance r = r₀ + k z from the axis, z from 0 to the
+/// height.
+#[derive(Clone, Copy)]
+struct Turned {
+    base: Vector,
+    axis: Vector,
+    height: f64,
+    radii: [f64; 2],
+    /// 1 where the front is outside, −1 where it is inside.
+    side: f64,
+}
+
+impl Turned {
+    /// Returns k.
+    fn slope(&self) -> f64 {
+        (self.radii[1] - self.radii[0]) / self.height
+    }
+
+    /// Returns the height z of a point above the base, and the way to it from the axis.
+    fn split(&self, place: Vector) -> (f64, Vector) {
+        let z = self.axis.dot(place - self.base);
+        (z, place - self.base - z * self.axis)
+    }
+
+    fn normal(&self, place: Vector) -> Vector {
+        let outward = self.split(place).1.unit().expect("a point beside the axis") - self.slope() * self.axis;
+        self.side * outward.unit().expect("a direction")
+    }
+
+    /// Returns the point where r² grows evenly with `u`, as the area does.
+    fn place(&self, u: f64, v: f64) -> Vector {
+        let [first, last] = self.radii;
+        let radius = ((1.0 - u) * first * first + u * last * last).sqrt();
+        let z = if first == last { u * self.height } else { (radius - first) / self.slope() };
+        self.base + z * self.axis + radius * around(self.axis, 0.0, v)
+    }
+
+    /// Solves |o + t w|² = (r + k t wz)², with o and w beside the axis, and r the radius at the
+    /// origin's height.
+    fn distance(&self, origin: Vector, way: Vector) -> Option<f64> {
+        let slope = self.slope();
+        let (z, beside) = self.split(origin);
+        let along = self.axis.dot(way);
+        let across = way - along * self.axis;
+        let radius = self.radii[0] + slope * z;
+        let a = across.dot(across) - (slope * along).powi(2);
+        let b = beside.dot(across) - slope * along * radius;
+        let c = beside.dot(beside) - radius * radius;
+        let root = (b * b - a * c).sqrt();
+        let is_met = |&distance: &f64| {
+            let met = z + distance * along;
+            distance > NEAR && met >= 0.0 && met <= self.height && radius + slope * distance * along >= 0.0
+        };
+        [(-b - root) / a, (-b + root) / a].into_iter().filter(is_met).reduce(f64::min)
+    }
 }
 
 impl Piece {
@@ -59,6 +123,14 @@ impl Piece {
                 let normal = around(Vector::new(0.0, 0.0, 1.0), 2.0 * u - 1.0, v);
                 (center + radius * normal, normal)
             }
+            PieceShape::Disk { center, normal, radii: [hole, radius] } => {
+                let radius = ((1.0 - u) * hole * hole + u * radius * radius).sqrt();
+                (center + radius * around(normal, 0.0, v), normal)
+            }
+            PieceShape::Turned(turned) => {
+                let place = turned.place(u, v);
+                (place, turned.normal(place))
+            }
         }
     }
 
@@ -68,8 +140,9 @@ impl Piece {
 
     pub(crate) fn normal(&self, place: Vector) -> Vector {
         match self.shape {
-            PieceShape::Flat { normal, .. } => normal,
+            PieceShape::Flat { normal, .. } | PieceShape::Disk { normal, .. } => normal,
             PieceShape::Round { center, radius } => (1.0 / radius) * (place - center),
+            PieceShape::Turned(turned) => turned.normal(place),
         }
     }
 
@@ -93,6 +166,13 @@ impl Piece {
                 let near = [along - half, along + half].into_iter().find(|&distance| distance > NEAR);
                 near.filter(|_| beside < radius)
             }
+            PieceShape::Disk { center, normal, radii: [hole, radius] } => {
+                let slope = way.dot(normal);
+                let distance = (center - origin).dot(normal) / slope;
+                let off = (origin + distance * way - center).length();
+                (slope != 0.0 && distance > NEAR && off >= hole && off <= radius).then_some(distance)
+            }
+            PieceShape::Turned(turned) => turned.distance(origin, way),
         }
     }
 }
@@ -108,6 +188,21 @@ pub(crate) fn pieces(surface: usize, shape: &Shape) -> Vec<Piece> {
             let shape = PieceShape::Round { center, radius };
             let area = 4.0 * PI * radius * radius;
             vec![Piece { surface, shape, area, middle: center, reach: radius }]
+        }
+        &Shape::Disk { center, normal, hole, radius } => {
+            let normal = normal.unit().expect("a direction");
+            let shape = PieceShape::Disk { center, normal, radii: [hole, radius] };
+            let area = PI * (radius * radius - hole * hole);
+            vec![Piece { surface, shape, area, middle: center, reach: radius }]
+        }
+        &Shape::Turned { ends: [base, top], radii, is_inward } => {
+            let height = (top - base).length();
+            let axis = (1.0 / height) * (top - base);
+            let side = if is_inward { -1.0 } else { 1.0 };
+            let shape = PieceShape::Turned(Turned { base, axis, height, radii, side });
+            let area = PI * (radii[0] + radii[1]) * height.hypot(radii[1] - radii[0]);
+            let reach = (0.5 * height).hypot(radii[0].max(radii[1]));
+            vec![Piece { surface, shape, area, middle: 0.5 * (base + top), reach }]
         }
     }
 }

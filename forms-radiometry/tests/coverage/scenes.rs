@@ -1,5 +1,5 @@
 //! Random scenes of the kinds that people make: furnished rooms, windows, rows of panels, streets,
-//! spheres, meshes, mirrors.
+//! spheres, meshes, mirrors, vessels.
 
 use crate::world::{Bins, Kind, LIGHT, Light, Receiver, Shape, Surface, World};
 use forms_radiometry::geometry::Vector;
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 type Family = fn(&mut Maker);
 
 /// Kinds of scenes.
-pub(crate) const FAMILIES: [(&str, Family); 7] = [
+pub(crate) const FAMILIES: [(&str, Family); 8] = [
     ("furnished room", furnished_room),
     ("window", window),
     ("panels", panels),
@@ -18,6 +18,7 @@ pub(crate) const FAMILIES: [(&str, Family); 7] = [
     ("spheres", spheres),
     ("mesh", mesh),
     ("mirror", mirror),
+    ("vessels", vessels),
 ];
 
 /// Maker of a random world.
@@ -339,6 +340,33 @@ fn mesh(maker: &mut Maker) {
     maker.add(Shape::Mesh(triangles), reflectance);
     let surface = maker.random.of(&[0, maker.world.surfaces.len() - 1]);
     maker.ask_anything([[-2.5, -2.5, 2.4], [2.5, 2.5, 2.8]], surface);
+}
+
+/// Adds a can with a lid, a bowl that is open above, and a ring that floats askew and may shine.
+fn vessels(maker: &mut Maker) {
+    ground(maker);
+    let [radius, height, low] = [maker.between(0.2, 0.7), maker.between(0.3, 0.7), maker.between(0.4, 0.6)];
+    let can = [vector(-1.2, 0.0, low), vector(-1.2, maker.between(-0.15, 0.15), low + height)];
+    let top = if maker.happens(0.5) { radius } else { maker.between(0.05, 0.8) };
+    let reflectance = maker.between(0.0, 0.8);
+    maker.add(Shape::Turned { ends: can, radii: [radius, top], is_inward: false }, reflectance);
+    let lid = Shape::Disk { center: can[1], normal: can[1] - can[0], hole: 0.0, radius: top };
+    maker.add(lid, reflectance);
+    let [bottom, rim, depth] = [maker.between(0.1, 0.5), maker.between(0.4, 0.8), maker.between(0.2, 1.0)];
+    let bowl = [vector(0.9, 0.2, 0.1), vector(0.9, 0.2, 0.1 + depth)];
+    let reflectance = maker.between(0.0, 0.8);
+    maker.add(Shape::Turned { ends: bowl, radii: [bottom, rim], is_inward: true }, reflectance);
+    let floor = Shape::Disk { center: bowl[0], normal: UP, hole: 0.0, radius: bottom };
+    maker.add(floor, reflectance);
+    let [hole, width] = [maker.between(0.0, 0.4), maker.between(0.1, 0.5)];
+    let hole = if maker.happens(0.3) { 0.0 } else { hole };
+    let normal = vector(maker.between(-0.5, 0.5), maker.between(-0.5, 0.5), -1.0);
+    let center = maker.within([-0.5, -0.5, 2.2], [0.5, 0.5, 2.4]);
+    let radiance = if maker.happens(0.5) { 50.0 } else { 0.0 };
+    let ring = Shape::Disk { center, normal, hole, radius: hole + width };
+    maker.add(ring, 0.3).radiance = radiance;
+    let surface = maker.random.below(6);
+    maker.ask_anything([[-2.5, -2.5, 2.9], [2.5, 2.5, 3.2]], surface);
 }
 
 /// Adds a floor, a board, a mirror on a wall, and a lamp that may be very small and face the

@@ -20,6 +20,19 @@ pub(crate) enum Shape {
         center: Vector,
         radius: f64,
     },
+    /// Disk with a hole, which may be of radius zero.
+    Disk {
+        center: Vector,
+        normal: Vector,
+        hole: f64,
+        radius: f64,
+    },
+    /// Side of a cylinder or of a cone, from one centre and radius to others.
+    Turned {
+        ends: [Vector; 2],
+        radii: [f64; 2],
+        is_inward: bool,
+    },
 }
 
 pub(crate) struct Surface {
@@ -174,6 +187,22 @@ impl Surface {
             Shape::Rectangle(edges) => scene_text::polygon(&Shape::corners(*edges).map(array)),
             Shape::Sphere { center, radius } => {
                 format!("sphere = {{ center = {:?}, radius = {radius:?} }}", array(*center))
+            }
+            Shape::Disk { center, normal, hole, radius } => {
+                let [center, normal] = [center, normal].map(|vector| array(*vector));
+                let (name, radii) = match hole {
+                    0.0 => ("disk", format!("radius = {radius:?}")),
+                    _ => ("annulus", format!("radii = [{hole:?}, {radius:?}]")),
+                };
+                format!("{name} = {{ center = {center:?}, normal = {normal:?}, {radii} }}")
+            }
+            Shape::Turned { ends, radii: [first, last], is_inward } => {
+                let [from, to] = ends.map(array);
+                let (name, radii) = match first == last {
+                    true => ("cylinder", format!("radius = {first:?}")),
+                    false => ("cone", format!("radii = [{first:?}, {last:?}]")),
+                };
+                format!("{name} = {{ from = {from:?}, to = {to:?}, {radii}, inward = {is_inward} }}")
             }
             Shape::Mesh(triangles) => {
                 files.insert(format!("{name}.obj"), obj(triangles));
