@@ -12,7 +12,8 @@ mod exchange;
 mod point;
 
 pub(crate) use exchange::{
-    Changes, FirstLook, Patch, exchange_of, exchange_precisely, exchange_with, first_look, gauss, patches,
+    Changes, FirstLook, Patch, exchange_of, exchange_of_disks, exchange_of_outlines, exchange_precisely,
+    exchange_with, exchange_with_disk, first_look, gauss, patches,
 };
 pub use exchange::{Exchange, exchange, view_factor, visible_exchange};
 pub(crate) use point::edge_sum;

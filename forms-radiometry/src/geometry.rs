@@ -35,7 +35,7 @@ pub(crate) use plane::{Plane, closeness};
 pub use polygon::{Polygon, PolygonError};
 pub(crate) use polygon::{area, edges, intersection};
 pub(crate) use repair::{Repaired, repaired};
-pub(crate) use round::{Crossing, Rim, Round};
+pub(crate) use round::{Crossing, Rim, Round, across};
 pub use round::{Disk, Profile, Quadric, Sphere};
 pub(crate) use tessellation_gap::bulge;
 pub use vector::Vector;

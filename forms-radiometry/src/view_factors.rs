@@ -2,7 +2,7 @@
 //! each other, row by row.
 //!
 //! ```text
-//!          ┌─ closed_forms: spheres and disks that nothing hides ──────────┐
+//!          ┌─ closed_forms: spheres and flat shapes that nothing hides ────┐
 //! scene ───┼─ pairs: exchange areas of all pairs of faces, each pair once ─┤ the cheapest one
 //!          └─ rays: the fractions of rays that arrive at each surface ─────┴─▶ F by row
 //! ```
@@ -16,6 +16,7 @@ mod closed_forms;
 mod coaxial;
 mod emitters;
 mod enclosure;
+mod flat_shapes;
 mod pairs;
 mod rays;
 
@@ -143,12 +144,13 @@ impl Rows {
         let goal = Goal { tolerance };
         // flat faces have closed forms and quadrature in pairs
         let known = match self.coarse {
-            Some(_) => ClosedForms::of(&self.scene).row(surface),
+            Some(_) => ClosedForms::of(&self.scene).known(surface),
             None => vec![None; self.names.len()],
         };
-        if let Some(factors) = known.iter().copied().collect() {
-            return Some(Row { factors, kind: ErrorKind::Bound });
+        if let Some(row) = ClosedForms::row(&known) {
+            return Some(row);
         }
+        let known = known.into_iter().map(|known| known.map(|(factor, _)| factor)).collect();
         let cost = self.pairs.expected_cost(surface);
         let row = if self.coarse.is_none() && cost <= Rays::fewest(tolerance) {
             self.pairs.row(surface, tolerance, watch)

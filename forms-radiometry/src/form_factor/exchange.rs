@@ -5,6 +5,7 @@
 //!     ├─ far apart ────────▶ areas: cos cos'/(π r²) at Gauss points of both
 //!     ├─ edges separated ──▶ apart: contour integrals, with rules by the distances of the edges
 //!     └─ otherwise ────────▶ contour: contour integrals in f64, double-double where they cancel
+//! disks ───────────────────▶ circles: contour integrals by the trapezoidal rule
 //! with occluders ──────────▶ obstructed: form factors of the visible part over the smaller polygon
 //! ```
 //! The choice follows from the error estimates that the methods themselves report.
@@ -12,12 +13,14 @@
 mod apart;
 mod areas;
 mod changes;
+mod circles;
 mod contour;
 mod kronrod;
 mod obstructed;
 
 pub(crate) use areas::{Patch, gauss, patches};
 pub(crate) use changes::Changes;
+pub(crate) use circles::{exchange_of_disks, exchange_with_disk};
 pub use obstructed::visible_exchange;
 pub(crate) use obstructed::{FirstLook, exchange_with, first_look};
 
@@ -95,8 +98,16 @@ pub fn view_factor(from: &Polygon, to: &Polygon, tolerance: f64) -> Exchange {
 /// the first relative tolerance; double-double is used if the error exceeds the second tolerance,
 /// which is not smaller.
 pub(crate) fn exchange_of(here: &Face, there: &Face, tolerances: [f64; 2]) -> Exchange {
-    let tolerances = tolerances.map(|tolerance| tolerance.max(LEAST_TOLERANCE));
-    between(&here.vertices, &there.vertices, [here.normal, there.normal], tolerances)
+    exchange_of_outlines([&here.vertices, &there.vertices], [here.normal, there.normal], tolerances)
+}
+
+/// Computes the exchange area of two convex outlines with these normals in the same way.
+pub(crate) fn exchange_of_outlines(
+    [here, there]: [&Outline; 2],
+    normals: [Vector; 2],
+    tolerances: [f64; 2],
+) -> Exchange {
+    between(here, there, normals, tolerances.map(|tolerance| tolerance.max(LEAST_TOLERANCE)))
 }
 
 /// Computes the exchange area of two faces without occluders to the last digit; `None` where the

@@ -3,43 +3,119 @@
 //! ```text
 //! sphere and sphere      a quadrature of one smooth integrand (`view_factor_spheres`)
 //! sphere and flat piece  Ω/4π, Ω the solid angle from the centre, if the sphere is in front of its plane
+//! flat and flat          a sum over pairs of borders ([`flat_shapes`](super::flat_shapes))
 //! shapes about one axis  sums over disks ([`coaxial`])
 //! sphere around a convex surface   1, and by A₁F₁₂ = A₂F₂₁ and the sum of the row the others
 //! ```
+//! Nothing is between two surfaces if each of the others is aside, behind one of the two, around
+//! both, or outside the hull of both.
+//!
 //! What leaves a sphere evenly arrives at a surface element in front of it like light from its
 //! centre, because the element sees all of the sphere above its horizon.
 
-use super::ViewFactor;
 use super::coaxial::{self, COAXIAL, ROUNDING, area};
+use super::flat_shapes::FlatShape;
+use super::{Row, ViewFactor};
+use crate::answer::ErrorKind;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::{Disk, Polygon, Round, Sphere, Vector};
 use crate::scene::{Scene, Shape, Surface};
+use crate::visibility::{Between, Face, Screens};
 use forms_kernels::{solid_angle_triangle, view_factor_sphere_disk, view_factor_spheres};
 use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// A shape counts as behind a plane if it reaches no farther in front of it than this part of its size.
+const BEHIND: f64 = 1e-9;
 
 /// The surfaces of a scene, each with a ball around it.
 pub(super) struct ClosedForms<'s> {
     surfaces: &'s [Surface],
     balls: Vec<(Vector, f64)>,
+    tolerance: f64,
+    /// The occluders among flat shapes and meshes.
+    flat_screens: OnceLock<Screens>,
 }
 
 impl<'s> ClosedForms<'s> {
     pub(super) fn of(scene: &'s Scene) -> Self {
-        Self { surfaces: &scene.surfaces, balls: scene.surfaces.iter().map(|one| ball(&one.shape)).collect() }
+        Self {
+            surfaces: &scene.surfaces,
+            balls: scene.surfaces.iter().map(|one| ball(&one.shape)).collect(),
+            tolerance: scene.solve.tolerance,
+            flat_screens: OnceLock::new(),
+        }
     }
 
-    /// Returns the view factors of a surface that have a closed form.
-    pub(super) fn row(&self, surface: usize) -> Vec<Option<ViewFactor>> {
+    /// Returns the view factors of a surface that have a closed form, each with the kind of its
+    /// error.
+    pub(super) fn known(&self, surface: usize) -> Vec<Option<(ViewFactor, ErrorKind)>> {
         (0..self.surfaces.len()).map(|other| self.factor(surface, other)).collect()
     }
 
-    fn factor(&self, from: usize, to: usize) -> Option<ViewFactor> {
+    /// Returns the row of a surface if all its view factors are known.
+    pub(super) fn row(known: &[Option<(ViewFactor, ErrorKind)>]) -> Option<Row> {
+        let (factors, kinds): (Vec<ViewFactor>, Vec<ErrorKind>) =
+            known.iter().copied().collect::<Option<Vec<_>>>()?.into_iter().unzip();
+        let is_bound = kinds.iter().all(|&kind| kind == ErrorKind::Bound);
+        Some(Row { factors, kind: if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate } })
+    }
+
+    fn factor(&self, from: usize, to: usize) -> Option<(ViewFactor, ErrorKind)> {
         if self.surfaces[from].two_sided || self.surfaces[to].two_sided {
             return None;
         }
         let value = self.enclosed(from, to).or_else(|| self.between(from, to));
         let rounded = value.map(|value| ViewFactor { value, error: ROUNDING * value });
-        rounded.or_else(|| coaxial::factor(self.surfaces, from, to))
+        let bound = rounded.or_else(|| coaxial::factor(self.surfaces, from, to));
+        let bound = bound.map(|factor| (factor, ErrorKind::Bound));
+        bound.or_else(|| Some((self.flat(from, to)?, ErrorKind::Estimate)))
+    }
+
+    /// Returns the view factor of two flat surfaces that nothing hides from each other.
+    fn flat(&self, from: usize, to: usize) -> Option<ViewFactor> {
+        let [one, other] = [from, to].map(|index| FlatShape::of(&self.surfaces[index].shape));
+        let (one, other) = (one?, other?);
+        if !self.is_unhidden([(from, &one), (to, &other)]) {
+            return None;
+        }
+        let [size, of_other] = [from, to].map(|index| area(&self.surfaces[index].shape));
+        let size = size?;
+        let found = one.exchange(&other, (size.min(of_other?), self.tolerance))?;
+        Some(ViewFactor { value: found.area / size, error: found.error / size })
+    }
+
+    /// Whether no other surface can be between two flat ones.
+    fn is_unhidden(&self, both: [(usize, &FlatShape); 2]) -> bool {
+        let [(from, one), (to, other)] = both;
+        let is_aside = |index: usize| {
+            matches!(self.surfaces[index].shape, Shape::Polygon(_) | Shape::Disk(_) | Shape::Mesh(_))
+                || both.iter().any(|(_, flat)| self.reach(index, flat) <= BEHIND * self.balls[index].1)
+                || self.is_around(index, [from, to])
+                || self.is_far_from(index, [from, to])
+        };
+        let mut others = (0..self.surfaces.len()).filter(|&index| index != from && index != to);
+        let screens = self.flat_screens.get_or_init(|| flat_screens(self.surfaces));
+        let mut found = Vec::new();
+        let mut is_free = |a: &[Vector], b: &[Vector]| {
+            screens.between(a, Some(one.normal), b, other.normal, &mut found) == Between::Nothing
+        };
+        others.all(is_aside) && one.outlines().all(|a| other.outlines().all(|b| is_free(&a, &b)))
+    }
+
+    /// Returns how far the ball around a surface reaches in front of the plane of a flat shape.
+    fn reach(&self, index: usize, flat: &FlatShape) -> f64 {
+        let (center, radius) = self.balls[index];
+        flat.normal.dot(center - flat.point) + radius
+    }
+
+    /// Whether a surface is a sphere that contains both of two others.
+    fn is_around(&self, index: usize, both: [usize; 2]) -> bool {
+        let Shape::Sphere(sphere) = self.surfaces[index].shape else { return false };
+        both.iter().all(|&inner| {
+            let (center, radius) = self.balls[inner];
+            (center - sphere.center).length() + radius <= sphere.radius
+        })
     }
 
     /// Returns the view factor of two surfaces that nothing occludes, or of a surface to itself.
@@ -81,18 +157,40 @@ impl<'s> ClosedForms<'s> {
         }
     }
 
-    /// Whether no other surface can be between two: the balls around the others are farther from the
-    /// line between their centres than they reach from it.
+    /// Whether no other surface can be between two.
     fn is_free(&self, from: usize, to: usize) -> bool {
-        let [(a, one), (b, other)] = [from, to].map(|index| self.balls[index]);
-        let reach = one.max(other);
-        (0..self.surfaces.len()).filter(|&index| index != from && index != to).all(|index| {
-            let (center, radius) = self.balls[index];
-            let (along, way) = (b - a, center - a);
-            let share = (way.dot(along) / along.dot(along)).clamp(0.0, 1.0);
-            (way - share * along).length() > reach + radius
-        })
+        let mut others = (0..self.surfaces.len()).filter(|&index| index != from && index != to);
+        others.all(|index| self.is_far_from(index, [from, to]))
     }
+
+    /// Whether the ball around a surface is farther from the line between the centres of two others
+    /// than these reach from it.
+    fn is_far_from(&self, index: usize, both: [usize; 2]) -> bool {
+        let [(center, radius), (a, one), (b, other)] =
+            [index, both[0], both[1]].map(|index| self.balls[index]);
+        let reach = one.max(other);
+        let (along, way) = (b - a, center - a);
+        let share = (way.dot(along) / along.dot(along)).clamp(0.0, 1.0);
+        (way - share * along).length() > reach + radius
+    }
+}
+
+/// Returns the occluders among flat shapes and meshes. Those of disks reach a little farther than the
+/// disks; a disk on a polygon counts as a part of it.
+fn flat_screens(surfaces: &[Surface]) -> Screens {
+    let mut faces = Vec::new();
+    for (index, surface) in surfaces.iter().enumerate() {
+        match &surface.shape {
+            Shape::Polygon(polygon) => {
+                let pieces = polygon.straight_pieces().iter().cloned();
+                faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
+            }
+            Shape::Mesh(mesh) => mesh.flat_parts().for_each(|flat| faces.extend(Face::of(index, &flat))),
+            Shape::Disk(disk) => faces.extend(Face::sides(index, disk.around(), disk.normal)),
+            Shape::Sphere(_) | Shape::Quadric(_) => {}
+        }
+    }
+    Screens::of(&faces)
 }
 
 /// Whether a front sees nothing of itself.

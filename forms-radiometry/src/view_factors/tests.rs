@@ -1,6 +1,7 @@
 //! Tests of view factors.
 
 mod coaxial;
+mod flat_shapes;
 
 use super::*;
 use crate::scene::{Division, read, read_with_files};
@@ -151,7 +152,7 @@ fn boxes(seed: u64, count: usize, tolerance: f64) -> Scene {
 #[test]
 fn rays_and_pairs_find_the_same_view_factors() {
     let (mut worst, mut squares, mut count): (f64, f64, f64) = (0.0, 0.0, 0.0);
-    for seed in 0..4 {
+    for seed in 0..2 {
         let scene = boxes(seed, 3, 1e-3);
         let rows = Rows::of(&scene);
         let exact = view_factors(&scene);

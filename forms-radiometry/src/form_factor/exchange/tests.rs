@@ -1,7 +1,9 @@
 //! Known view factors, laws, and comparisons between the methods.
 
 use super::*;
+use crate::geometry::{Disk, across};
 use forms_kernels::{view_factor_parallel_rectangles, view_factor_perpendicular_rectangles};
+use forms_testing::SplitMix;
 use std::f64::consts::PI;
 
 fn polygon(points: &[[f64; 3]]) -> Polygon {
@@ -221,4 +223,46 @@ fn what_is_beside_or_behind_does_not_change_an_exchange() {
     assert_eq!(found, exchange(&from, &to, 1e-13));
     let all = ceiling(1.0, 1.0, 0.5);
     assert_eq!(visible_exchange(&from, &to, [&all].into_iter(), 1e-6).area, 0.0);
+}
+
+/// Returns a random disk, and a convex outline of `count` corners on a circle like it.
+fn random_disk(random: &mut SplitMix, count: usize) -> (Disk, Vec<Vector>) {
+    let mut vector = |size: f64| {
+        let [x, y, z] = [0; 3].map(|_| random.between([-size, size]));
+        Vector::new(x, y, z)
+    };
+    let (center, normal) = (vector(2.0), vector(1.0).unit().expect("a direction"));
+    let radius = random.between([0.1, 1.5]);
+    let step = 2.0 * PI / count as f64;
+    let ([u, v], reach) = (across(normal), radius * (step / step.sin()).sqrt());
+    let corner = |place: usize| {
+        let (sine, cosine) = (step * place as f64).sin_cos();
+        center + reach * (cosine * u + sine * v)
+    };
+    (Disk { center, normal, radius, hole: 0.0 }, (0..count).map(corner).collect())
+}
+
+/// A regular polygon with the area of a disk exchanges what the disk does, but for the N-th harmonic.
+#[test]
+fn a_disk_exchanges_what_a_polygon_of_many_edges_does() {
+    let mut random = SplitMix(5);
+    let mut seen = 0;
+    for case in 0..300 {
+        let (disk, outline) = random_disk(&mut random, 96);
+        let (other, triangle) = random_disk(&mut random, if case % 2 == 0 { 3 } else { 96 });
+        let normals = [disk.normal, other.normal];
+        let expected = exchange_of_outlines([&outline, &triangle], normals, [1e-9; 2]);
+        let found = match case % 2 {
+            0 => exchange_with_disk(&disk, (&triangle, other.normal), 1e-9),
+            _ => exchange_of_disks([&disk, &other], 1e-9),
+        };
+        let Some(found) = found else { continue };
+        let off = (found.area - expected.area).abs();
+        assert!(
+            off <= found.error + expected.error + 3e-4 * expected.area,
+            "{case}: {found:?}, {expected:?}"
+        );
+        seen += usize::from(found.area > 0.0);
+    }
+    assert!(seen > 60, "{seen} disks exchange light");
 }

@@ -62,6 +62,18 @@ impl Disk {
         self.center + squared.sqrt() * (cosine * right + sine * up)
     }
 
+    /// Returns a regular polygon around the disk.
+    pub(crate) fn around(&self) -> Vec<Vector> {
+        let step = 2.0 * PI / EDGES as f64;
+        let reach = self.radius / (0.5 * step).cos();
+        let [right, up] = across(self.normal);
+        let corner = |place: usize| {
+            let (sine, cosine) = (step * place as f64).sin_cos();
+            self.center + reach * (cosine * right + sine * up)
+        };
+        (0..EDGES).map(corner).collect()
+    }
+
     /// Whether the disk contains a point of its plane.
     pub(crate) fn reaches(&self, point: Vector) -> bool {
         let off = point - self.center;

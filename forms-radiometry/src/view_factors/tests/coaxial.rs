@@ -52,11 +52,11 @@ fn compare(scene: &Scene, name: &str) -> usize {
     let (rows, exact) = (Rows::of(scene), ClosedForms::of(scene));
     let mut known = 0;
     for surface in 0..scene.surfaces.len() {
-        let row = exact.row(surface);
+        let row = exact.known(surface);
         let mut rays = Rays::pilot(rows.emitters(), surface, vec![None; row.len()], 1);
-        rays.reach(Goal { tolerance: 3e-3 }, &Unwatched);
+        rays.reach(Goal { tolerance: 6e-3 }, &Unwatched);
         for (other, (found, exact)) in rays.row().factors.iter().zip(&row).enumerate() {
-            let Some(exact) = exact else { continue };
+            let Some((exact, _)) = exact else { continue };
             let off = (found.value - exact.value).abs();
             assert!(off <= 5.0 * found.error, "{name}: {surface} to {other}: {found:?}, {exact:?}");
             known += 1;
