@@ -44,6 +44,7 @@ mod optics;
 mod path_sampler;
 mod refraction;
 mod replicates;
+mod rough_reflection;
 mod round_samples;
 mod scattering;
 mod shading_normals;

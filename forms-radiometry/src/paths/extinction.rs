@@ -46,7 +46,8 @@ fn unturned(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
         MaterialKind::Mirror { .. }
         | MaterialKind::Dielectric { .. }
         | MaterialKind::Conductor { .. }
-        | MaterialKind::Plastic { .. } => false,
+        | MaterialKind::Plastic { .. }
+        | MaterialKind::Rough(_) => false,
     };
     let both = medium.absorption.iter().zip(&medium.scattering);
     let extinction: Vec<f64> = both.map(|(absorption, scattering)| absorption + scattering).collect();

@@ -153,7 +153,7 @@ impl<const N: usize> Images<N> {
 /// Whether a wall reflects or refracts light into single directions only.
 fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> bool {
     match world.material(wall) {
-        MaterialKind::Diffuse { .. } | MaterialKind::Plastic { .. } => false,
+        MaterialKind::Diffuse { .. } | MaterialKind::Plastic { .. } | MaterialKind::Rough(_) => false,
         MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
         MaterialKind::Dielectric { .. } => {
             let [front, back] = world.interfaces[wall].fillings;

@@ -12,7 +12,7 @@
 use super::boundary::{Passage, mirrored};
 use super::luminaires::Front;
 use super::mirror::reflected;
-use super::optics::Optics;
+use super::optics::{MediumOptics, Optics};
 use super::refraction::refracted;
 use super::vertex::Law;
 use super::warps::{free_flight_sample, fresnel_dielectric};
@@ -176,6 +176,7 @@ impl Search<'_> {
                 let coat = (specular[self.optics.bands[0]], *index);
                 self.coated(coat, (ray.direction, normal), interface.surface, samples)
             }
+            MaterialKind::Rough(_) => self.roughened((met, &medium), (ray.direction, normal), samples),
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };
         let (direction, [left], stays) = match passage {
@@ -199,11 +200,26 @@ impl Search<'_> {
         if samples.one() < fresnel_dielectric(index, cosine) {
             return Passage::Reflected(mirrored(direction, normal), [specular]);
         }
-        let law = Law::<1>::Coated { normal, index };
+        let law: Law<1> = Law::Coated { normal, index };
         let direction = law.direction(1, samples);
         let (transmitted, _) = law.weights(direction, 1);
         let [reflectance] = self.optics.reflectances[surface];
         Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
+    }
+
+    /// Returns the reflection of a ray by a rough wall.
+    fn roughened(
+        &self,
+        (met, medium): (&Met, &MediumOptics<1>),
+        (direction, normal): (Vector, Vector),
+        samples: &mut Samples,
+    ) -> Passage<1> {
+        let Some(lobes) = self.world.lobes(&self.optics, medium, met.wall, [normal, -direction]) else {
+            return Passage::Reflected(direction, [0.0]);
+        };
+        let law = Law::Rough(lobes);
+        let direction = law.direction(1, samples);
+        Passage::Reflected(direction, law.weights(direction, 1).0)
     }
 
     /// Finds a plane mirror that reflects everything to another one that faces it, where there is

@@ -234,6 +234,14 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         if let MaterialKind::Plastic { .. } = material {
             return self.coated(path, met, (is_front, normal), draws, add);
         }
+        if let MaterialKind::Rough(_) = material {
+            let towards = -path.direction;
+            let lobes = self.world.lobes(&self.optics, medium, met.wall, [normal, towards]);
+            let Some(lobes) = lobes.filter(|_| self.reflects_diffusely(path, met)) else { return false };
+            let start = self.world.walls.start_on(met, is_front);
+            self.scatters(path, &Vertex { start, law: Law::Rough(lobes) }, draws, add);
+            return true;
+        }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);
             return self.passes(path, met, passage);
@@ -350,7 +358,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Returns the vertex at a distance along the path.
-    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
+    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<'_, N> {
         let position = path.start.position + distance * path.direction;
         let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
         Vertex { start: self.world.walls.start_free(position), law }
@@ -365,7 +373,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         length: f64,
         pivot: Option<Vector>,
         samples: &mut Samples,
-    ) -> Option<(Path<N>, Vertex<N>)> {
+    ) -> Option<(Path<N>, Vertex<'_, N>)> {
         let ray = [path.start.position, path.direction];
         let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
         let mut lit = *path;

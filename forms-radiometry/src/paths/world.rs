@@ -6,9 +6,12 @@ use super::environment_light::EnvironmentLight;
 use super::first_hit::FirstHit;
 use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
+use super::rough_reflection::rough_coat;
 use super::shading_normals::ShadingNormals;
 use crate::geometry::Vector;
-use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, Surface, filled};
+use crate::scene::{
+    FilledInterface, Filling, MaterialKind, Piece, RoughTransmittance, Scene, Surface, filled,
+};
 use crate::visibility::{Met, ReceivingArea, Start, Wall, Walls};
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -41,6 +44,8 @@ pub(crate) struct World {
     faces: FxHashMap<[usize; 2], Front>,
     /// The interpolated normals of the walls of smooth meshes.
     shading: ShadingNormals,
+    /// The transmittance of the coat of each rough material that has one.
+    pub(super) rough_coats: Vec<Option<Box<RoughTransmittance>>>,
 }
 
 impl World {
@@ -71,8 +76,20 @@ impl World {
         }
         let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
         let environment = scene.ambient.map.as_ref().map(EnvironmentLight::of);
+        let rough_coats = scene.materials.iter().map(rough_coat).collect();
         let walls = Walls::of(walls);
-        Self { scene, walls, interfaces, luminaires, environment, chains, fronts, faces, shading }
+        Self {
+            scene,
+            walls,
+            interfaces,
+            luminaires,
+            environment,
+            chains,
+            fronts,
+            faces,
+            shading,
+            rough_coats,
+        }
     }
 
     /// Returns the walls of a receiving area, which has both sides of them.
@@ -97,7 +114,10 @@ impl World {
     /// Whether light from outside is found only by chance, at least via mirrors or boundaries.
     pub(crate) fn finds_outside_by_chance(&self) -> bool {
         let is_specular = |surface: &Surface| {
-            !matches!(self.scene.materials[surface.material].kind, MaterialKind::Diffuse { .. })
+            !matches!(
+                self.scene.materials[surface.material].kind,
+                MaterialKind::Diffuse { .. } | MaterialKind::Rough(_)
+            )
         };
         self.environment.is_none() || self.scene.surfaces.iter().any(is_specular)
     }

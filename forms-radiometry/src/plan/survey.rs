@@ -280,6 +280,7 @@ fn has_spread_of_media(scene: &Scene) -> bool {
         MaterialKind::Plastic { reflectance, specular, .. } => {
             half_spread(reflectance) > 0.0 || half_spread(specular) > 0.0
         }
+        MaterialKind::Rough(rough) => rough.spectra().any(|values| half_spread(values) > 0.0),
         MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
     });
     of_media || of_materials

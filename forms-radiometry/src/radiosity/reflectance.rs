@@ -14,10 +14,11 @@ pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
     is_bright(scene, face) && reflects(scene, face.surface)
 }
 
-/// Returns the diffuse reflectance of a surface, for each band.
+/// Returns the diffuse reflectance of a surface, for each band; of a rough surface, a bound.
 pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
     match &scene.materials[scene.surfaces[surface].material].kind {
         MaterialKind::Diffuse { reflectance } | MaterialKind::Plastic { reflectance, .. } => reflectance,
+        MaterialKind::Rough(rough) => &rough.albedo,
         MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
     }
 }

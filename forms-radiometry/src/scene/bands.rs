@@ -30,6 +30,7 @@ impl Scene {
                     merge(eta);
                     merge(k);
                 }
+                MaterialKind::Rough(rough) => rough.change_spectra(merge),
                 MaterialKind::Dielectric { .. } => {}
             }
         }

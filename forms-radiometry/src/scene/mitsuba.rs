@@ -19,6 +19,7 @@ mod instance;
 mod integrator;
 mod media;
 mod metals;
+mod microfacets;
 mod normals;
 mod object;
 mod parameters;

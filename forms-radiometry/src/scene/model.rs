@@ -3,6 +3,7 @@
 use super::effect::ForcedEffect;
 use super::environment_map::EnvironmentMap;
 use super::place::Place;
+use super::rough::Rough;
 pub use super::shape::Shape;
 use crate::camera::Camera;
 use crate::geometry::Vector;
@@ -139,6 +140,8 @@ pub enum MaterialKind {
         /// Index of the coat relative to the medium in front of it, above 1.
         index: f64,
     },
+    /// Reflection by the microfacets of a rough surface.
+    Rough(Rough),
 }
 
 impl MaterialKind {
@@ -146,7 +149,7 @@ impl MaterialKind {
     pub(crate) fn reflectance_in(&self, band: usize) -> Option<f64> {
         match self {
             Self::Diffuse { reflectance } | Self::Mirror { reflectance } => Some(reflectance[band]),
-            Self::Dielectric { .. } | Self::Conductor { .. } | Self::Plastic { .. } => None,
+            Self::Dielectric { .. } | Self::Conductor { .. } | Self::Plastic { .. } | Self::Rough(_) => None,
         }
     }
 }

@@ -13,6 +13,7 @@ mod mitsuba_errors;
 mod mitsuba_files;
 mod mitsuba_media;
 mod mitsuba_objects;
+mod mitsuba_rough;
 mod mitsuba_spectra;
 mod mitsuba_textures;
 mod overlaps;

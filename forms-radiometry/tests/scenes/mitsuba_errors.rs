@@ -38,11 +38,7 @@ const CASES: &[(&str, &str, &str)] = &[
         "<integer name=\"samples\" value=\"1\"/>",
         "`integer` named `samples` is not supported in an integrator of type `volpath`",
     ),
-    (
-        "<bsdf type=\"diffuse\">",
-        "<bsdf type=\"roughplastic\">",
-        "a bsdf of type `roughplastic` is not supported",
-    ),
+    ("<bsdf type=\"diffuse\">", "<bsdf type=\"principled\">", "a bsdf of type `principled` is not supported"),
     ("<bsdf type=\"diffuse\">", "<bsdf type=\"null\">", "a bsdf of type `null` cannot be two-sided"),
     (
         "<rgb name=\"reflectance\" value=\"0.7, 0.6, 0.5\"/>",

@@ -3,10 +3,13 @@
 
 use super::checkerboard::{COLOURS, Checkerboard};
 use super::metals::{METALS, Metal};
+use super::microfacets::{microfacets, rough_metal};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
+use crate::scene::microfacets::Microfacets;
 use crate::scene::model::{Material, MaterialKind};
+use crate::scene::rough::{Facet, Rough};
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
 use std::ops::Range;
 
@@ -69,7 +72,10 @@ const INDICES: [(&str, f64); 23] = [
     ("diamond", 2.419),
 ];
 
-const KINDS: [&str; 6] = ["diffuse", "conductor", "plastic", "dielectric", "twosided", "null"];
+const KINDS: [&str; 8] =
+    ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "twosided", "null"];
+/// Properties of rough materials.
+const ROUGHNESS: [&str; 4] = ["distribution", "alpha", "alpha_u", "alpha_v"];
 
 impl Bsdf {
     /// Parses a `<bsdf>`, only once even if it is referenced several times.
@@ -152,7 +158,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let kind = reader.kind(inner);
     if matches!(&*kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
-        reader.error(inner, message, "`diffuse`, `conductor` or `plastic`");
+        reader.error(inner, message, "`diffuse`, `conductor`, `roughconductor`, `plastic` or `roughplastic`");
         return Law::Wrong;
     }
     Bsdf::read(reader, inner).law
@@ -170,14 +176,22 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             reader.finish(object, &["reflectance"]);
             Law::Opaque(MaterialKind::Diffuse { reflectance })
         }
-        "conductor" => conductor(reader, object),
+        "conductor" => conductor(reader, object, None),
+        "roughconductor" => {
+            let facets = microfacets(reader, &mut object);
+            conductor(reader, object, Some(facets))
+        }
         "dielectric" => {
             let (inside, _) = index(reader, &mut object, "int_ior", "bk7");
             let (outside, outside_place) = index(reader, &mut object, "ext_ior", "air");
             reader.finish(object, &["int_ior", "ext_ior"]);
             Law::Dielectric { inside, outside, outside_place }
         }
-        "plastic" => plastic(reader, object),
+        "plastic" => plastic(reader, object, None),
+        "roughplastic" => {
+            let facets = microfacets(reader, &mut object);
+            plastic(reader, object, Some(facets))
+        }
         "null" => {
             reader.finish(object, &[]);
             Law::Null
@@ -190,8 +204,12 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 }
 
 /// Returns the law of a metal with index η + ik, given by name or by numbers; without an index, or
-/// with the material `none`, a perfect mirror.
-fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+/// with the material `none`, a perfect mirror. With microfacets, it is rough.
+fn conductor<'a>(
+    reader: &mut Reader<'a, '_, '_>,
+    mut object: Object<'a>,
+    facets: Option<Microfacets>,
+) -> Law {
     let metal = named_metal(reader, &mut object);
     if metal.is_some() && (object.has("eta") || object.has("k")) {
         let message = "this conductor has both a `material` and an index";
@@ -202,13 +220,14 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let k = reader.colour(&mut object, "k", &NOT_NEGATIVE).or(metal.map(|metal| metal.k.to_vec()));
     let reflectance = reader.colour(&mut object, "specular_reflectance", &FRACTION);
     let node = object.node;
-    reader.finish(object, &["material", "eta", "k", "specular_reflectance"]);
-    match (eta, k, reflectance) {
-        (None, None, reflectance) => {
-            let reflectance = reflectance.unwrap_or_else(|| vec![1.0; reader.bands]);
-            Law::Opaque(MaterialKind::Mirror { reflectance })
-        }
-        (Some(eta), Some(k), reflectance) => {
+    let known = ["material", "eta", "k", "specular_reflectance"];
+    reader.finish(object, &[&known[..], if facets.is_some() { &ROUGHNESS } else { &[] }].concat());
+    let specular = reflectance.clone().unwrap_or_else(|| vec![1.0; reader.bands]);
+    match (eta, k, facets) {
+        (None, None, None) => Law::Opaque(MaterialKind::Mirror { reflectance: specular }),
+        (None, None, Some(facets)) => rough_metal(facets, Facet::Mirror, specular),
+        (Some(eta), Some(k), Some(facets)) => rough_metal(facets, Facet::Conductor { eta, k }, specular),
+        (Some(eta), Some(k), None) => {
             if reflectance.is_some_and(|reflectance| reflectance.iter().any(|&r| r != 1.0)) {
                 let message = "a `specular_reflectance` other than 1 is not supported for a conductor \
                                with `eta` and `k`";
@@ -226,8 +245,8 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 
 /// Returns the law of a diffuse base below a smooth coat. The base reflects ρ/(η² (1 − ρ F)), where F is
 /// the diffuse reflectance of the coat from inside; by default Mitsuba takes ρ as white in the
-/// denominator.
-fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+/// denominator. With microfacets, the coat is rough.
+fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>, facets: Option<Microfacets>) -> Law {
     let or = |value: Option<Vec<f64>>, default: f64, bands: usize| value.unwrap_or(vec![default; bands]);
     let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
     let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
@@ -235,7 +254,7 @@ fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     let (outside, place) = index(reader, &mut object, "ext_ior", "air");
     let is_nonlinear = reader.boolean(&mut object, "nonlinear", false, false);
     let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
-    reader.finish(object, &known);
+    reader.finish(object, &[&known[..], if facets.is_some() { &ROUGHNESS } else { &[] }].concat());
     let n = inside / outside;
     if !(n > 1.0 && n.is_finite()) {
         reader.report.error(
@@ -245,10 +264,15 @@ fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
         );
         return Law::Wrong;
     }
-    let inner = diffuse_reflectance_from_inside(n);
+    let inner =
+        facets.map_or_else(|| diffuse_reflectance_from_inside(n), |facets| facets.inner_reflectance(n));
     let of_band = |rho: &f64| rho / (n * n * (1.0 - inner * if is_nonlinear { *rho } else { 1.0 }));
     let reflectance = base.iter().map(of_band).collect();
-    Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n })
+    let Some(facets) = facets else {
+        return Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n });
+    };
+    let (facet, albedo) = (Facet::Coat { index: n }, vec![1.0; reader.bands]);
+    Law::Opaque(MaterialKind::Rough(Rough { facets, facet, specular, base: reflectance, albedo }))
 }
 
 /// Returns the diffuse reflectance of a boundary from inside of a medium with this relative index: a
