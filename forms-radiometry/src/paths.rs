@@ -30,6 +30,7 @@ mod extinction;
 mod first_hit;
 mod forced_collision;
 mod image_light;
+mod image_ray;
 mod image_sources;
 mod interface;
 mod kernels;
@@ -55,6 +56,7 @@ mod trace;
 mod tracer;
 mod unbounded_medium;
 mod vertex;
+mod wall_textures;
 pub(crate) mod warps;
 mod world;
 

@@ -3,6 +3,7 @@
 //! support.
 
 mod bands;
+mod cone;
 mod division;
 mod effect;
 mod element;
@@ -34,11 +35,13 @@ mod solve;
 mod sources;
 mod subsurfaces;
 mod surface;
+mod texture;
 mod value;
 mod view3d;
 mod words;
 mod working_units;
 
+pub use cone::Cone;
 pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};
 pub use environment_map::EnvironmentMap;
@@ -58,4 +61,6 @@ pub(crate) use regions::{FilledInterface, Filling, Piece, filled, sheets_without
 pub use rough::{Facet, Rough};
 pub use simulated::not_simulated;
 pub use sources::Sources;
+pub use texture::Texture;
+pub(crate) use texture::{Pattern, TextureCoordinates};
 pub(crate) use working_units::{WorkingScene, WorkingUnits};

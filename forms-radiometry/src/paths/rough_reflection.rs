@@ -10,14 +10,18 @@
 //! density of those that the ray sees, for GGX, or the density D cos θₘ.
 
 use super::optics::{MediumOptics, Optics, largest};
+use super::specialisation::Specialisation;
+use super::tracer::{Path, Tracer};
+use super::vertex::{Law, Vertex};
 use super::warps::{
     cosine_hemisphere_pdf, cosine_hemisphere_sample, fresnel_conductor, fresnel_dielectric,
     ggx_visible_sample,
 };
 use super::world::World;
 use crate::geometry::Vector;
-use crate::sampling::Frame;
+use crate::sampling::{Draws, Frame};
 use crate::scene::{Distribution, Facet, Material, MaterialKind, Microfacets, Rough, RoughTransmittance};
+use crate::visibility::Met;
 use std::f64::consts::PI;
 
 /// Returns the transmittance of the coat of a rough material, if it has one.
@@ -60,10 +64,10 @@ impl World {
         &self,
         optics: &Optics<N>,
         medium: &MediumOptics<N>,
-        wall: usize,
+        met: &Met,
         [normal, towards]: [Vector; 2],
     ) -> Option<RoughLobes<'_, N>> {
-        let material = self.scene.surfaces[self.interfaces[wall].surface].material;
+        let material = self.scene.surfaces[self.interfaces[met.wall].surface].material;
         let MaterialKind::Rough(rough) = &self.scene.materials[material].kind else { return None };
         let cosine = normal.dot(towards);
         if cosine <= 0.0 {
@@ -82,10 +86,30 @@ impl World {
             Facet::Coat { index } => Fresnel::Coat { index: *index },
         };
         let coat = self.rough_coats[material].as_deref();
-        let (specular, base) = (group(&rough.specular, 0.0), group(&rough.base, 0.0));
+        let base = self.textured(optics, met, &group(&rough.base, 0.0));
+        let specular = group(&rough.specular, 0.0);
         let lobes =
             RoughLobes { normal, towards, facets: rough.facets, fresnel, specular, base, coat, chance: 1.0 };
         Some(RoughLobes { chance: lobes.chance_of_facets(cosine), ..lobes })
+    }
+}
+
+impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
+    /// Applies the interaction of a rough wall to the path; returns whether the path continues.
+    pub(super) fn roughened(
+        &self,
+        path: &mut Path<N>,
+        met: &Met,
+        medium: &MediumOptics<N>,
+        (is_front, normal): (bool, Vector),
+        draws: &mut Draws,
+        add: &mut impl FnMut(&[f64; N], f64),
+    ) -> bool {
+        let lobes = self.world.lobes(&self.optics, medium, met, [normal, -path.direction]);
+        let Some(lobes) = lobes.filter(|_| self.reflects_diffusely(path, met)) else { return false };
+        let start = self.world.walls.start_on(met, is_front);
+        self.scatters(path, &Vertex { start, law: Law::Rough(lobes) }, draws, add);
+        true
     }
 }
 

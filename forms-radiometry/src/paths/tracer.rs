@@ -226,7 +226,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             return continues;
         }
         if let MaterialKind::Diffuse { .. } = material {
-            path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
+            path.throughput = times(&path.throughput, &self.world.reflectance(&self.optics, met));
             let start = self.world.walls.start_on(met, is_front);
             self.scatters(path, &Vertex { start, law: Law::Plane(normal) }, draws, add);
             return true;
@@ -235,12 +235,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             return self.coated(path, met, (is_front, normal), draws, add);
         }
         if let MaterialKind::Rough(_) = material {
-            let towards = -path.direction;
-            let lobes = self.world.lobes(&self.optics, medium, met.wall, [normal, towards]);
-            let Some(lobes) = lobes.filter(|_| self.reflects_diffusely(path, met)) else { return false };
-            let start = self.world.walls.start_on(met, is_front);
-            self.scatters(path, &Vertex { start, law: Law::Rough(lobes) }, draws, add);
-            return true;
+            return self.roughened(path, met, medium, (is_front, normal), draws, add);
         }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);

@@ -8,6 +8,7 @@ use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
 use super::rough_reflection::rough_coat;
 use super::shading_normals::ShadingNormals;
+use super::wall_textures::WallTextures;
 use crate::geometry::Vector;
 use crate::scene::{
     FilledInterface, Filling, MaterialKind, Piece, RoughTransmittance, Scene, Surface, filled,
@@ -44,6 +45,8 @@ pub(crate) struct World {
     faces: FxHashMap<[usize; 2], Front>,
     /// The interpolated normals of the walls of smooth meshes.
     shading: ShadingNormals,
+    /// The textures of the walls.
+    pub(super) textures: WallTextures,
     /// The transmittance of the coat of each rough material that has one.
     pub(super) rough_coats: Vec<Option<Box<RoughTransmittance>>>,
 }
@@ -69,14 +72,11 @@ impl World {
         }
         let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let fronts = of_surfaces.iter().map(front).collect();
-        let are_measured = scene.are_faces_measured();
-        let mut of_faces: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
-        for (wall, interface) in interfaces.iter().enumerate().filter(|(_, i)| are_measured[i.surface]) {
-            of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
-        }
+        let of_faces = measured_faces(&scene, &interfaces);
         let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
         let environment = scene.ambient.map.as_ref().map(EnvironmentLight::of);
         let rough_coats = scene.materials.iter().map(rough_coat).collect();
+        let textures = WallTextures::of(&scene, &walls, &interfaces);
         let walls = Walls::of(walls);
         Self {
             scene,
@@ -88,6 +88,7 @@ impl World {
             fronts,
             faces,
             shading,
+            textures,
             rough_coats,
         }
     }
@@ -175,6 +176,16 @@ impl fmt::Debug for World {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("World").field("walls", &self.interfaces.len()).finish_non_exhaustive()
     }
+}
+
+/// Returns the walls of each face that receivers measure, by the indices of surface and face.
+fn measured_faces(scene: &Scene, interfaces: &[Interface]) -> FxHashMap<[usize; 2], Vec<usize>> {
+    let are_measured = scene.are_faces_measured();
+    let mut of_faces: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
+    for (wall, interface) in interfaces.iter().enumerate().filter(|(_, i)| are_measured[i.surface]) {
+        of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
+    }
+    of_faces
 }
 
 /// Returns the convex walls of a sheet.

@@ -92,13 +92,11 @@ pub(crate) enum Solver {
 /// the receiver of direct light along a ray is the surface that the ray meets; but what does not
 /// count then is the light straight from a light source to the eye.
 pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String> {
-    let kind = |material: usize| &scene.materials[material].kind;
-    let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
-    if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
-        return Some(format!("the surface `{}` is not diffuse", surface.name));
+    if let Some(reason) = reason_of_surfaces(scene) {
+        return Some(reason);
     }
-    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
-        return Some(format!("the surface `{}` has interpolated normals", surface.name));
+    if scene.lights.iter().any(|light| light.cone.is_some()) {
+        return Some("the intensity of a spot light depends on the direction".to_owned());
     }
     if scene.solve.events.is_some() {
         return Some("the number of events along a path is limited".to_owned());
@@ -133,6 +131,22 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
         return Some(format!("the image `{}` is of curved surfaces", image.name));
     }
     (faces(scene, 0).len() > MANY).then(|| format!("the image `{}` is of more than {MANY} faces", image.name))
+}
+
+/// Returns the reason why the surfaces of a scene need path tracing, if there is one.
+fn reason_of_surfaces(scene: &Scene) -> Option<String> {
+    let kind = |material: usize| &scene.materials[material].kind;
+    let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
+    if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
+        return Some(format!("the surface `{}` is not diffuse", surface.name));
+    }
+    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.texture.is_some()) {
+        return Some(format!("the surface `{}` has a texture", surface.name));
+    }
+    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
+        return Some(format!("the surface `{}` has interpolated normals", surface.name));
+    }
+    None
 }
 
 /// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by

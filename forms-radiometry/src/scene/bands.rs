@@ -17,7 +17,31 @@ impl Scene {
                 merge(values);
             }
         }
-        for material in &mut scene.materials {
+        scene.merge_materials();
+        scene.surfaces.iter_mut().for_each(|surface| merge(&mut surface.radiance));
+        for light in &mut scene.lights {
+            match &mut light.kind {
+                LightKind::Point { intensity, .. } => merge(intensity),
+                LightKind::Distant { irradiance, .. } => merge(irradiance),
+            }
+        }
+        let ambient = &mut scene.ambient;
+        match &mut ambient.map {
+            Some(map) => (*map, ambient.radiance) = map.with_one_band(&ambient.radiance),
+            None => merge(&mut ambient.radiance),
+        }
+        scene
+    }
+
+    /// Reduces the materials, and the textures of surfaces, to a single band.
+    fn merge_materials(&mut self) {
+        for surface in &mut self.surfaces {
+            if let Some(texture) = &mut surface.texture {
+                let most = self.materials[surface.material].kind.diffuse_reflectance();
+                *texture = texture.with_one_band(most);
+            }
+        }
+        for material in &mut self.materials {
             match &mut material.kind {
                 MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
                     merge(reflectance);
@@ -34,19 +58,6 @@ impl Scene {
                 MaterialKind::Dielectric { .. } => {}
             }
         }
-        scene.surfaces.iter_mut().for_each(|surface| merge(&mut surface.radiance));
-        for light in &mut scene.lights {
-            match &mut light.kind {
-                LightKind::Point { intensity, .. } => merge(intensity),
-                LightKind::Distant { irradiance, .. } => merge(irradiance),
-            }
-        }
-        let ambient = &mut scene.ambient;
-        match &mut ambient.map {
-            Some(map) => (*map, ambient.radiance) = map.with_one_band(&ambient.radiance),
-            None => merge(&mut ambient.radiance),
-        }
-        scene
     }
 }
 

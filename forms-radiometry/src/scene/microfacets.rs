@@ -11,7 +11,7 @@
 //! Source: B. Walter et al., Microfacet models for refraction through rough surfaces (2007), also for
 //! the rational approximation of G₁ of Beckmann’s distribution, whose relative error is below 0.35 %.
 
-use forms_kernels::{beckmann_sample, fresnel_dielectric, ggx_sample};
+use forms_kernels::{beckmann_sample, fresnel_dielectric, ggx_sample, ggx_visible_sample};
 use std::f64::consts::PI;
 
 /// Numbers of normals by their angle to the mean normal, and by their azimuth, for a mean over them.
@@ -87,11 +87,17 @@ impl Microfacets {
             // the other half of all azimuths is symmetric
             let u = ((index / columns) as f64 + 0.5) / rows as f64;
             let v = 0.5 * ((index % columns) as f64 + 0.5) / columns as f64;
-            let [x, _, z] = self.normal([u, v]);
+            // normals of GGX are those that are seen; others are seen in proportion to their product
+            // with the direction over their cosine
+            let [x, _, z] = match self.distribution {
+                Distribution::Ggx => ggx_visible_sample(self.alpha, sine, 0.0, cosine, u, v),
+                Distribution::Beckmann => self.normal([u, v]),
+            };
             let along = sine * x + cosine * z;
+            let weight = if self.distribution == Distribution::Ggx { 1.0 } else { along / z };
             if along > 0.0 {
-                all += along / z;
-                sum += along / z * quantity(along, z);
+                all += weight;
+                sum += weight * quantity(along, z);
             }
         }
         sum / all

@@ -3,15 +3,17 @@
 
 use super::checkerboard::{COLOURS, Checkerboard};
 use super::metals::{METALS, Metal};
-use super::microfacets::{microfacets, rough_metal};
+use super::microfacets::{microfacets, rough_metal, rough_plastic};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
 use crate::scene::microfacets::Microfacets;
 use crate::scene::model::{Material, MaterialKind};
-use crate::scene::rough::{Facet, Rough};
+use crate::scene::rough::Facet;
+use crate::scene::texture::Pattern;
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A parsed `<bsdf>`.
 #[derive(Clone, Debug)]
@@ -27,6 +29,8 @@ pub(super) struct Bsdf {
 pub(super) enum Law {
     /// A law that does not depend on the shape.
     Opaque(MaterialKind),
+    /// A law whose reflectance depends on the place, with the largest reflectance of any place.
+    Textured(MaterialKind, Arc<Pattern>),
     /// Diffuse reflection in two colours.
     Checkered(Checkerboard),
     /// A boundary between media of these indices.
@@ -166,16 +170,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 
 fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     match &*object.kind {
-        "diffuse" => {
-            if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
-                reader.finish(object, &["reflectance"]);
-                return Law::Checkered(board);
-            }
-            let grey = vec![0.5; reader.bands];
-            let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
-            reader.finish(object, &["reflectance"]);
-            Law::Opaque(MaterialKind::Diffuse { reflectance })
-        }
+        "diffuse" => diffuse(reader, object),
         "conductor" => conductor(reader, object, None),
         "roughconductor" => {
             let facets = microfacets(reader, &mut object);
@@ -200,6 +195,22 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
             reader.unknown(&mut object, &KINDS);
             Law::Wrong
         }
+    }
+}
+
+/// Returns the law of diffuse reflection.
+fn diffuse<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
+        reader.finish(object, &["reflectance"]);
+        return Law::Checkered(board);
+    }
+    let textured = reader.take_pattern(&mut object, "reflectance", 0.0);
+    let grey = vec![0.5; reader.bands];
+    let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
+    reader.finish(object, &["reflectance"]);
+    match textured {
+        Some((pattern, most)) => Law::Textured(MaterialKind::Diffuse { reflectance: most }, pattern),
+        None => Law::Opaque(MaterialKind::Diffuse { reflectance }),
     }
 }
 
@@ -248,31 +259,38 @@ fn conductor<'a>(
 /// denominator. With microfacets, the coat is rough.
 fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>, facets: Option<Microfacets>) -> Law {
     let or = |value: Option<Vec<f64>>, default: f64, bands: usize| value.unwrap_or(vec![default; bands]);
-    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
-    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
     let (inside, _) = index(reader, &mut object, "int_ior", "polypropylene");
     let (outside, place) = index(reader, &mut object, "ext_ior", "air");
     let is_nonlinear = reader.boolean(&mut object, "nonlinear", false, false);
+    let n = inside / outside;
+    let is_coat = n > 1.0 && n.is_finite();
+    let inner = match facets {
+        _ if !is_coat => 0.0,
+        Some(facets) => facets.inner_reflectance(n),
+        None => diffuse_reflectance_from_inside(n),
+    };
+    let textured =
+        reader.take_pattern(&mut object, "diffuse_reflectance", if is_nonlinear { inner } else { 0.0 });
+    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
+    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
     let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
     reader.finish(object, &[&known[..], if facets.is_some() { &ROUGHNESS } else { &[] }].concat());
-    let n = inside / outside;
-    if !(n > 1.0 && n.is_finite()) {
-        reader.report.error(
-            place,
-            "the coat of a plastic has no larger index than its exterior",
-            "`int_ior` above `ext_ior`",
-        );
+    if !is_coat {
+        let message = "the coat of a plastic has no larger index than its exterior";
+        reader.report.error(place, message, "`int_ior` above `ext_ior`");
         return Law::Wrong;
     }
-    let inner =
-        facets.map_or_else(|| diffuse_reflectance_from_inside(n), |facets| facets.inner_reflectance(n));
+    let base = textured.as_ref().map_or(&base, |(_, most)| most);
     let of_band = |rho: &f64| rho / (n * n * (1.0 - inner * if is_nonlinear { *rho } else { 1.0 }));
     let reflectance = base.iter().map(of_band).collect();
-    let Some(facets) = facets else {
-        return Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n });
+    let kind = match facets {
+        None => MaterialKind::Plastic { reflectance, specular, index: n },
+        Some(facets) => rough_plastic(facets, n, specular, reflectance),
     };
-    let (facet, albedo) = (Facet::Coat { index: n }, vec![1.0; reader.bands]);
-    Law::Opaque(MaterialKind::Rough(Rough { facets, facet, specular, base: reflectance, albedo }))
+    match textured {
+        Some((pattern, _)) => Law::Textured(kind, pattern),
+        None => Law::Opaque(kind),
+    }
 }
 
 /// Returns the diffuse reflectance of a boundary from inside of a medium with this relative index: a

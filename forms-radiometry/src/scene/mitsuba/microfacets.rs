@@ -50,3 +50,14 @@ pub(super) fn rough_metal(facets: Microfacets, facet: Facet, specular: Vec<f64>)
     let (base, albedo) = (vec![0.0; specular.len()], specular.clone());
     Law::Opaque(MaterialKind::Rough(Rough { facets, facet, specular, base, albedo }))
 }
+
+/// Returns the law of a diffuse base, with this reflectance, below a rough coat of this relative index.
+pub(super) fn rough_plastic(
+    facets: Microfacets,
+    index: f64,
+    specular: Vec<f64>,
+    base: Vec<f64>,
+) -> MaterialKind {
+    let (facet, albedo) = (Facet::Coat { index }, vec![1.0; base.len()]);
+    MaterialKind::Rough(Rough { facets, facet, specular, base, albedo })
+}
