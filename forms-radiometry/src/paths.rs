@@ -45,6 +45,7 @@ mod optics;
 mod path_sampler;
 mod refraction;
 mod replicates;
+mod rough_lobes;
 mod rough_reflection;
 mod round_samples;
 mod scattering;

@@ -13,7 +13,7 @@
 
 use super::choice::Sought;
 use super::optics::mean;
-use super::rough_reflection::RoughLobes;
+use super::rough_lobes::RoughLobes;
 use super::warps::{
     cosine_hemisphere_pdf, cosine_hemisphere_sample, fresnel_dielectric, henyey_greenstein,
     henyey_greenstein_direction_sample, uniform_sphere_pdf, uniform_sphere_sample,
@@ -106,8 +106,8 @@ impl<const N: usize> Law<'_, N> {
     }
 
     /// Returns the density of each band relative to the density of the sampled direction, and the
-    /// latter. Below a coat, and on a rough surface, the latter is that of the law, like [`density`](Self::density), so that
-    /// the MIS weights of both techniques agree.
+    /// latter. Below a coat, and on a rough surface, the latter is that of the law, like
+    /// [`density`](Self::density), so that the MIS weights of both techniques agree.
     pub(super) fn weights(&self, direction: Vector, count: usize) -> ([f64; N], f64) {
         let densities = self.density(direction);
         if let Self::Coated { normal, index } = self {

@@ -8,8 +8,6 @@
 //! ```
 
 use super::interface::Interface;
-use super::optics::{Optics, times};
-use super::world::World;
 use crate::geometry::Vector;
 use crate::scene::{Pattern, Scene, Shape, Texture, TextureCoordinates};
 use crate::visibility::{Met, Wall};
@@ -56,30 +54,11 @@ impl WallTextures {
         };
         Self(walls.iter().zip(interfaces).map(of_wall).collect())
     }
-}
 
-impl World {
-    /// Returns the reflectance at a place on a wall: that of its material times the factor of its
-    /// texture.
-    pub(super) fn reflectance<const N: usize>(&self, optics: &Optics<N>, met: &Met) -> [f64; N] {
-        let reflectance = &optics.reflectances[self.interfaces[met.wall].surface];
-        self.textured(optics, met, reflectance)
-    }
-
-    /// Returns a reflectance times the factor of the texture at a place on a wall.
-    pub(super) fn textured<const N: usize>(
-        &self,
-        optics: &Optics<N>,
-        met: &Met,
-        reflectance: &[f64; N],
-    ) -> [f64; N] {
-        match self.textures.0.get(met.wall) {
-            Some(Some(texture)) => {
-                let uv = texture.chart.at(met.position);
-                times(reflectance, &texture.pattern.factor(uv, optics.bands))
-            }
-            _ => *reflectance,
-        }
+    /// Returns the factor of the reflectance at a place on a wall in these bands, if it has a texture.
+    pub(super) fn factor<const N: usize>(&self, met: &Met, bands: [usize; 2]) -> Option<[f64; N]> {
+        let texture = self.0.get(met.wall)?.as_ref()?;
+        Some(texture.pattern.factor(texture.chart.at(met.position), bands))
     }
 }
 

@@ -6,7 +6,8 @@ use super::environment_light::EnvironmentLight;
 use super::first_hit::FirstHit;
 use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
-use super::rough_reflection::rough_coat;
+use super::optics::{Optics, times};
+use super::rough_lobes::rough_coat;
 use super::shading_normals::ShadingNormals;
 use super::wall_textures::WallTextures;
 use crate::geometry::Vector;
@@ -164,6 +165,23 @@ impl World {
         let is_front = normal.map_or(met.is_front, |normal| normal.dot(direction) < 0.0);
         let front = normal.unwrap_or(met.normal);
         Side { is_front, normal: if is_front { front } else { -front }, is_smooth: normal.is_some() }
+    }
+
+    /// Returns the reflectance at a place on a wall: that of its material times the factor of its
+    /// texture.
+    pub(super) fn reflectance<const N: usize>(&self, optics: &Optics<N>, met: &Met) -> [f64; N] {
+        self.textured(optics, met, &optics.reflectances[self.interfaces[met.wall].surface])
+    }
+
+    /// Returns a reflectance times the factor of the texture at a place on a wall.
+    pub(super) fn textured<const N: usize>(
+        &self,
+        optics: &Optics<N>,
+        met: &Met,
+        reflectance: &[f64; N],
+    ) -> [f64; N] {
+        let factor = self.textures.factor(met, optics.bands);
+        factor.map_or(*reflectance, |factor| times(reflectance, &factor))
     }
 
     /// Returns the reflection law of a wall.

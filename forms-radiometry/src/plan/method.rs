@@ -22,7 +22,7 @@ use crate::faces::{faces, is_round};
 use crate::paths::driver::{Computable, expected_rays};
 use crate::paths::{Limits, World};
 use crate::radiosity::{Question, Shells, expected_cost};
-use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Surface};
 use std::sync::Arc;
 
 /// Cost of radiosity, in rays, below which it is not compared with that of path tracing: a fraction
@@ -135,18 +135,14 @@ pub(super) fn reason_for_paths(scene: &Scene, has_direct: bool) -> Option<String
 
 /// Returns the reason why the surfaces of a scene need path tracing, if there is one.
 fn reason_of_surfaces(scene: &Scene) -> Option<String> {
-    let kind = |material: usize| &scene.materials[material].kind;
-    let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
-    if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
-        return Some(format!("the surface `{}` is not diffuse", surface.name));
-    }
-    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.texture.is_some()) {
-        return Some(format!("the surface `{}` has a texture", surface.name));
-    }
-    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
-        return Some(format!("the surface `{}` has interpolated normals", surface.name));
-    }
-    None
+    let kind = |surface: &Surface| &scene.materials[surface.material].kind;
+    let first = |is_it: &dyn Fn(&Surface) -> bool, what: &str| {
+        let surface = scene.surfaces.iter().find(|surface| is_it(surface))?;
+        Some(format!("the surface `{}` {what}", surface.name))
+    };
+    first(&|surface| !matches!(kind(surface), MaterialKind::Diffuse { .. }), "is not diffuse")
+        .or_else(|| first(&|surface| surface.texture.is_some(), "has a texture"))
+        .or_else(|| first(&|surface| surface.shape.is_smooth(), "has interpolated normals"))
 }
 
 /// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by
