@@ -1,6 +1,7 @@
 //! Reads every mesh and scene below a folder, such as a checkout of another program's tests, and
 //! reports the refused ones, each with its first error in one line. A table of the errors follows, with
-//! the number of files in which each occurs, the most frequent one first.
+//! the number of files in which each occurs, the most frequent one first. Refused scenes that other
+//! scenes include are counted apart: they can lack files and ids that those have.
 //!
 //! ```sh
 //! cargo run --release -p forms-radiometry --example foreign -- FOLDER…
@@ -19,6 +20,8 @@ fn main() {
     let mut files = Vec::new();
     std::env::args().skip(1).for_each(|folder| collect(Path::new(&folder), &mut files));
     files.sort();
+    let included: BTreeSet<String> = files.iter().flat_map(|file| includes(file)).collect();
+    let mut parts = 0;
     for file in files {
         let ending = file.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let refused = if MESHES.contains(&&*ending) {
@@ -28,6 +31,10 @@ fn main() {
         } else {
             continue;
         };
+        if refused.is_some() && included.iter().any(|name| file.ends_with(name)) {
+            parts += 1;
+            continue;
+        }
         let [read, all] = counts.entry(ending).or_default();
         *all += 1;
         match refused {
@@ -48,6 +55,15 @@ fn main() {
     for (ending, [read, all]) in counts {
         println!("{ending}: {read} of {all} are read");
     }
+    println!("{parts} other files are parts of scenes that include them");
+}
+
+/// Returns the names of the files that a scene includes.
+fn includes(file: &Path) -> Vec<String> {
+    let is_scene = file.extension().is_some_and(|ending| ending == "xml");
+    let text = if is_scene { std::fs::read_to_string(file).unwrap_or_default() } else { String::new() };
+    let name = |rest: &str| Some(rest.split_once("filename=\"")?.1.split_once('"')?.0.to_owned());
+    text.split("<include").skip(1).filter_map(name).collect()
 }
 
 /// Returns a message without the names of a file's own objects. Types of objects are kept.

@@ -47,7 +47,9 @@ impl EffectSet {
             Effect::Mirror => materials().any(|kind| match kind {
                 MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
                 MaterialKind::Plastic { specular, .. } => any(specular),
-                MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
+                MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Rough(_) => {
+                    false
+                }
             }),
             Effect::Refraction => fillings.iter().any(differs),
             // also for one medium everywhere: metals in it reflect by their index relative to the

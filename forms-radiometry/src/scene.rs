@@ -3,6 +3,7 @@
 //! support.
 
 mod bands;
+mod cone;
 mod division;
 mod effect;
 mod element;
@@ -15,6 +16,7 @@ mod material;
 mod medium;
 mod mesh_file;
 mod mesh_keys;
+mod microfacets;
 mod midrange;
 mod mitsuba;
 mod model;
@@ -25,6 +27,7 @@ mod read;
 mod receiver;
 mod receiving;
 mod regions;
+mod rough;
 mod round;
 mod shape;
 mod simulated;
@@ -32,16 +35,20 @@ mod solve;
 mod sources;
 mod subsurfaces;
 mod surface;
+mod texture;
 mod value;
 mod view3d;
 mod words;
 mod working_units;
 
+pub use cone::Cone;
 pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};
 pub use environment_map::EnvironmentMap;
 pub use error::SceneError;
 pub use file::read_file;
+pub(crate) use microfacets::RoughTransmittance;
+pub use microfacets::{Distribution, Microfacets};
 pub(crate) use midrange::middle;
 pub use model::{
     Ambient, Band, LengthUnit, Light, LightKind, Material, MaterialKind, Medium, Points, Receiver,
@@ -51,6 +58,9 @@ pub use overrides::{EffectList, Overrides};
 pub use place::Place;
 pub use read::{open, read, read_with_files};
 pub(crate) use regions::{FilledInterface, Filling, Piece, filled, sheets_without_edges};
+pub use rough::{Facet, Rough};
 pub use simulated::not_simulated;
 pub use sources::Sources;
+pub use texture::Texture;
+pub(crate) use texture::{Pattern, TextureCoordinates};
 pub(crate) use working_units::{WorkingScene, WorkingUnits};

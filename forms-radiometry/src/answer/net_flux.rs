@@ -73,6 +73,9 @@ impl Faces {
             _ => return None,
         };
         let is_black = side == SurfaceSide::Back && !surface.two_sided;
+        if surface.texture.is_some() {
+            return None;
+        }
         let of_band = |band: usize| {
             let reflectance = scene.materials[surface.material].kind.reflectance_in(band)?;
             let exitance = surface.exitance_in(band);

@@ -24,6 +24,8 @@ pub struct Mesh {
     groups: Arc<Vec<MeshGroup>>,
     /// The normals at the corners of its faces, all triangles, if normals are interpolated.
     normals: Option<Arc<Corners<Vector>>>,
+    /// The texture coordinates at the corners of its faces, all triangles, if it has a texture.
+    texture: Option<Arc<Corners<[f64; 2]>>>,
 }
 
 /// The name of a group of faces, and their indices.
@@ -35,6 +37,7 @@ impl PartialEq for Mesh {
             && self.faces == other.faces
             && self.factor == other.factor
             && self.normals == other.normals
+            && self.texture == other.texture
     }
 }
 
@@ -101,7 +104,8 @@ impl Mesh {
     /// Creates the mesh of faces that are known to be polygons.
     pub(crate) fn of_polygons(vertices: Vec<Vector>, faces: FaceList) -> Self {
         let (vertices, faces) = (Arc::new(vertices), Arc::new(faces));
-        Self { vertices, faces, factor: 1.0, parts: Arc::default(), groups: Arc::default(), normals: None }
+        let (parts, groups) = (Arc::default(), Arc::default());
+        Self { vertices, faces, factor: 1.0, parts, groups, normals: None, texture: None }
     }
 
     /// Returns the mesh with named groups of its faces.
@@ -127,7 +131,13 @@ impl Mesh {
             }
         }
         let triangles = Self::of_polygons(self.vertices.to_vec(), list);
-        Self { factor: self.factor, normals: Some(Arc::new(of_corners)), ..triangles }
+        let (normals, texture) = (Some(Arc::new(of_corners)), self.texture.clone());
+        Self { factor: self.factor, normals, texture, ..triangles }
+    }
+
+    /// Returns the mesh, whose faces are triangles, with texture coordinates at their corners.
+    pub(crate) fn textured(self, texture: Corners<[f64; 2]>) -> Self {
+        Self { texture: Some(Arc::new(texture)), ..self }
     }
 
     /// Whether the normals are interpolated between the corners of the faces.
@@ -138,6 +148,11 @@ impl Mesh {
     /// Returns the normals at the corners of a triangle, if they are interpolated there.
     pub(crate) fn vertex_normals(&self, face: usize) -> Option<[Vector; 3]> {
         self.normals.as_ref()?.of(face)?.try_into().ok()
+    }
+
+    /// Returns the texture coordinates at the corners of a triangle, if it has any.
+    pub(crate) fn texture_coordinates(&self, face: usize) -> Option<[[f64; 2]; 3]> {
+        self.texture.as_ref()?.of(face)?.try_into().ok()
     }
 
     /// Returns the named groups of its faces.
@@ -176,11 +191,11 @@ impl Mesh {
     }
 
     /// Returns polygons that cover the faces: neighbouring faces in one plane are one polygon, unless
-    /// normals are interpolated on them.
+    /// normals or texture coordinates are interpolated on them.
     pub(crate) fn flat_parts(&self) -> impl Iterator<Item = Polygon> {
-        let parts = self.parts.get_or_init(|| match self.normals {
-            Some(_) => FaceList::clone(&self.faces),
-            None => flat_parts(&self.vertices, &self.faces),
+        let parts = self.parts.get_or_init(|| match self.normals.is_some() || self.texture.is_some() {
+            true => FaceList::clone(&self.faces),
+            false => flat_parts(&self.vertices, &self.faces),
         });
         parts.iter().map(|indices| self.polygon_of(indices))
     }

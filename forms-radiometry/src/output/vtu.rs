@@ -65,7 +65,8 @@ pub fn scene_vtu(scene: &Scene) -> io::Result<Vec<u8>> {
         (name, surfaces.iter().map(|&surface| of(&scene.surfaces[surface])).collect())
     };
     let reflectance = |surface: &Surface, band: usize| {
-        scene.materials[surface.material].kind.reflectance_in(band).unwrap_or(f64::NAN)
+        let known = surface.texture.is_none().then_some(&scene.materials[surface.material].kind);
+        known.and_then(|kind| kind.reflectance_in(band)).unwrap_or(f64::NAN)
     };
     let mut columns = vec![("surface".to_owned(), surfaces.iter().map(|&surface| surface as f64).collect())];
     for band in 0..scene.band_count() {

@@ -112,7 +112,7 @@ impl Chains {
     fn plane(&mut self, scene: &Scene, wall: &Wall, interface: &Interface, extent: f64) -> Option<usize> {
         let surface = &scene.surfaces[interface.surface];
         let reflectance = match &scene.materials[surface.material].kind {
-            MaterialKind::Diffuse { .. } => return None,
+            MaterialKind::Diffuse { .. } | MaterialKind::Rough(_) => return None,
             MaterialKind::Dielectric { .. } => {
                 self.left_out = if bends(scene, interface) { 1.0 } else { self.left_out };
                 return None;

@@ -38,9 +38,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             false => 0.0,
         });
         let base = match self.reflects_diffusely(path, met) {
-            true => {
-                scaled(1.0 - reflected, &self.optics.reflectances[self.world.interfaces[met.wall].surface])
-            }
+            true => scaled(1.0 - reflected, &self.world.reflectance(&self.optics, met)),
             false => [0.0; N],
         };
         let both = largest(&mirror) + largest(&base);

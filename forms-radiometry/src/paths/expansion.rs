@@ -163,7 +163,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             MaterialKind::Diffuse { .. } => {
                 (largest(&self.optics.reflectances[surface]) == 0.0).then(Vec::new)
             }
-            MaterialKind::Plastic { .. } => None,
+            MaterialKind::Plastic { .. } | MaterialKind::Rough(_) => None,
             _ if !L::MIRROR => Some(Vec::new()),
             material => match reflected(material, &self.optics, medium, ray.direction, normal) {
                 Passage::Reflected(direction, factor) => Some(vec![(factor, true, direction, false)]),

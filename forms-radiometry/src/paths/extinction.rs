@@ -46,12 +46,14 @@ fn unturned(scene: &Scene, limits: &Limits) -> Option<Vec<f64>> {
         MaterialKind::Mirror { .. }
         | MaterialKind::Dielectric { .. }
         | MaterialKind::Conductor { .. }
-        | MaterialKind::Plastic { .. } => false,
+        | MaterialKind::Plastic { .. }
+        | MaterialKind::Rough(_) => false,
     };
     let both = medium.absorption.iter().zip(&medium.scattering);
     let extinction: Vec<f64> = both.map(|(absorption, scattering)| absorption + scattering).collect();
     let comes_in = |(extinction, outside): (&f64, &f64)| *extinction == 0.0 && *outside > 0.0;
     let is_alone = extinction.iter().any(|&extinction| extinction > 0.0)
+        && scene.lights.iter().all(|light| light.cone.is_none())
         && scene.surfaces.iter().all(is_black)
         && !extinction.iter().zip(&scene.ambient.radiance).any(comes_in);
     is_alone.then_some(extinction)

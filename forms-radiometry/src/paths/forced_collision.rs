@@ -46,7 +46,9 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let is_bright = self.world.is_bright(met.wall, self.world.side(met, path.direction).is_front);
         match self.world.material(met.wall) {
             MaterialKind::Dielectric { .. } => is_allowed || self.optics.is_clear(front, back),
-            MaterialKind::Diffuse { .. } => is_bright && is_allowed && self.reflects_diffusely(path, met),
+            MaterialKind::Diffuse { .. } | MaterialKind::Rough(_) => {
+                is_bright && is_allowed && self.reflects_diffusely(path, met)
+            }
             MaterialKind::Plastic { .. } => {
                 is_bright && is_allowed && (L::MIRROR || self.reflects_diffusely(path, met))
             }

@@ -12,6 +12,7 @@
 
 use super::boundary::Passage;
 use super::chains::LEAST_LISTED;
+use super::image_ray::Ray;
 use super::mirror::reflected;
 use super::optics::{MediumOptics, Optics, largest, scaled, times};
 use super::refraction::passages;
@@ -20,7 +21,7 @@ use crate::geometry::clip::split_along;
 use crate::geometry::{Plane, Vector, edges};
 use crate::sampling::{chosen, shares};
 use crate::scene::{Filling, LightKind, MaterialKind};
-use crate::visibility::{Met, Start, Wall};
+use crate::visibility::{Start, Wall};
 
 /// Maximum number of images; a scene with more is rejected.
 const MOST: usize = 4096;
@@ -42,6 +43,8 @@ pub(crate) struct Images<const N: usize> {
 #[derive(Clone, Debug)]
 pub(crate) struct Image<const N: usize> {
     place: Place,
+    /// The index of the light.
+    source: usize,
     /// Remaining intensity or irradiance; for a point light in metals, where it depends on the
     /// angle, an upper bound.
     light: [f64; N],
@@ -72,6 +75,7 @@ struct Step {
 #[derive(Clone, Debug)]
 struct Sent<const N: usize> {
     place: Place,
+    source: usize,
     light: [f64; N],
     filling: Filling,
     steps: Vec<Step>,
@@ -105,8 +109,14 @@ impl<const N: usize> Images<N> {
                 }
                 LightKind::Distant { direction, .. } => (Place::Far(direction), world.scene.ambient.medium),
             };
-            let sent =
-                Sent { place, light: optics.beams[index], filling, steps: Vec::new(), lit: Vec::new() };
+            let sent = Sent {
+                place,
+                source: index,
+                light: optics.beams[index],
+                filling,
+                steps: Vec::new(),
+                lit: Vec::new(),
+            };
             let least = LEAST_LISTED * world.scene.solve.tolerance * largest(&optics.beams[index]);
             images.add_images(world, optics, &smooth, sent, least);
         }
@@ -132,7 +142,8 @@ impl<const N: usize> Images<N> {
                             return;
                         }
                         let steps = next.steps.iter().rev().copied().collect();
-                        self.all.push(Image { place: next.place, light: next.light, steps, chance: 0.0 });
+                        let (place, source, light) = (next.place, next.source, next.light);
+                        self.all.push(Image { place, source, light, steps, chance: 0.0 });
                         waiting.push(next);
                     }
                 }
@@ -153,7 +164,7 @@ impl<const N: usize> Images<N> {
 /// Whether a wall reflects or refracts light into single directions only.
 fn is_smooth<const N: usize>(world: &World, optics: &Optics<N>, wall: usize) -> bool {
     match world.material(wall) {
-        MaterialKind::Diffuse { .. } | MaterialKind::Plastic { .. } => false,
+        MaterialKind::Diffuse { .. } | MaterialKind::Plastic { .. } | MaterialKind::Rough(_) => false,
         MaterialKind::Mirror { .. } | MaterialKind::Conductor { .. } => true,
         MaterialKind::Dielectric { .. } => {
             let [front, back] = world.interfaces[wall].fillings;
@@ -187,7 +198,7 @@ impl<const N: usize> Sent<N> {
             // refracted light continues on the other side, where a ray from a receiver arrives
             steps.push(Step { wall, is_front: is_front != is_bent, is_bent });
             let filling = if is_bent { interface.filling(!is_front) } else { self.filling };
-            Self { place, light, filling, steps, lit: lit.clone() }
+            Self { place, source: self.source, light, filling, steps, lit: lit.clone() }
         };
         let is_boundary = matches!(material, MaterialKind::Dielectric { .. });
         match self.place {
@@ -285,6 +296,11 @@ impl<const N: usize> Image<N> {
         }
     }
 
+    /// Returns the part of the intensity that the light sends in a direction.
+    fn aimed(&self, world: &World, direction: Vector) -> f64 {
+        world.scene.lights[self.source].cone.map_or(1.0, |cone| cone.factor(direction))
+    }
+
     /// Returns the light of the image at a point in a medium; `None` if an occluder is in the way.
     pub(crate) fn coming(
         &self,
@@ -311,7 +327,8 @@ impl<const N: usize> Image<N> {
             let Some(met) = met else {
                 let squared = if distance.is_finite() { distance * distance } else { 1.0 };
                 let is_done = steps.next().is_none();
-                let irradiance = ray.factor.map(|factor| factor / squared);
+                let aimed = self.aimed(world, -ray.direction);
+                let irradiance = ray.factor.map(|factor| aimed * factor / squared);
                 return is_done.then_some(Coming {
                     direction,
                     irradiance,
@@ -330,64 +347,5 @@ impl<const N: usize> Image<N> {
                 return None;
             }
         }
-    }
-}
-
-/// A ray from a receiver to an image.
-struct Ray<const N: usize> {
-    start: Start,
-    direction: Vector,
-    filling: Filling,
-    left: f64,
-    factor: [f64; N],
-    optical_path_length: f64,
-}
-
-impl<const N: usize> Ray<N> {
-    /// Passes through a medium up to the wall that the ray hits, or to the light.
-    fn passes(&mut self, medium: &MediumOptics<N>, met: Option<&Met>) {
-        let length = met.map_or(self.left, |met| met.distance);
-        self.factor = times(&self.factor, &medium.transmittance(length));
-        self.optical_path_length += medium.index * length;
-        self.left -= length;
-    }
-
-    /// Reflects or refracts the ray as the step requires. The factors of boundaries for parallel
-    /// light are already part of the image; the reflectance of a metal for a point light is known
-    /// only here.
-    fn turn(
-        &mut self,
-        world: &World,
-        optics: &Optics<N>,
-        met: &Met,
-        is_bent: bool,
-        beyond: Filling,
-    ) -> Option<()> {
-        let normal = if met.is_front { met.normal } else { -met.normal };
-        let material = world.material(met.wall);
-        let medium = optics.medium(self.filling);
-        let direction = if let MaterialKind::Dielectric { .. } = material {
-            let [reflected, refracted] = passages([&medium, &optics.medium(beyond)], self.direction, normal);
-            let (_, passage) = if is_bent { refracted? } else { reflected? };
-            match passage {
-                Passage::Reflected(direction, _) | Passage::Refracted(direction, _) => direction,
-            }
-        } else {
-            let Passage::Reflected(direction, factor) =
-                reflected(material, optics, &medium, self.direction, normal)
-            else {
-                return None;
-            };
-            if self.left.is_finite() && matches!(material, MaterialKind::Conductor { .. }) {
-                self.factor = times(&self.factor, &factor);
-            }
-            direction
-        };
-        self.direction = direction;
-        self.start = world.walls.start_on(met, met.is_front != is_bent);
-        if is_bent {
-            self.filling = beyond;
-        }
-        Some(())
     }
 }

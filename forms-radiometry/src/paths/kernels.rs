@@ -18,6 +18,7 @@ fn reflects(kind: &MaterialKind) -> bool {
         MaterialKind::Diffuse { reflectance } | MaterialKind::Plastic { reflectance, .. } => {
             reflectance.iter().any(|&rho| rho > 0.0)
         }
+        MaterialKind::Rough(rough) => rough.base.iter().any(|&rho| rho > 0.0),
         MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => {
             false
         }

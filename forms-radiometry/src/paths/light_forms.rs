@@ -4,7 +4,7 @@
 //! ```text
 //! triangle   uniform over its solid angle     disk, cylinder, cone, paraboloid   uniform over its area
 //! sphere     outside, uniform over the cone that it subtends; inside, uniform over its area
-//! point, distant light: the only possible direction
+//! point, spot and distant light: the only possible direction
 //! ```
 
 use super::choice::Weight;
@@ -14,6 +14,7 @@ use super::warps::{
 };
 use crate::geometry::{Disk, Quadric, Round, Sphere, Vector};
 use crate::sampling::Frame;
+use crate::scene::Cone;
 use crate::visibility::{Met, Wall};
 use forms_kernels::{measure_area_to_solid_angle, measure_solid_angle_to_area};
 use std::f64::consts::PI;
@@ -26,6 +27,7 @@ pub(super) enum Form {
     Sphere(Sphere),
     Quadric(Quadric),
     Point(Vector),
+    Spot(Vector, Cone),
     /// The unit vector along which the light travels.
     Distant(Vector),
 }
@@ -50,7 +52,7 @@ impl Form {
             Self::Disk(disk) => near(self.area(), disk.center, disk.radius),
             Self::Sphere(sphere) => near(PI * sphere.radius * sphere.radius, sphere.center, sphere.radius),
             Self::Quadric(quadric) => near(0.5 * self.area(), quadric.center(), quadric.radius()),
-            Self::Point(position) => near(1.0, position, 0.0),
+            Self::Point(position) | Self::Spot(position, _) => near(1.0, position, 0.0),
             Self::Distant(direction) => {
                 Weight { far: value, direction: Some(-direction), ..near(0.0, Vector::default(), 0.0) }
             }
@@ -63,7 +65,7 @@ impl Form {
             Self::Disk(disk) => disk.area(),
             Self::Sphere(sphere) => sphere.area(),
             Self::Quadric(quadric) => quadric.area(),
-            Self::Point(_) | Self::Distant(_) => 0.0,
+            Self::Point(_) | Self::Spot(..) | Self::Distant(_) => 0.0,
         }
     }
 
@@ -77,7 +79,7 @@ impl Form {
             Self::Disk(disk) => disk.sample([u, v]),
             Self::Sphere(sphere) => sphere.sample([u, v]),
             Self::Quadric(quadric) => quadric.point([u, v]),
-            Self::Point(position) => (position, Vector::default()),
+            Self::Point(position) | Self::Spot(position, _) => (position, Vector::default()),
             Self::Distant(direction) => (direction, Vector::default()),
         }
     }
@@ -89,6 +91,11 @@ impl Form {
                 let offset = position - from;
                 let direction = offset.unit()?;
                 Some((direction, offset.length(), offset.dot(offset)))
+            }
+            Self::Spot(position, cone) => {
+                let offset = position - from;
+                let direction = offset.unit()?;
+                Some((direction, offset.length(), offset.dot(offset) / cone.factor(-direction)))
             }
             Self::Distant(direction) => Some((-direction, f64::INFINITY, 1.0)),
             Self::Triangle(corners) => {
@@ -135,7 +142,7 @@ impl Form {
                     measure_area_to_solid_angle(offset.dot(offset), met.normal.dot(direction).abs());
                 1.0 / (covered * self.area())
             }
-            Self::Point(_) | Self::Distant(_) => 0.0,
+            Self::Point(_) | Self::Spot(..) | Self::Distant(_) => 0.0,
         }
     }
 }

@@ -12,14 +12,14 @@
 use super::boundary::{Passage, mirrored};
 use super::luminaires::Front;
 use super::mirror::reflected;
-use super::optics::Optics;
+use super::optics::{MediumOptics, Optics};
 use super::refraction::refracted;
 use super::vertex::Law;
 use super::warps::{free_flight_sample, fresnel_dielectric};
 use super::world::{Side, World};
 use crate::geometry::Vector;
 use crate::sampling::{Samples, key};
-use crate::scene::{Filling, Light, LightKind, MaterialKind, SceneError};
+use crate::scene::{Cone, Filling, Light, LightKind, MaterialKind, SceneError};
 use crate::visibility::{Met, Start, Wall};
 use rayon::prelude::*;
 
@@ -80,7 +80,7 @@ impl Search<'_> {
             let samples = &mut Samples::new(key(17, 0), ray);
             let sent = match ray.checked_sub(RAYS) {
                 None => self.of_surface(samples),
-                Some(ray) => Some(self.of_point(points[ray as usize % points.len()], samples)),
+                Some(ray) => self.of_point(points[ray as usize % points.len()], samples),
             };
             self.caught(sent?, samples)
         };
@@ -88,10 +88,10 @@ impl Search<'_> {
         (caught.len() > CHANCE).then(|| caught[0])
     }
 
-    /// Returns the positions of the point lights.
-    fn points(&self) -> Vec<Vector> {
+    /// Returns the positions of the point lights, and the cones of spot lights.
+    fn points(&self) -> Vec<(Vector, Option<Cone>)> {
         let position = |light: &Light| match light.kind {
-            LightKind::Point { position, .. } => Some(position),
+            LightKind::Point { position, .. } => Some((position, light.cone)),
             _ => None,
         };
         self.world.scene.lights.iter().filter_map(position).collect()
@@ -115,10 +115,11 @@ impl Search<'_> {
         Some(self.ray(world.walls.start_before(wall, position), direction))
     }
 
-    /// Samples a ray from a point light.
-    fn of_point(&self, position: Vector, samples: &mut Samples) -> Ray {
+    /// Samples a ray from a point light; `None` if it sends no light there.
+    fn of_point(&self, (position, cone): (Vector, Option<Cone>), samples: &mut Samples) -> Option<Ray> {
         let direction = Law::<1>::Sphere.direction(1, samples);
-        self.ray(self.world.walls.start_at(position), direction)
+        let is_lit = cone.is_none_or(|cone| cone.factor(direction) > 0.0);
+        is_lit.then(|| self.ray(self.world.walls.start_at(position), direction))
     }
 
     fn ray(&self, start: Start, direction: Vector) -> Ray {
@@ -170,12 +171,13 @@ impl Search<'_> {
             _ if !world.is_bright(met.wall, is_front) => return 0.0,
             MaterialKind::Diffuse { .. } => {
                 let direction = Law::<1>::Plane(normal).direction(1, samples);
-                Passage::Reflected(direction, self.optics.reflectances[interface.surface])
+                Passage::Reflected(direction, world.reflectance(&self.optics, met))
             }
             MaterialKind::Plastic { specular, index, .. } => {
                 let coat = (specular[self.optics.bands[0]], *index);
-                self.coated(coat, (ray.direction, normal), interface.surface, samples)
+                self.coated(coat, (ray.direction, normal), met, samples)
             }
+            MaterialKind::Rough(_) => self.roughened((met, &medium), (ray.direction, normal), samples),
             material => reflected(material, &self.optics, &medium, ray.direction, normal),
         };
         let (direction, [left], stays) = match passage {
@@ -192,18 +194,33 @@ impl Search<'_> {
         &self,
         (specular, index): (f64, f64),
         (direction, normal): (Vector, Vector),
-        surface: usize,
+        met: &Met,
         samples: &mut Samples,
     ) -> Passage<1> {
         let cosine = (-normal.dot(direction)).clamp(0.0, 1.0);
         if samples.one() < fresnel_dielectric(index, cosine) {
             return Passage::Reflected(mirrored(direction, normal), [specular]);
         }
-        let law = Law::<1>::Coated { normal, index };
+        let law: Law<1> = Law::Coated { normal, index };
         let direction = law.direction(1, samples);
         let (transmitted, _) = law.weights(direction, 1);
-        let [reflectance] = self.optics.reflectances[surface];
+        let [reflectance] = self.world.reflectance(&self.optics, met);
         Passage::Reflected(direction, transmitted.map(|part| (part * reflectance).min(1.0)))
+    }
+
+    /// Returns the reflection of a ray by a rough wall.
+    fn roughened(
+        &self,
+        (met, medium): (&Met, &MediumOptics<1>),
+        (direction, normal): (Vector, Vector),
+        samples: &mut Samples,
+    ) -> Passage<1> {
+        let Some(lobes) = self.world.lobes(&self.optics, medium, met, [normal, -direction]) else {
+            return Passage::Reflected(direction, [0.0]);
+        };
+        let law = Law::Rough(lobes);
+        let direction = law.direction(1, samples);
+        Passage::Reflected(direction, law.weights(direction, 1).0)
     }
 
     /// Finds a plane mirror that reflects everything to another one that faces it, where there is

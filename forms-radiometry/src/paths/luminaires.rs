@@ -14,7 +14,7 @@ use super::near_field::Near;
 use super::optics::largest;
 use crate::geometry::Vector;
 use crate::sampling::{Samples, chosen, shares};
-use crate::scene::{LightKind, Scene};
+use crate::scene::{Light, LightKind, Scene};
 use crate::visibility::{Met, Wall};
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -96,13 +96,8 @@ impl Luminaires {
         }
         let (mut beams, mut weights_of_beams) = (Vec::new(), Vec::new());
         for (index, light) in scene.lights.iter().enumerate() {
-            let (form, value) = match &light.kind {
-                LightKind::Point { position, intensity } => (Form::Point(*position), largest(intensity)),
-                LightKind::Distant { direction, irradiance } => {
-                    (Form::Distant(*direction), largest(irradiance))
-                }
-            };
-            let solid = if let Form::Point(_) = form { 4.0 } else { extent * extent };
+            let (form, value) = form_of(light);
+            let solid = if let Form::Distant(_) = form { extent * extent } else { 4.0 };
             powers.push(PI * solid * value);
             weights_of_beams.push(form.weight(value));
             beams.push(Luminaire { source: Source::Beam(index), form });
@@ -194,10 +189,21 @@ impl Luminaire {
     /// Returns a point of the light source, by a point of the unit square; `None` if it is distant.
     pub(super) fn point(&self, square: [f64; 2]) -> Option<Vector> {
         match self.form {
-            Form::Point(position) => Some(position),
+            Form::Point(position) | Form::Spot(position, _) => Some(position),
             Form::Distant(_) => None,
             shape => Some(shape.point(square).0),
         }
+    }
+}
+
+/// Returns the form of a light, and its largest intensity or irradiance.
+fn form_of(light: &Light) -> (Form, f64) {
+    match &light.kind {
+        LightKind::Point { position, intensity } => {
+            let form = light.cone.map_or(Form::Point(*position), |cone| Form::Spot(*position, cone));
+            (form, largest(intensity))
+        }
+        LightKind::Distant { direction, irradiance } => (Form::Distant(*direction), largest(irradiance)),
     }
 }
 

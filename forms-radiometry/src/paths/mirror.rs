@@ -24,9 +24,10 @@ pub(super) fn reflected<const N: usize>(
             let relative = |values: &[f64]| of_band(values, band) / medium.index;
             if band < count { fresnel_conductor(relative(eta), relative(k), cosine) } else { 0.0 }
         }),
-        MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Plastic { .. } => {
-            [0.0; N]
-        }
+        MaterialKind::Diffuse { .. }
+        | MaterialKind::Dielectric { .. }
+        | MaterialKind::Plastic { .. }
+        | MaterialKind::Rough(_) => [0.0; N],
     };
     Passage::Reflected(mirrored(direction, normal), factor)
 }

@@ -7,7 +7,7 @@ use crate::scene::{EnvironmentMap, Filling, LightKind, MaterialKind, Scene};
 pub(super) struct Optics<const N: usize> {
     media: Vec<MediumOptics<N>>,
     /// For each surface: the emitted radiance, and the reflectance of its material if that is a
-    /// number.
+    /// number, or a bound on it if the material is rough.
     pub(super) radiances: Vec<[f64; N]>,
     pub(super) reflectances: Vec<[f64; N]>,
     /// For each light: intensity or irradiance.
@@ -62,6 +62,7 @@ impl<const N: usize> Optics<N> {
             MaterialKind::Diffuse { reflectance }
             | MaterialKind::Mirror { reflectance }
             | MaterialKind::Plastic { reflectance, .. } => group(reflectance),
+            MaterialKind::Rough(rough) => group(&rough.albedo),
             MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => [0.0; N],
         };
         let beam = |light: &crate::scene::Light| match &light.kind {

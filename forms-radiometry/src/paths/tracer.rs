@@ -226,13 +226,16 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
             return continues;
         }
         if let MaterialKind::Diffuse { .. } = material {
-            path.throughput = times(&path.throughput, &self.optics.reflectances[interface.surface]);
+            path.throughput = times(&path.throughput, &self.world.reflectance(&self.optics, met));
             let start = self.world.walls.start_on(met, is_front);
             self.scatters(path, &Vertex { start, law: Law::Plane(normal) }, draws, add);
             return true;
         }
         if let MaterialKind::Plastic { .. } = material {
             return self.coated(path, met, (is_front, normal), draws, add);
+        }
+        if let MaterialKind::Rough(_) = material {
+            return self.roughened(path, met, medium, (is_front, normal), draws, add);
         }
         if L::MIRROR {
             let passage = reflected(material, &self.optics, medium, path.direction, normal);
@@ -350,7 +353,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     }
 
     /// Returns the vertex at a distance along the path.
-    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<N> {
+    fn scattering(&self, path: &Path<N>, medium: &MediumOptics<N>, distance: f64) -> Vertex<'_, N> {
         let position = path.start.position + distance * path.direction;
         let law = Law::Phase { forward: path.direction, asymmetry: medium.asymmetry };
         Vertex { start: self.world.walls.start_free(position), law }
@@ -365,7 +368,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         length: f64,
         pivot: Option<Vector>,
         samples: &mut Samples,
-    ) -> Option<(Path<N>, Vertex<N>)> {
+    ) -> Option<(Path<N>, Vertex<'_, N>)> {
         let ray = [path.start.position, path.direction];
         let (distance, factor) = medium.lit_point(ray, length, pivot, self.count(), samples)?;
         let mut lit = *path;

@@ -5,6 +5,7 @@
 //! plane    cos θ/π      a diffuse surface, or a flat receiver: E = π ∫ L cos θ/π dω
 //! sphere   1/(4π)       a receiver of light from all sides: φ = 4π ∫ L/(4π) dω
 //! coated   (1 − F) cos θ/π, a diffuse surface below a coat; not normalised
+//! rough    the bidirectional reflectance of microfacets times cos θ; not normalised
 //! phase    Henyey and Greenstein, of each band: light that a medium scatters
 //! ```
 //! All laws are densities of directions. If several bands have different laws, one band, selected
@@ -12,6 +13,7 @@
 
 use super::choice::Sought;
 use super::optics::mean;
+use super::rough_lobes::RoughLobes;
 use super::warps::{
     cosine_hemisphere_pdf, cosine_hemisphere_sample, fresnel_dielectric, henyey_greenstein,
     henyey_greenstein_direction_sample, uniform_sphere_pdf, uniform_sphere_sample,
@@ -22,13 +24,13 @@ use crate::visibility::Start;
 
 /// A point where light is scattered or received.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Vertex<const N: usize> {
+pub(super) struct Vertex<'w, const N: usize> {
     pub(super) start: Start,
-    pub(super) law: Law<N>,
+    pub(super) law: Law<'w, N>,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Law<const N: usize> {
+pub(super) enum Law<'w, const N: usize> {
     /// The unit normal of the side that receives.
     Plane(Vector),
     /// The unit normal of a diffuse base below a coat with this index.
@@ -36,6 +38,8 @@ pub(super) enum Law<const N: usize> {
         normal: Vector,
         index: f64,
     },
+    /// The lobes of a rough surface.
+    Rough(RoughLobes<'w, N>),
     Sphere,
     /// The direction of unscattered light, seen from the receiver, and the mean cosine of each
     /// band.
@@ -45,18 +49,19 @@ pub(super) enum Law<const N: usize> {
     },
 }
 
-impl<const N: usize> Vertex<N> {
+impl<const N: usize> Vertex<'_, N> {
     /// Returns the point for which lights are selected at the vertex.
     pub(super) fn sought(&self) -> Sought {
         let normal = match self.law {
             Law::Plane(normal) | Law::Coated { normal, .. } => Some(normal),
+            Law::Rough(lobes) => Some(lobes.normal()),
             Law::Sphere | Law::Phase { .. } => None,
         };
         Sought::at(self.start.position, normal)
     }
 }
 
-impl<const N: usize> Law<N> {
+impl<const N: usize> Law<'_, N> {
     /// Returns the density of a direction in each band.
     pub(super) fn density(&self, direction: Vector) -> [f64; N] {
         match self {
@@ -69,6 +74,7 @@ impl<const N: usize> Law<N> {
                 let transmitted = transmitted(*normal, *index, direction);
                 Self::Plane(*normal).density(direction).map(|density| transmitted * density)
             }
+            Self::Rough(lobes) => lobes.value(direction),
             Self::Sphere => [uniform_sphere_pdf(0.0, 0.0, 1.0); N],
             Self::Phase { forward, asymmetry } => {
                 let cosine = forward.dot(direction).clamp(-1.0, 1.0);
@@ -84,6 +90,7 @@ impl<const N: usize> Law<N> {
             Self::Plane(normal) | Self::Coated { normal, .. } => {
                 Frame::about(*normal).place(cosine_hemisphere_sample(u, v))
             }
+            Self::Rough(lobes) => lobes.sample([u, v]),
             Self::Sphere => {
                 let [x, y, z] = uniform_sphere_sample(u, v);
                 Vector::new(x, y, z)
@@ -99,13 +106,18 @@ impl<const N: usize> Law<N> {
     }
 
     /// Returns the density of each band relative to the density of the sampled direction, and the
-    /// latter. Below a coat the latter is that of the law, like [`density`](Self::density), so that
-    /// the MIS weights of both techniques agree.
+    /// latter. Below a coat, and on a rough surface, the latter is that of the law, like
+    /// [`density`](Self::density), so that the MIS weights of both techniques agree.
     pub(super) fn weights(&self, direction: Vector, count: usize) -> ([f64; N], f64) {
         let densities = self.density(direction);
         if let Self::Coated { normal, index } = self {
             // the direction was sampled without the coat
             return ([transmitted(*normal, *index, direction); N], densities[0]);
+        }
+        if let Self::Rough(lobes) = self {
+            let taken = lobes.density(direction);
+            let weight = |value: f64| if taken > 0.0 { value / taken } else { 0.0 };
+            return (densities.map(weight), mean(&densities, count));
         }
         let taken = mean(&densities, count);
         (densities.map(|density| density / taken), taken)

@@ -13,6 +13,7 @@ pub(super) use forms_kernels::free_flight_pdf::unguarded as free_flight_pdf;
 pub(super) use forms_kernels::free_flight_sample::unguarded as free_flight_sample;
 pub(super) use forms_kernels::fresnel_conductor::unguarded as fresnel_conductor;
 pub(super) use forms_kernels::fresnel_dielectric::unguarded as fresnel_dielectric;
+pub(super) use forms_kernels::ggx_visible_sample::unguarded as ggx_visible_sample;
 pub(super) use forms_kernels::henyey_greenstein::unguarded as henyey_greenstein;
 pub(super) use forms_kernels::henyey_greenstein_direction_sample::unguarded as henyey_greenstein_direction_sample;
 pub(super) use forms_kernels::spherical_triangle_pdf::unguarded as spherical_triangle_pdf;

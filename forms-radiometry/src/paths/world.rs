@@ -6,9 +6,14 @@ use super::environment_light::EnvironmentLight;
 use super::first_hit::FirstHit;
 use super::interface::Interface;
 use super::luminaires::{Front, Luminaires};
+use super::optics::{Optics, times};
+use super::rough_lobes::rough_coat;
 use super::shading_normals::ShadingNormals;
+use super::wall_textures::WallTextures;
 use crate::geometry::Vector;
-use crate::scene::{FilledInterface, Filling, MaterialKind, Piece, Scene, Surface, filled};
+use crate::scene::{
+    FilledInterface, Filling, MaterialKind, Piece, RoughTransmittance, Scene, Surface, filled,
+};
 use crate::visibility::{Met, ReceivingArea, Start, Wall, Walls};
 use rustc_hash::FxHashMap;
 use std::fmt;
@@ -41,6 +46,10 @@ pub(crate) struct World {
     faces: FxHashMap<[usize; 2], Front>,
     /// The interpolated normals of the walls of smooth meshes.
     shading: ShadingNormals,
+    /// The textures of the walls.
+    pub(super) textures: WallTextures,
+    /// The transmittance of the coat of each rough material that has one.
+    pub(super) rough_coats: Vec<Option<Box<RoughTransmittance>>>,
 }
 
 impl World {
@@ -64,15 +73,25 @@ impl World {
         }
         let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let fronts = of_surfaces.iter().map(front).collect();
-        let are_measured = scene.are_faces_measured();
-        let mut of_faces: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
-        for (wall, interface) in interfaces.iter().enumerate().filter(|(_, i)| are_measured[i.surface]) {
-            of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
-        }
+        let of_faces = measured_faces(&scene, &interfaces);
         let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
         let environment = scene.ambient.map.as_ref().map(EnvironmentLight::of);
+        let rough_coats = scene.materials.iter().map(rough_coat).collect();
+        let textures = WallTextures::of(&scene, &walls, &interfaces);
         let walls = Walls::of(walls);
-        Self { scene, walls, interfaces, luminaires, environment, chains, fronts, faces, shading }
+        Self {
+            scene,
+            walls,
+            interfaces,
+            luminaires,
+            environment,
+            chains,
+            fronts,
+            faces,
+            shading,
+            textures,
+            rough_coats,
+        }
     }
 
     /// Returns the walls of a receiving area, which has both sides of them.
@@ -97,7 +116,10 @@ impl World {
     /// Whether light from outside is found only by chance, at least via mirrors or boundaries.
     pub(crate) fn finds_outside_by_chance(&self) -> bool {
         let is_specular = |surface: &Surface| {
-            !matches!(self.scene.materials[surface.material].kind, MaterialKind::Diffuse { .. })
+            !matches!(
+                self.scene.materials[surface.material].kind,
+                MaterialKind::Diffuse { .. } | MaterialKind::Rough(_)
+            )
         };
         self.environment.is_none() || self.scene.surfaces.iter().any(is_specular)
     }
@@ -145,6 +167,23 @@ impl World {
         Side { is_front, normal: if is_front { front } else { -front }, is_smooth: normal.is_some() }
     }
 
+    /// Returns the reflectance at a place on a wall: that of its material times the factor of its
+    /// texture.
+    pub(super) fn reflectance<const N: usize>(&self, optics: &Optics<N>, met: &Met) -> [f64; N] {
+        self.textured(optics, met, &optics.reflectances[self.interfaces[met.wall].surface])
+    }
+
+    /// Returns a reflectance times the factor of the texture at a place on a wall.
+    pub(super) fn textured<const N: usize>(
+        &self,
+        optics: &Optics<N>,
+        met: &Met,
+        reflectance: &[f64; N],
+    ) -> [f64; N] {
+        let factor = self.textures.factor(met, optics.bands);
+        factor.map_or(*reflectance, |factor| times(reflectance, &factor))
+    }
+
     /// Returns the reflection law of a wall.
     pub(super) fn material(&self, wall: usize) -> &MaterialKind {
         &self.scene.materials[self.scene.surfaces[self.interfaces[wall].surface].material].kind
@@ -155,6 +194,16 @@ impl fmt::Debug for World {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("World").field("walls", &self.interfaces.len()).finish_non_exhaustive()
     }
+}
+
+/// Returns the walls of each face that receivers measure, by the indices of surface and face.
+fn measured_faces(scene: &Scene, interfaces: &[Interface]) -> FxHashMap<[usize; 2], Vec<usize>> {
+    let are_measured = scene.are_faces_measured();
+    let mut of_faces: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
+    for (wall, interface) in interfaces.iter().enumerate().filter(|(_, i)| are_measured[i.surface]) {
+        of_faces.entry([interface.surface, interface.part]).or_default().push(wall);
+    }
+    of_faces
 }
 
 /// Returns the convex walls of a sheet.

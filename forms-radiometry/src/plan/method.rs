@@ -22,7 +22,7 @@ use crate::faces::{faces, is_round};
 use crate::paths::driver::{Computable, expected_rays};
 use crate::paths::{Limits, World};
 use crate::radiosity::{Question, Shells, expected_cost};
-use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene};
+use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Surface};
 use std::sync::Arc;
 
 /// Cost of radiosity, in rays, below which it is not compared with that of path tracing: a fraction
@@ -90,13 +90,11 @@ pub(crate) enum Solver {
 /// with the normals of their faces in a vacuum, with numbers and maps of them, and with images only
 /// of flat surfaces with few faces.
 pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
-    let kind = |material: usize| &scene.materials[material].kind;
-    let is_directional = |material: usize| !matches!(kind(material), MaterialKind::Diffuse { .. });
-    if let Some(surface) = scene.surfaces.iter().find(|surface| is_directional(surface.material)) {
-        return Some(format!("the surface `{}` is not diffuse", surface.name));
+    if let Some(reason) = reason_of_surfaces(scene) {
+        return Some(reason);
     }
-    if let Some(surface) = scene.surfaces.iter().find(|surface| surface.shape.is_smooth()) {
-        return Some(format!("the surface `{}` has interpolated normals", surface.name));
+    if scene.lights.iter().any(|light| light.cone.is_some()) {
+        return Some("the intensity of a spot light depends on the direction".to_owned());
     }
     if scene.solve.events.is_some() {
         return Some("the number of events along a path is limited".to_owned());
@@ -123,6 +121,18 @@ pub(super) fn reason_for_paths(scene: &Scene) -> Option<String> {
         return Some(format!("the image `{}` is of curved surfaces", image.name));
     }
     (faces(scene, 0).len() > MANY).then(|| format!("the image `{}` is of more than {MANY} faces", image.name))
+}
+
+/// Returns the reason why the surfaces of a scene need path tracing, if there is one.
+fn reason_of_surfaces(scene: &Scene) -> Option<String> {
+    let kind = |surface: &Surface| &scene.materials[surface.material].kind;
+    let first = |is_it: &dyn Fn(&Surface) -> bool, what: &str| {
+        let surface = scene.surfaces.iter().find(|surface| is_it(surface))?;
+        Some(format!("the surface `{}` {what}", surface.name))
+    };
+    first(&|surface| !matches!(kind(surface), MaterialKind::Diffuse { .. }), "is not diffuse")
+        .or_else(|| first(&|surface| surface.texture.is_some(), "has a texture"))
+        .or_else(|| first(&|surface| surface.shape.is_smooth(), "has interpolated normals"))
 }
 
 /// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by

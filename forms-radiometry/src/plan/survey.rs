@@ -243,7 +243,12 @@ fn spreads(scene: &Scene) -> [f64; 2] {
     let spread_of = |lists: &dyn Fn(usize) -> Vec<f64>| {
         (0..scene.surfaces.len()).map(|surface| half_spread(&lists(surface))).fold(0.0, f64::max)
     };
-    let of_albedo = spread_of(&|surface| reflectance(scene, surface).to_vec());
+    let of_albedo = spread_of(&|surface| {
+        let reflectance = reflectance(scene, surface).to_vec();
+        // the colour of a texture can be that of any band
+        let black = scene.surfaces[surface].texture.as_ref().filter(|_| reflectance.len() > 1).map(|_| 0.0);
+        reflectance.into_iter().chain(black).collect()
+    });
     let of_light = spread_of(&|surface| scene.surfaces[surface].radiance.clone())
         .max(half_spread_of_ambient(scene))
         .max(scene.lights.iter().map(half_spread_of_light).fold(0.0, f64::max));
@@ -280,6 +285,7 @@ fn has_spread_of_media(scene: &Scene) -> bool {
         MaterialKind::Plastic { reflectance, specular, .. } => {
             half_spread(reflectance) > 0.0 || half_spread(specular) > 0.0
         }
+        MaterialKind::Rough(rough) => rough.spectra().any(|values| half_spread(values) > 0.0),
         MaterialKind::Diffuse { .. } | MaterialKind::Dielectric { .. } => false,
     });
     of_media || of_materials

@@ -1,7 +1,7 @@
 //! Diffuse reflectance of surfaces and faces.
 
 use crate::faces::is_bright;
-use crate::scene::{MaterialKind, Scene};
+use crate::scene::Scene;
 use crate::visibility::Face;
 
 /// Whether a surface reflects light in any band.
@@ -14,10 +14,8 @@ pub(crate) fn is_reflecting(scene: &Scene, face: &Face) -> bool {
     is_bright(scene, face) && reflects(scene, face.surface)
 }
 
-/// Returns the diffuse reflectance of a surface, for each band.
+/// Returns the diffuse reflectance of a surface, for each band; of a rough surface or one with a texture,
+/// a bound.
 pub(crate) fn reflectance(scene: &Scene, surface: usize) -> &[f64] {
-    match &scene.materials[scene.surfaces[surface].material].kind {
-        MaterialKind::Diffuse { reflectance } | MaterialKind::Plastic { reflectance, .. } => reflectance,
-        MaterialKind::Mirror { .. } | MaterialKind::Dielectric { .. } | MaterialKind::Conductor { .. } => &[],
-    }
+    scene.materials[scene.surfaces[surface].material].kind.diffuse_reflectance()
 }

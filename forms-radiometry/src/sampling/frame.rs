@@ -22,6 +22,11 @@ impl Frame {
         Self { along, across, axis }
     }
 
+    /// Returns the coordinates of a vector in the frame.
+    pub(crate) fn coordinates(self, vector: Vector) -> [f64; 3] {
+        [self.along, self.across, self.axis].map(|axis| axis.dot(vector))
+    }
+
     /// Returns the vector with these coordinates in the frame.
     pub(crate) fn place(self, [x, y, z]: [f64; 3]) -> Vector {
         x * self.along + y * self.across + z * self.axis

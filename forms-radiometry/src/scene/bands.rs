@@ -17,22 +17,7 @@ impl Scene {
                 merge(values);
             }
         }
-        for material in &mut scene.materials {
-            match &mut material.kind {
-                MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
-                    merge(reflectance);
-                }
-                MaterialKind::Plastic { reflectance, specular, .. } => {
-                    merge(reflectance);
-                    merge(specular);
-                }
-                MaterialKind::Conductor { eta, k } => {
-                    merge(eta);
-                    merge(k);
-                }
-                MaterialKind::Dielectric { .. } => {}
-            }
-        }
+        scene.merge_materials();
         scene.surfaces.iter_mut().for_each(|surface| merge(&mut surface.radiance));
         for light in &mut scene.lights {
             match &mut light.kind {
@@ -46,6 +31,33 @@ impl Scene {
             None => merge(&mut ambient.radiance),
         }
         scene
+    }
+
+    /// Reduces the materials, and the textures of surfaces, to a single band.
+    fn merge_materials(&mut self) {
+        for surface in &mut self.surfaces {
+            if let Some(texture) = &mut surface.texture {
+                let most = self.materials[surface.material].kind.diffuse_reflectance();
+                *texture = texture.with_one_band(most);
+            }
+        }
+        for material in &mut self.materials {
+            match &mut material.kind {
+                MaterialKind::Diffuse { reflectance } | MaterialKind::Mirror { reflectance } => {
+                    merge(reflectance);
+                }
+                MaterialKind::Plastic { reflectance, specular, .. } => {
+                    merge(reflectance);
+                    merge(specular);
+                }
+                MaterialKind::Conductor { eta, k } => {
+                    merge(eta);
+                    merge(k);
+                }
+                MaterialKind::Rough(rough) => rough.change_spectra(merge),
+                MaterialKind::Dielectric { .. } => {}
+            }
+        }
     }
 }
 

@@ -10,15 +10,18 @@
 //! Every property of an object that the translation does not use is reported as an error. After an
 //! error, parsing continues with a default value, since the scene is rejected anyway.
 
+mod bitmap;
 mod bsdf;
 mod checkerboard;
 mod document;
 mod emitter;
 mod environment;
+mod geometry;
 mod instance;
 mod integrator;
 mod media;
 mod metals;
+mod microfacets;
 mod normals;
 mod object;
 mod parameters;
@@ -26,6 +29,7 @@ mod sensor;
 mod shape;
 mod spectrum;
 mod surroundings;
+mod textured;
 mod transform;
 mod values;
 
@@ -168,7 +172,7 @@ impl<'a> Reader<'a, '_, '_> {
             "shape" => self.top_shape(node),
             "emitter" => self.emitter(node),
             // an unsupported texture is reported even if nothing refers to it
-            "texture" if self.kind(node) != "checkerboard" => self.texture(node),
+            "texture" if !matches!(&*self.kind(node), "bitmap" | "checkerboard") => self.texture(node),
             // these are read where other elements refer to them
             "sampler" | "film" | "rfilter" | "texture" => {}
             "alias" => {

@@ -1,9 +1,12 @@
 //! Model of a scene: its geometry and materials, its receivers, and the required accuracy.
 
+use super::cone::Cone;
 use super::effect::ForcedEffect;
 use super::environment_map::EnvironmentMap;
 use super::place::Place;
+use super::rough::Rough;
 pub use super::shape::Shape;
+use super::texture::Texture;
 use crate::camera::Camera;
 use crate::geometry::Vector;
 use std::f64::consts::PI;
@@ -139,14 +142,26 @@ pub enum MaterialKind {
         /// Index of the coat relative to the medium in front of it, above 1.
         index: f64,
     },
+    /// Reflection by the microfacets of a rough surface.
+    Rough(Rough),
 }
 
 impl MaterialKind {
+    /// Returns the diffuse reflectance in each band, or of a rough surface a bound on its reflectance;
+    /// none if the material does not scatter light.
+    pub(crate) fn diffuse_reflectance(&self) -> &[f64] {
+        match self {
+            Self::Diffuse { reflectance } | Self::Plastic { reflectance, .. } => reflectance,
+            Self::Rough(rough) => &rough.albedo,
+            Self::Mirror { .. } | Self::Dielectric { .. } | Self::Conductor { .. } => &[],
+        }
+    }
+
     /// Returns the reflectance in a band; `None` where it depends on the direction of light.
     pub(crate) fn reflectance_in(&self, band: usize) -> Option<f64> {
         match self {
             Self::Diffuse { reflectance } | Self::Mirror { reflectance } => Some(reflectance[band]),
-            Self::Dielectric { .. } | Self::Conductor { .. } | Self::Plastic { .. } => None,
+            Self::Dielectric { .. } | Self::Conductor { .. } | Self::Plastic { .. } | Self::Rough(_) => None,
         }
     }
 }
@@ -168,6 +183,9 @@ pub struct Surface {
     /// Whether the back reflects and emits like the front. The back of a one-sided surface is
     /// black; such a surface occludes from both sides.
     pub two_sided: bool,
+    /// The dependence of its reflectance on the place. The reflectance of the material is then the
+    /// largest of any place.
+    pub texture: Option<Texture>,
     /// The place of its shape in the file.
     pub place: Place,
 }
@@ -198,6 +216,8 @@ pub struct Light {
     pub name: String,
     /// Position or direction, and emission.
     pub kind: LightKind,
+    /// The cone of a spot light, which is a point light otherwise.
+    pub cone: Option<Cone>,
     /// The place of its kind in the file.
     pub place: Place,
 }

@@ -74,7 +74,7 @@ impl Refusals {
         let around = |band: usize| scene.ambient.medium.map_or(1.0, |medium| scene.media[medium].index[band]);
         for surface in scene.surfaces.iter().filter(|_| !scene.lights.is_empty()) {
             let [bends, mirrors] = match &scene.materials[surface.material].kind {
-                MaterialKind::Diffuse { .. } => [false; 2],
+                MaterialKind::Diffuse { .. } | MaterialKind::Rough(_) => [false; 2],
                 MaterialKind::Plastic { .. } if is_off(Effect::Mirror) => [false; 2],
                 MaterialKind::Plastic { .. } => {
                     self.coat(surface);

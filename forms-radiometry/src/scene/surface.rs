@@ -69,6 +69,7 @@ pub(super) fn read(
         radiance: radiance.clone(),
         exitance: exitance.clone(),
         two_sided,
+        texture: None,
         place: report.place(place.clone()),
     };
     shapes.into_iter().map(surface).collect()

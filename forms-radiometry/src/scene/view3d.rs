@@ -267,6 +267,7 @@ fn surface(report: &mut Report, materials: &mut Vec<Material>, name: String, row
         radiance: vec![0.0],
         exitance: None,
         two_sided: false,
+        texture: None,
         place: report.place(first.place.clone()),
     }
 }

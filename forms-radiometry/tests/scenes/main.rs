@@ -11,12 +11,15 @@ mod meshes;
 mod mitsuba;
 mod mitsuba_errors;
 mod mitsuba_files;
+mod mitsuba_images;
 mod mitsuba_media;
 mod mitsuba_objects;
+mod mitsuba_rough;
 mod mitsuba_spectra;
 mod mitsuba_textures;
 mod overlaps;
 mod page;
+mod spots;
 mod subsurfaces;
 mod view3d;
 

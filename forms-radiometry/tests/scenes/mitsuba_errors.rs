@@ -17,8 +17,8 @@ const CASES: &[(&str, &str, &str)] = &[
     ("    <bsdf type=\"twosided\"", "text <bsdf type=\"twosided\"", "unexpected text"),
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
-        "<bsdf type=\"conductor\" id=\"mirror\"/><texture type=\"bitmap\"/>",
-        "a texture of type `bitmap` is not supported",
+        "<bsdf type=\"conductor\" id=\"mirror\"/><texture type=\"volume\"/>",
+        "a texture of type `volume` is not supported",
     ),
     (
         "<bsdf type=\"conductor\" id=\"mirror\"/>",
@@ -38,16 +38,12 @@ const CASES: &[(&str, &str, &str)] = &[
         "<integer name=\"samples\" value=\"1\"/>",
         "`integer` named `samples` is not supported in an integrator of type `volpath`",
     ),
-    (
-        "<bsdf type=\"diffuse\">",
-        "<bsdf type=\"roughplastic\">",
-        "a bsdf of type `roughplastic` is not supported",
-    ),
+    ("<bsdf type=\"diffuse\">", "<bsdf type=\"principled\">", "a bsdf of type `principled` is not supported"),
     ("<bsdf type=\"diffuse\">", "<bsdf type=\"null\">", "a bsdf of type `null` cannot be two-sided"),
     (
         "<rgb name=\"reflectance\" value=\"0.7, 0.6, 0.5\"/>",
-        "<texture name=\"reflectance\" type=\"bitmap\"/>",
-        "a texture of type `bitmap` is not supported",
+        "<texture name=\"reflectance\" type=\"volume\"/>",
+        "a texture of type `volume` is not supported",
     ),
     ("0.7, 0.6, 0.5", "0.7, 0.6, 1.5", "`reflectance` is out of range"),
     ("0.7, 0.6, 0.5", "0.7, 0.6", "`reflectance` has 2 values"),
@@ -135,7 +131,7 @@ const CASES: &[(&str, &str, &str)] = &[
         "an emitter of type `directionalarea` is not supported",
     ),
     ("<rgb name=\"radiance\" value=\"18, 11, 3\"/>", "", "this emitter has no `radiance`"),
-    ("type=\"point\"", "type=\"spot\"", "an emitter of type `spot` is not supported"),
+    ("type=\"point\"", "type=\"projector\"", "an emitter of type `projector` is not supported"),
     ("z=\"-2\"", "z=\"0\"", "the direction has length zero"),
     (
         "<emitter type=\"directional\" id=\"sun\">",

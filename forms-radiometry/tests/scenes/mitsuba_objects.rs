@@ -168,12 +168,12 @@ fn integrators_of_further_quantities_are_read_as_the_one_they_contain() {
 
 #[test]
 fn an_unsupported_kind_is_reported_once() {
-    let texture = "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"/></bsdf>";
+    let texture = "<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>";
     let shape = format!("<shape type=\"sphere\">{texture}</shape>");
     let found =
         errors(&text(&format!("{shape}{shape}{shape}<shape type=\"cone\"/><shape type=\"cone\"/>")), FILE);
     let messages: Vec<_> = found.iter().map(|error| &*error.message).collect();
-    let expected = ["a texture of type `bitmap` is not supported", "a shape of type `cone` is not supported"];
+    let expected = ["a texture of type `volume` is not supported", "a shape of type `cone` is not supported"];
     assert_eq!(messages, expected);
 }
 

@@ -3,12 +3,17 @@
 
 use super::checkerboard::{COLOURS, Checkerboard};
 use super::metals::{METALS, Metal};
+use super::microfacets::{microfacets, rough_metal, rough_plastic};
 use super::object::Object;
 use super::{Node, Reader};
 use crate::scene::element::unique;
+use crate::scene::microfacets::Microfacets;
 use crate::scene::model::{Material, MaterialKind};
+use crate::scene::rough::Facet;
+use crate::scene::texture::Pattern;
 use crate::scene::value::{FRACTION, NOT_NEGATIVE, POSITIVE, one_of};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A parsed `<bsdf>`.
 #[derive(Clone, Debug)]
@@ -24,6 +29,8 @@ pub(super) struct Bsdf {
 pub(super) enum Law {
     /// A law that does not depend on the shape.
     Opaque(MaterialKind),
+    /// A law whose reflectance depends on the place, with the largest reflectance of any place.
+    Textured(MaterialKind, Arc<Pattern>),
     /// Diffuse reflection in two colours.
     Checkered(Checkerboard),
     /// A boundary between media of these indices.
@@ -69,7 +76,10 @@ const INDICES: [(&str, f64); 23] = [
     ("diamond", 2.419),
 ];
 
-const KINDS: [&str; 6] = ["diffuse", "conductor", "plastic", "dielectric", "twosided", "null"];
+const KINDS: [&str; 8] =
+    ["diffuse", "conductor", "roughconductor", "plastic", "roughplastic", "dielectric", "twosided", "null"];
+/// Properties of rough materials.
+const ROUGHNESS: [&str; 4] = ["distribution", "alpha", "alpha_u", "alpha_v"];
 
 impl Bsdf {
     /// Parses a `<bsdf>`, only once even if it is referenced several times.
@@ -152,7 +162,7 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let kind = reader.kind(inner);
     if matches!(&*kind, "dielectric" | "null" | "twosided") {
         let message = format!("a bsdf of type `{kind}` cannot be two-sided");
-        reader.error(inner, message, "`diffuse`, `conductor` or `plastic`");
+        reader.error(inner, message, "`diffuse`, `conductor`, `roughconductor`, `plastic` or `roughplastic`");
         return Law::Wrong;
     }
     Bsdf::read(reader, inner).law
@@ -160,24 +170,23 @@ fn two_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 
 fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
     match &*object.kind {
-        "diffuse" => {
-            if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
-                reader.finish(object, &["reflectance"]);
-                return Law::Checkered(board);
-            }
-            let grey = vec![0.5; reader.bands];
-            let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
-            reader.finish(object, &["reflectance"]);
-            Law::Opaque(MaterialKind::Diffuse { reflectance })
+        "diffuse" => diffuse(reader, object),
+        "conductor" => conductor(reader, object, None),
+        "roughconductor" => {
+            let facets = microfacets(reader, &mut object);
+            conductor(reader, object, Some(facets))
         }
-        "conductor" => conductor(reader, object),
         "dielectric" => {
             let (inside, _) = index(reader, &mut object, "int_ior", "bk7");
             let (outside, outside_place) = index(reader, &mut object, "ext_ior", "air");
             reader.finish(object, &["int_ior", "ext_ior"]);
             Law::Dielectric { inside, outside, outside_place }
         }
-        "plastic" => plastic(reader, object),
+        "plastic" => plastic(reader, object, None),
+        "roughplastic" => {
+            let facets = microfacets(reader, &mut object);
+            plastic(reader, object, Some(facets))
+        }
         "null" => {
             reader.finish(object, &[]);
             Law::Null
@@ -189,9 +198,29 @@ fn one_sided<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     }
 }
 
+/// Returns the law of diffuse reflection.
+fn diffuse<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+    if let Some(board) = reader.take_checkerboard(&mut object, "reflectance") {
+        reader.finish(object, &["reflectance"]);
+        return Law::Checkered(board);
+    }
+    let textured = reader.take_pattern(&mut object, "reflectance", 0.0);
+    let grey = vec![0.5; reader.bands];
+    let reflectance = reader.colour(&mut object, "reflectance", &FRACTION).unwrap_or(grey);
+    reader.finish(object, &["reflectance"]);
+    match textured {
+        Some((pattern, most)) => Law::Textured(MaterialKind::Diffuse { reflectance: most }, pattern),
+        None => Law::Opaque(MaterialKind::Diffuse { reflectance }),
+    }
+}
+
 /// Returns the law of a metal with index η + ik, given by name or by numbers; without an index, or
-/// with the material `none`, a perfect mirror.
-fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+/// with the material `none`, a perfect mirror. With microfacets, it is rough.
+fn conductor<'a>(
+    reader: &mut Reader<'a, '_, '_>,
+    mut object: Object<'a>,
+    facets: Option<Microfacets>,
+) -> Law {
     let metal = named_metal(reader, &mut object);
     if metal.is_some() && (object.has("eta") || object.has("k")) {
         let message = "this conductor has both a `material` and an index";
@@ -202,13 +231,14 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
     let k = reader.colour(&mut object, "k", &NOT_NEGATIVE).or(metal.map(|metal| metal.k.to_vec()));
     let reflectance = reader.colour(&mut object, "specular_reflectance", &FRACTION);
     let node = object.node;
-    reader.finish(object, &["material", "eta", "k", "specular_reflectance"]);
-    match (eta, k, reflectance) {
-        (None, None, reflectance) => {
-            let reflectance = reflectance.unwrap_or_else(|| vec![1.0; reader.bands]);
-            Law::Opaque(MaterialKind::Mirror { reflectance })
-        }
-        (Some(eta), Some(k), reflectance) => {
+    let known = ["material", "eta", "k", "specular_reflectance"];
+    reader.finish(object, &[&known[..], if facets.is_some() { &ROUGHNESS } else { &[] }].concat());
+    let specular = reflectance.clone().unwrap_or_else(|| vec![1.0; reader.bands]);
+    match (eta, k, facets) {
+        (None, None, None) => Law::Opaque(MaterialKind::Mirror { reflectance: specular }),
+        (None, None, Some(facets)) => rough_metal(facets, Facet::Mirror, specular),
+        (Some(eta), Some(k), Some(facets)) => rough_metal(facets, Facet::Conductor { eta, k }, specular),
+        (Some(eta), Some(k), None) => {
             if reflectance.is_some_and(|reflectance| reflectance.iter().any(|&r| r != 1.0)) {
                 let message = "a `specular_reflectance` other than 1 is not supported for a conductor \
                                with `eta` and `k`";
@@ -226,29 +256,41 @@ fn conductor<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law
 
 /// Returns the law of a diffuse base below a smooth coat. The base reflects ρ/(η² (1 − ρ F)), where F is
 /// the diffuse reflectance of the coat from inside; by default Mitsuba takes ρ as white in the
-/// denominator.
-fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>) -> Law {
+/// denominator. With microfacets, the coat is rough.
+fn plastic<'a>(reader: &mut Reader<'a, '_, '_>, mut object: Object<'a>, facets: Option<Microfacets>) -> Law {
     let or = |value: Option<Vec<f64>>, default: f64, bands: usize| value.unwrap_or(vec![default; bands]);
-    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
-    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
     let (inside, _) = index(reader, &mut object, "int_ior", "polypropylene");
     let (outside, place) = index(reader, &mut object, "ext_ior", "air");
     let is_nonlinear = reader.boolean(&mut object, "nonlinear", false, false);
-    let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
-    reader.finish(object, &known);
     let n = inside / outside;
-    if !(n > 1.0 && n.is_finite()) {
-        reader.report.error(
-            place,
-            "the coat of a plastic has no larger index than its exterior",
-            "`int_ior` above `ext_ior`",
-        );
+    let is_coat = n > 1.0 && n.is_finite();
+    let inner = match facets {
+        _ if !is_coat => 0.0,
+        Some(facets) => facets.inner_reflectance(n),
+        None => diffuse_reflectance_from_inside(n),
+    };
+    let textured =
+        reader.take_pattern(&mut object, "diffuse_reflectance", if is_nonlinear { inner } else { 0.0 });
+    let base = or(reader.colour(&mut object, "diffuse_reflectance", &FRACTION), 0.5, reader.bands);
+    let specular = or(reader.colour(&mut object, "specular_reflectance", &FRACTION), 1.0, reader.bands);
+    let known = ["diffuse_reflectance", "specular_reflectance", "int_ior", "ext_ior", "nonlinear"];
+    reader.finish(object, &[&known[..], if facets.is_some() { &ROUGHNESS } else { &[] }].concat());
+    if !is_coat {
+        let message = "the coat of a plastic has no larger index than its exterior";
+        reader.report.error(place, message, "`int_ior` above `ext_ior`");
         return Law::Wrong;
     }
-    let inner = diffuse_reflectance_from_inside(n);
+    let base = textured.as_ref().map_or(&base, |(_, most)| most);
     let of_band = |rho: &f64| rho / (n * n * (1.0 - inner * if is_nonlinear { *rho } else { 1.0 }));
     let reflectance = base.iter().map(of_band).collect();
-    Law::Opaque(MaterialKind::Plastic { reflectance, specular, index: n })
+    let kind = match facets {
+        None => MaterialKind::Plastic { reflectance, specular, index: n },
+        Some(facets) => rough_plastic(facets, n, specular, reflectance),
+    };
+    match textured {
+        Some((pattern, _)) => Law::Textured(kind, pattern),
+        None => Law::Opaque(kind),
+    }
 }
 
 /// Returns the diffuse reflectance of a boundary from inside of a medium with this relative index: a

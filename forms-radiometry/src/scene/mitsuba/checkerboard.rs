@@ -9,12 +9,13 @@
 //! normals are linear on a triangle, so that nothing is approximated.
 
 use super::bsdf::Bsdf;
+use super::geometry::Geometry;
 use super::normals::SmoothMesh;
 use super::object::Object;
-use super::shape::Geometry;
 use super::{Node, Reader};
 use crate::geometry::{Affine, Corners, FaceList, Mesh, Polygon, Vector};
 use crate::scene::model::{Shape, Surface};
+use crate::scene::texture::{Pattern, Picture};
 use crate::scene::value::FRACTION;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -30,7 +31,7 @@ pub(super) const COLOURS: [&str; 2] = ["color0", "color1"];
 pub(super) struct Checkerboard {
     pub(super) colours: [Vec<f64>; 2],
     /// The map of texture coordinates, of which z is ignored.
-    to_uv: Affine,
+    pub(super) to_uv: Affine,
 }
 
 /// The fields of one colour: a mesh, and its normals.
@@ -51,19 +52,11 @@ struct Corner {
 impl<'a> Reader<'a, '_, '_> {
     /// Takes the checkerboard that a property of an object is, or refers to.
     pub(super) fn take_checkerboard(&mut self, object: &mut Object<'a>, name: &str) -> Option<Checkerboard> {
-        let node = object.left().find(|node| node.attribute("name") == Some(name))?;
-        let texture = match node.has_tag_name("ref") {
-            true => node.attribute("id").and_then(|id| self.ids.get(id).copied())?,
-            false => node,
-        };
-        if !texture.has_tag_name("texture") || self.kind(texture) != "checkerboard" {
-            return None;
-        }
-        object.take(name);
+        let texture = self.take_texture(object, name, &["checkerboard"])?;
         Some(self.checkerboard(texture))
     }
 
-    fn checkerboard(&mut self, node: Node<'a>) -> Checkerboard {
+    pub(super) fn checkerboard(&mut self, node: Node<'a>) -> Checkerboard {
         let mut object = self.object(node);
         let mut colour = |name: &str, default: f64| {
             let colour = self.colour(&mut object, name, &FRACTION);
@@ -87,9 +80,7 @@ impl Reader<'_, '_, '_> {
         let both = match board.fields_of(geometry) {
             Ok(both) => both,
             Err(reason) => {
-                let message = format!("the shape `{}` {reason}, which is not supported", surface.name);
-                let expected = "a reflectance without a texture of type `checkerboard`";
-                self.report.error_at(&surface.place, message, expected);
+                self.without_coordinates(&surface, reason);
                 return;
             }
         };
@@ -112,6 +103,13 @@ impl Reader<'_, '_, '_> {
 }
 
 impl Checkerboard {
+    /// Returns the same checkerboard as a pattern, and its largest value in each band.
+    pub(super) fn pattern(&self, bands: usize) -> (Arc<Pattern>, Vec<f64>) {
+        let (pattern, most) =
+            Pattern::new(Picture::Checkerboard(self.colours.clone()), self.to_uv, 0.0, bands);
+        (Arc::new(pattern), most)
+    }
+
     /// Returns the fields of each colour of a shape, or the reason why there are none.
     fn fields_of(&self, geometry: &Geometry) -> Result<[Fields; 2], &'static str> {
         let mesh = match &geometry.shape {

@@ -1,16 +1,29 @@
-//! Emitters of the scene: parses `<emitter>` into a point light, a distant light, or light from
-//! outside.
+//! Emitters of the scene: parses `<emitter>` into a point light, a spot light, a distant light, or
+//! light from outside.
 
 use super::object::Object;
 use super::{Node, Reader};
 use crate::geometry::{Affine, Vector};
+use crate::scene::cone::Cone;
 use crate::scene::environment_map::EnvironmentMap;
+use crate::scene::light::{BEAM_PART, HALF_ANGLE, WIDE_BEAM};
 use crate::scene::model::{Light, LightKind};
 use crate::scene::value::NOT_NEGATIVE;
 
 /// Properties of emitters outside shapes.
-const KNOWN: [&str; 8] =
-    ["to_world", "position", "intensity", "direction", "irradiance", "radiance", "filename", "scale"];
+const KNOWN: [&str; 10] = [
+    "to_world",
+    "position",
+    "intensity",
+    "direction",
+    "irradiance",
+    "radiance",
+    "filename",
+    "scale",
+    "cutoff_angle",
+    "beam_width",
+];
+const KINDS: [&str; 5] = ["point", "spot", "directional", "constant", "envmap"];
 
 impl<'a> Reader<'a, '_, '_> {
     pub(super) fn emitter(&mut self, node: Node<'a>) {
@@ -21,12 +34,14 @@ impl<'a> Reader<'a, '_, '_> {
         let mut object = self.object(node);
         self.placed_once(&object);
         let to_world = self.transform(&mut object);
+        let mut cone = None;
         let kind = match &*object.kind {
-            "point" => {
-                let position = self.vector(&mut object, "position");
-                let position = position.unwrap_or_else(|| to_world.point(Vector::default()));
+            "point" => Some(self.point(&mut object, &to_world)),
+            "spot" => {
+                cone = self.cone(&mut object, &to_world);
+                let position = to_world.point(Vector::default());
                 let intensity = self.required_colour(&mut object, "intensity", &NOT_NEGATIVE);
-                Some(LightKind::Point { position, intensity })
+                cone.map(|_| LightKind::Point { position, intensity })
             }
             "directional" => self.directional(&mut object, &to_world),
             "constant" => {
@@ -38,14 +53,41 @@ impl<'a> Reader<'a, '_, '_> {
                 None
             }
             _ => {
-                self.unknown(&mut object, &["point", "directional", "constant", "envmap"]);
+                self.unknown(&mut object, &KINDS);
                 return;
             }
         };
         let name = node.attribute("id").unwrap_or_default().to_owned();
         self.finish(object, &KNOWN);
         let place = self.report.place(node.range());
-        self.lights.extend(kind.map(|kind| Light { name, kind, place }));
+        self.lights.extend(kind.map(|kind| Light { name, kind, cone, place }));
+    }
+
+    fn point(&mut self, object: &mut Object<'a>, to_world: &Affine) -> LightKind {
+        let position = self.vector(object, "position");
+        let position = position.unwrap_or_else(|| to_world.point(Vector::default()));
+        let intensity = self.required_colour(object, "intensity", &NOT_NEGATIVE);
+        LightKind::Point { position, intensity }
+    }
+
+    /// Returns the cone of a spot light, which shines along z.
+    fn cone(&mut self, object: &mut Object<'a>, to_world: &Affine) -> Option<Cone> {
+        let cutoff = self.float(object, "cutoff_angle", 20.0, &HALF_ANGLE);
+        let beam = self.float(object, "beam_width", BEAM_PART * cutoff, &HALF_ANGLE);
+        if let Some(texture) = object.take("texture") {
+            self.texture(texture);
+        }
+        if beam > cutoff {
+            self.error(object.node, WIDE_BEAM, "a `beam_width` up to `cutoff_angle`");
+            return None;
+        }
+        if to_world.scale(3).is_none() {
+            let message = "non-uniform scaling of a spot light is not supported";
+            self.error(object.node, message, "a rotation and a translation");
+            return None;
+        }
+        let axis = to_world.vector(Vector::new(0.0, 0.0, 1.0)).unit()?;
+        Some(Cone { axis, beam: beam.to_radians(), cutoff: cutoff.to_radians() })
     }
 
     fn directional(&mut self, object: &mut Object<'a>, to_world: &Affine) -> Option<LightKind> {

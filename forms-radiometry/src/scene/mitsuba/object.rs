@@ -99,7 +99,7 @@ impl<'a> Reader<'a, '_, '_> {
         self.report.error(place, message, one_of(known.iter().copied()));
     }
 
-    /// Reports a texture: all values are uniform.
+    /// Reports a texture that is not supported where it stands.
     pub(super) fn texture(&mut self, node: Node<'a>) {
         let object = self.object(node);
         if self.refused.insert(described(node, &object.kind)) {

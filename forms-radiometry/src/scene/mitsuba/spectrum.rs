@@ -19,13 +19,14 @@ const TEMPERATURE: Domain =
     Domain { expected: "a temperature in K, above 0 and up to 1e6", contains: |x| x > 0.0 && x <= 1e6 };
 
 /// Whether a property has a value for each band: a colour, a table, a black body, the name of a metal,
-/// or an environment map.
+/// an image, or an environment map.
 pub(super) fn has_bands(node: Node, value: impl Fn(&str) -> Option<String>) -> bool {
     let is_table = || node.attribute("value").and_then(value).is_some_and(|value| value.contains(':'));
     match node.tag_name().name() {
         "rgb" => true,
         "string" => node.attribute("name") == Some("material") && is_metal(node),
         "emitter" => node.attribute("type") == Some("envmap"),
+        "texture" => node.attribute("type") == Some("bitmap"),
         "spectrum" => node.attribute("type") == Some("blackbody") || is_table(),
         _ => false,
     }
