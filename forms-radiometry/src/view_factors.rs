@@ -38,6 +38,8 @@ const LEAST: f64 = 1e-3;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Number of surfaces that an error message names, those with the largest view factors.
 const NAMED: usize = 8;
+/// Number of standard errors by which a sum of sampled view factors may exceed 1.
+const DEVIATIONS: f64 = 5.0;
 /// Number of rays beyond which the row of a scene with disks or spheres is found by pairs of flat
 /// faces, whatever their error.
 const MOST_RAYS: f64 = 1e10;
@@ -203,15 +205,18 @@ impl Row {
     /// Returns an error of the scene if this row of a surface has a sum above 1 by more than its
     /// error: surfaces to which it sends light overlap.
     pub fn contradiction(&self, scene: &Scene, surface: usize) -> Option<SceneError> {
-        if self.sum() <= 1.0 + self.sum_error() {
+        let error = match self.kind {
+            ErrorKind::Sigma => DEVIATIONS * self.sum_error(),
+            ErrorKind::Bound | ErrorKind::Estimate => self.sum_error(),
+        };
+        if self.sum() <= 1.0 + error {
             return None;
         }
         let message = format!(
             "the view factors of `{}` sum to {:.6}, above 1 by more than the error of \
-             the sum, {:.1e}: {}",
+             the sum, {error:.1e}: {}",
             scene.surfaces[surface].name,
             self.sum(),
-            self.sum_error(),
             self.contributors(scene),
         );
         let expected = "surfaces that do not overlap or pass through each other";

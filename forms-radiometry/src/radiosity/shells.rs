@@ -61,10 +61,10 @@ impl Shells {
     /// Returns the shells of a scene of diffuse surfaces in a vacuum, if it consists of nothing else
     /// and its receivers are surfaces, points that are not on a sphere, and rays.
     pub(crate) fn of(scene: &Scene, effects: &SimulatedEffects) -> Option<Self> {
-        let simulates_light = effects.has(Effect::Direct) && effects.hiding != Hiding::LeftOut;
+        let is_hidden = effects.hiding != Hiding::LeftOut;
         let diffuse = |kind: &MaterialKind| matches!(kind, MaterialKind::Diffuse { .. });
         let are_diffuse = scene.surfaces.iter().all(|one| diffuse(&scene.materials[one.material].kind));
-        if !simulates_light || !are_diffuse || !scene.lights.is_empty() {
+        if !is_hidden || !are_diffuse || !scene.lights.is_empty() {
             return None;
         }
         let spheres = concentric(scene)?;
@@ -96,7 +96,9 @@ impl Shells {
         }
     }
 
-    /// Returns the light in a gap after the orders of reflection that are simulated.
+    /// Returns the light in a gap after the orders of reflection that are simulated. Without direct
+    /// light, that of a point is reflected at least once, R = ρ T L with one order less in L; and a ray
+    /// sees what its side reflects.
     fn solved(&self, scene: &Scene, effects: &SimulatedEffects, gap: usize) -> Gap {
         let to_inner_and_outer = self.shares(gap);
         let of_band = |band: usize| {
@@ -105,13 +107,23 @@ impl Shells {
                 let [to_inner, to_outer] = to_inner_and_outer;
                 [b, to_inner * a + to_outer * b]
             };
-            let radiance = match effects.orders {
+            let sent = |orders: Option<u32>| match orders {
                 None => all_orders(sides, to_inner_and_outer),
                 Some(orders) => reflected(sides, orders, arriving),
             };
-            let arriving = arriving(radiance);
-            let seen = [0, 1].map(|side| sides[side].emitted + sides[side].reflectance * arriving[side]);
-            [radiance, arriving.map(|value| PI * value), seen]
+            let again = |light: [f64; 2]| [0, 1].map(|side| sides[side].reflectance * arriving(light)[side]);
+            let reflected = again(sent(effects.orders));
+            if effects.has(Effect::Direct) {
+                let radiance = sent(effects.orders);
+                let seen = [0, 1].map(|side| sides[side].emitted + reflected[side]);
+                return [radiance, arriving(radiance).map(|value| PI * value), seen];
+            }
+            let radiance = match effects.orders {
+                None => reflected,
+                Some(0) => [0.0; 2],
+                Some(orders) => again(sent(Some(orders - 1))),
+            };
+            [radiance, arriving(radiance).map(|value| PI * value), reflected]
         };
         let bands: Vec<[[f64; 2]; 3]> = (0..scene.band_count()).map(of_band).collect();
         let [radiance, irradiance, seen] = [0, 1, 2]

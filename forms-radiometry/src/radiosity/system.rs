@@ -297,8 +297,13 @@ impl<'t> Radiosity<'t> {
         self.gather_kinds(kinds, group, scratch, gathered);
     }
 
-    /// Whether light counts that an eye gets straight from a light source.
-    pub(crate) fn sees_sources(&self) -> bool {
+    /// Returns the number of bands.
+    pub(crate) fn band_count(&self) -> usize {
+        self.scene.band_count()
+    }
+
+    /// Whether light counts that receivers get straight from a light source.
+    pub(crate) fn counts_direct(&self) -> bool {
         self.question.direct
     }
 

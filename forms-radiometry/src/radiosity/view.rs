@@ -117,7 +117,7 @@ impl Radiosity<'_> {
     /// Returns the radiance that an eye gets from a piece in each band as from a light source; empty
     /// if there is none.
     pub(crate) fn emitted(&self, piece: &SeenPiece) -> &[f64] {
-        match self.sees_sources() {
+        match self.counts_direct() {
             true => emitted(self.scene, &self.transport.faces[piece.face]),
             false => &[],
         }
@@ -140,7 +140,7 @@ impl Radiosity<'_> {
         }
         let emitted = &self.scene.surfaces[face.surface].radiance;
         let bands = emitted.len();
-        let seen = if self.sees_sources() { 1.0 } else { 0.0 };
+        let seen = if self.counts_direct() { 1.0 } else { 0.0 };
         if !reflects(self.scene, face.surface) {
             let emitted = emitted.iter().map(|emitted| seen * emitted).cycle();
             radiance.iter_mut().zip(emitted).for_each(|(value, emitted)| *value = emitted);

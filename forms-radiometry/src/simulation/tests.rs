@@ -142,6 +142,7 @@ fn paths_and_radiosity_find_the_same_light() {
         ("one reflection", [LAMP, SUN].concat(), "interreflection = 1"),
         ("no reflection", [LAMP, SKY].concat(), "interreflection = \"off\""),
         ("reflected light alone", [LAMP, SUN].concat(), "direct = \"off\""),
+        ("what is seen alone", [LAMP, SUN].concat(), "direct = \"off\", interreflection = \"off\""),
         ("the sun", SUN.to_string(), ""),
         ("the sky", SKY.to_string(), ""),
         ("all of them", [LAMP, POINT, SUN, SKY].concat(), ""),

@@ -185,6 +185,10 @@ impl Turned {
             Self::Inside { openings: [lower, upper], .. } if from_below => [lower, upper],
             Self::Inside { openings: [lower, upper], .. } => [upper, lower],
         };
+        // nothing passes the tip of a cone or the vertex of a paraboloid
+        if lids[0].radius == 0.0 {
+            return Vec::new();
+        }
         let signed = [1.0, -1.0].into_iter().zip(lids);
         signed.filter(|(_, lid)| lid.radius > 0.0).collect()
     }

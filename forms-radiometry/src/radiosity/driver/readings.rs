@@ -167,6 +167,11 @@ impl Reading {
         radiosity: &Radiosity,
         scratch: &mut Scratch,
     ) -> Option<Straight> {
+        let counts_direct = radiosity.counts_direct() || matches!(self.what, What::Ray { .. });
+        if !counts_direct {
+            let nothing = vec![[0.0; 2]; radiosity.band_count()];
+            return Some(Straight { bands: nothing, has_pieces: false });
+        }
         match self.what {
             What::At { position, measure } => {
                 let transport = radiosity.transport();
@@ -304,7 +309,7 @@ fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut S
 /// a black back, and the light from outside where it meets nothing. Lₑ and the light from outside
 /// are direct light: they are zero where that is left out.
 fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
-    let seen = if radiosity.sees_sources() { 1.0 } else { 0.0 };
+    let seen = if radiosity.counts_direct() { 1.0 } else { 0.0 };
     let Some(met) = met(scene, ray, radiosity.transport()) else {
         return scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
     };

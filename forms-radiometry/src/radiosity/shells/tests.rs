@@ -91,8 +91,15 @@ fn nested(settings: &str) -> String {
 fn nested_spheres_have_the_light_that_other_methods_find() {
     let speck = "[[surface]]\nname = \"speck\"\nmaterial = \"dark\"
         polygon = [[90, 0, 0], [90.001, 0, 0], [90, 0.001, 0]]\n";
-    for effects in ["", "effects = { interreflection = 1 }\n", "effects = { interreflection = \"off\" }\n"] {
-        let text = nested(effects);
+    for effects in [
+        "",
+        "interreflection = 1",
+        "interreflection = \"off\"",
+        "direct = \"off\"",
+        "direct = \"off\", interreflection = 2",
+        "direct = \"off\", interreflection = \"off\"",
+    ] {
+        let text = nested(&format!("effects = {{ {effects} }}\n"));
         let exact = answers(&text);
         let scene =
             read(&(speck.to_owned() + &text), "speck.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));

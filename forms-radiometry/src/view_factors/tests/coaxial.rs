@@ -117,3 +117,28 @@ fn a_closed_vessel_keeps_all_light() {
         }
     }
 }
+
+/// The tip of a cone and the vertex of a paraboloid are closed.
+#[test]
+fn the_insides_of_shapes_tip_to_tip_see_nothing_of_each_other() {
+    let opened_down = ["cone", "paraboloid"];
+    for (lower, upper, gap) in opened_down
+        .iter()
+        .flat_map(|lower| opened_down.iter().flat_map(move |upper| [0.0, 0.5].map(|gap| (lower, upper, gap))))
+    {
+        let shape = |kind: &str, from: f64, to: f64| match kind {
+            "cone" => format!(
+                "cone = {{ from = [0,0,{from:?}], to = [0,0,{to:?}], radii = [0, 1], inward = true }}"
+            ),
+            _ => format!(
+                "paraboloid = {{ from = [0,0,{from:?}], to = [0,0,{to:?}], radius = 1, inward = true }}"
+            ),
+        };
+        let (below, above) = (shape(lower, -gap, -gap - 1.0), shape(upper, 0.0, 1.0));
+        let scene = only(&[("below", &below, false), ("above", &above, false)]);
+        let found = view_factors(&scene);
+        for (from, to) in [(0, 1), (1, 0)] {
+            assert_eq!(found.rows[from][to], ViewFactor::default(), "{lower}, {upper}, {gap}");
+        }
+    }
+}
