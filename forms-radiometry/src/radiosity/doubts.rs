@@ -50,6 +50,8 @@ impl Radiosity<'_> {
     pub(crate) fn doubt(&self, what: GoalKind, scratch: &mut Scratch) -> Vec<f64> {
         let mut sums = vec![0.0; self.scene.band_count()];
         match what {
+            // the light that arrives at a point from elements is reflected
+            GoalKind::At { .. } if self.question.orders == Some(0) => {}
             GoalKind::At { position, measure } => {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };

@@ -17,6 +17,8 @@ pub(super) struct Radiances<'w> {
     passed_on: f64,
     /// Whether receivers get light that surfaces reflect.
     is_reflected: bool,
+    /// Whether any light reaches a point: direct light, or light that something turns.
+    reaches_points: bool,
     /// The brightest light where luminaires are not sampled by next-event estimation, and where they
     /// are.
     brightest: [Vec<f64>; 2],
@@ -30,7 +32,9 @@ impl<'w> Radiances<'w> {
         let passed_on = passed_on(scene, EffectSet::of_scene(scene));
         let brightest = [1.0, passed_on].map(|part| brightest(scene, &reflected, &outside, part));
         let is_reflected = task.effects.orders != Some(0);
-        Self { world, outside, reflected, passed_on, is_reflected, brightest }
+        let turning = [Effect::Direct, Effect::Scattering, Effect::Mirror, Effect::Refraction];
+        let reaches_points = is_reflected || turning.iter().any(|&effect| task.effects.has(effect));
+        Self { world, outside, reflected, passed_on, is_reflected, reaches_points, brightest }
     }
 
     /// Returns for each band the largest value of an estimand that any light causes, and that light
@@ -40,6 +44,9 @@ impl<'w> Radiances<'w> {
         // luminaires are sampled by next-event estimation, but from nowhere along the first ray of
         // an eye, which sees the reflection of the bright place
         let is_looked_for = !matches!(estimand, Estimand::Sight { .. } | Estimand::Pixel { .. });
+        if is_looked_for && !self.reaches_points {
+            return [0, 1].map(|_| vec![0.0; self.reflected.len()]);
+        }
         let part = match is_looked_for {
             _ if is_cell || !self.is_reflected => 0.0,
             true => 1.0,

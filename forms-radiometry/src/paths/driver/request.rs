@@ -138,7 +138,12 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
         }
     }
     let begin = Instant::now();
-    all.par_iter_mut().for_each(|request| request.seen = request.estimand.seen(world));
+    let counts_direct = task.effects.has(Effect::Direct);
+    all.par_iter_mut().for_each(|request| {
+        let seen = request.estimand.seen(world);
+        // without direct light, a ray sees of an emitter what it reflects
+        request.seen = FirstHit { is_emitter: seen.is_emitter && counts_direct, ..seen };
+    });
     // light in time bins is sampled
     let instant = all.par_iter_mut().filter(|request| scene.receivers[request.receiver].time.is_none());
     instant.for_each(|request| request.compute(computing));
