@@ -291,22 +291,6 @@ impl<'t> Radiosity<'t> {
         self.gather_kinds(self.kinds, group, scratch, gathered);
     }
 
-    /// Gathers the light that reaches points of a surface that is seen, including direct light.
-    pub(crate) fn gather_seen(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
-        let kinds = Kinds::of(self.question.seen_kinds(self.lights.kinds()));
-        self.gather_kinds(kinds, group, scratch, gathered);
-    }
-
-    /// Returns the number of bands.
-    pub(crate) fn band_count(&self) -> usize {
-        self.scene.band_count()
-    }
-
-    /// Whether light counts that receivers get straight from a light source.
-    pub(crate) fn counts_direct(&self) -> bool {
-        self.question.direct
-    }
-
     /// Gathers the light that surfaces reflect, without direct light.
     pub(crate) fn gather_reflected(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
         let effects =
@@ -314,7 +298,13 @@ impl<'t> Radiosity<'t> {
         self.gather_kinds(Kinds::of(effects), group, scratch, gathered);
     }
 
-    fn gather_kinds(&self, kinds: Kinds, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+    pub(super) fn gather_kinds(
+        &self,
+        kinds: Kinds,
+        group: Group,
+        scratch: &mut Scratch,
+        gathered: &mut [f64],
+    ) {
         let mut arriving = std::mem::take(&mut scratch.arriving);
         arriving.begin(kinds, gathered.len());
         let LightKinds { luminaires, surroundings, beams, interreflection } = kinds.effects();

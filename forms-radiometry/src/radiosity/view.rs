@@ -10,6 +10,7 @@
 
 use super::contact::{self, ConvexPiece};
 use super::element::Element;
+use super::gathered_light::Kinds;
 use super::measure::Measure;
 use super::reflectance::{is_reflecting, reflectance, reflects};
 use super::shadows::Shadows;
@@ -112,6 +113,22 @@ impl Radiosity<'_> {
         let shadows = Shadows::of(self.scene, self.transport, reflects, self.watch);
         let closeness = closeness(faces.iter().flat_map(|face| &face.vertices).copied());
         contact::pieces(faces, closeness, reflects, |index, face| shadows.borders(index, face, closeness))
+    }
+
+    /// Gathers the light that reaches points of a surface that is seen, including direct light.
+    pub(crate) fn gather_seen(&self, group: Group, scratch: &mut Scratch, gathered: &mut [f64]) {
+        let kinds = Kinds::of(self.question.seen_kinds(self.lights.kinds()));
+        self.gather_kinds(kinds, group, scratch, gathered);
+    }
+
+    /// Returns the number of bands.
+    pub(crate) fn band_count(&self) -> usize {
+        self.scene.band_count()
+    }
+
+    /// Whether light counts that receivers get straight from a light source.
+    pub(crate) fn counts_direct(&self) -> bool {
+        self.question.direct
     }
 
     /// Returns the radiance that an eye gets from a piece in each band as from a light source; empty
