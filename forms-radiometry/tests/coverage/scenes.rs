@@ -263,10 +263,11 @@ fn street(maker: &mut Maker) {
         maker.sun(way);
         maker.world.sky = maker.between(0.0, 100.0);
     } else {
-        for _ in 0..1 + maker.random.below(3) {
+        // at different heights, since they may overlap
+        for number in 0..1 + maker.random.below(3) {
             let [x, y, side] =
                 [maker.between(-10.0, 10.0), maker.between(-2.0, 2.0), maker.between(0.1, 0.4)];
-            maker.panel_lamp(vector(x, y, 2.8), side, 1000.0);
+            maker.panel_lamp(vector(x, y, 2.8 + 0.01 * number as f64), side, 1000.0);
         }
     }
     let surface = maker.random.below(6);
