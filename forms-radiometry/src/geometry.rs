@@ -35,6 +35,8 @@ pub(crate) use plane::{Plane, closeness};
 pub use polygon::{Polygon, PolygonError};
 pub(crate) use polygon::{area, edges, intersection};
 pub(crate) use repair::{Repaired, repaired};
+#[cfg(test)]
+pub(crate) use round::regular;
 pub(crate) use round::{Crossing, Rim, Round, across};
 pub use round::{Disk, Profile, Quadric, Sphere};
 pub(crate) use tessellation_gap::bulge;

@@ -86,7 +86,12 @@ pub(crate) struct Rim {
 fn circle(center: Vector, normal: Vector, radius: f64, fineness: usize) -> Vec<Vector> {
     let count = EDGES << fineness;
     let step = 2.0 * PI / count as f64;
-    let reach = radius * (step / step.sin()).sqrt();
+    regular(center, normal, radius * (step / step.sin()).sqrt(), count)
+}
+
+/// Returns the corners of a regular polygon, at this distance from its centre.
+pub(crate) fn regular(center: Vector, normal: Vector, reach: f64, count: usize) -> Vec<Vector> {
+    let step = 2.0 * PI / count as f64;
     let [u, v] = across(normal);
     let corner = |place: usize| {
         let (sine, cosine) = (step * place as f64).sin_cos();

@@ -6,8 +6,8 @@
 //! microfacets   s F D G₁(θᵢ) G₁(θₒ)/(4 cos θᵢ)
 //! base          T(θᵢ) T(θₒ) ρ cos θₒ/π
 //! ```
-//! p follows from the light that the coat transmits from the direction of the ray. Normals have the
-//! density of those that the ray sees, for GGX, or the density D cos θₘ.
+//! p follows from the light that the coat transmits from the direction of the ray. For GGX,
+//! normals are sampled among the visible ones; for Beckmann’s distribution, with the density D cos θₘ.
 
 use super::optics::{MediumOptics, largest};
 use super::warps::{

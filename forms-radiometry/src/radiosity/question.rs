@@ -1,4 +1,4 @@
-//! Requirements for a solution: what the receivers of a scene need.
+//! Requirements of the receivers of a scene for a solution.
 
 use crate::effects::SimulatedEffects;
 use crate::scene::{Effect, Receiver, ReceiverKind, Scene};
@@ -34,6 +34,11 @@ impl Question {
     pub(super) fn kinds(&self, straight: LightKinds) -> LightKinds {
         let straight = if self.direct { straight } else { LightKinds::NONE };
         self.seen_kinds(straight)
+    }
+
+    /// Returns the part of the light of sources that an eye gets from them: 0 without direct light.
+    pub(super) fn seen_part(&self) -> f64 {
+        if self.direct { 1.0 } else { 0.0 }
     }
 
     /// Returns the kinds of light that seen surfaces gather if these are the kinds of direct light:

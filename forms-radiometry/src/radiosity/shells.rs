@@ -5,8 +5,8 @@
 //! spheres, by radius ─▶ gaps between them ─ two equations ─▶ radiance of both sides of a gap
 //! receiver ─ its gap ─▶ the radiance of the inner sphere where it is seen, of the outer one elsewhere
 //! ```
-//! Between an outer side b and an inner side a with the radii R > r, q = r²/R² of what leaves b
-//! arrives at a, and the rest at b again; all that leaves a arrives at b:
+//! Between an outer side b and an inner side a with the radii R > r, the part q = r²/R² of the
+//! light from b arrives at a, and the rest at b again; all light from a arrives at b:
 //! ```text
 //! Lₐ = Lₑₐ + ρₐ L_b        L_b = Lₑ_b + ρ_b (q Lₐ + (1 − q) L_b)
 //! ```

@@ -157,7 +157,7 @@ impl Radiosity<'_> {
         }
         let emitted = &self.scene.surfaces[face.surface].radiance;
         let bands = emitted.len();
-        let seen = if self.counts_direct() { 1.0 } else { 0.0 };
+        let seen = self.question.seen_part();
         if !reflects(self.scene, face.surface) {
             let emitted = emitted.iter().map(|emitted| seen * emitted).cycle();
             radiance.iter_mut().zip(emitted).for_each(|(value, emitted)| *value = emitted);

@@ -1,7 +1,7 @@
 //! Known view factors, laws, and comparisons between the methods.
 
 use super::*;
-use crate::geometry::{Disk, across};
+use crate::geometry::{Disk, regular};
 use forms_kernels::{view_factor_parallel_rectangles, view_factor_perpendicular_rectangles};
 use forms_testing::SplitMix;
 use std::f64::consts::PI;
@@ -234,15 +234,11 @@ fn random_disk(random: &mut SplitMix, count: usize) -> (Disk, Vec<Vector>) {
     let (center, normal) = (vector(2.0), vector(1.0).unit().expect("a direction"));
     let radius = random.between([0.1, 1.5]);
     let step = 2.0 * PI / count as f64;
-    let ([u, v], reach) = (across(normal), radius * (step / step.sin()).sqrt());
-    let corner = |place: usize| {
-        let (sine, cosine) = (step * place as f64).sin_cos();
-        center + reach * (cosine * u + sine * v)
-    };
-    (Disk { center, normal, radius, hole: 0.0 }, (0..count).map(corner).collect())
+    let reach = radius * (step / step.sin()).sqrt();
+    (Disk { center, normal, radius, hole: 0.0 }, regular(center, normal, reach, count))
 }
 
-/// A regular polygon with the area of a disk exchanges what the disk does, but for the N-th harmonic.
+/// A disk exchanges as much light as a regular polygon with its area, up to the N-th harmonic.
 #[test]
 fn a_disk_exchanges_what_a_polygon_of_many_edges_does() {
     let mut random = SplitMix(5);

@@ -1,6 +1,6 @@
 //! Disks and annuli: flat, with a circular border.
 
-use super::{EDGES, ROUNDING, Rim, Round, WITHIN, across, circle, ring};
+use super::{EDGES, ROUNDING, Rim, Round, WITHIN, across, circle, regular, ring};
 use crate::geometry::{Vector, edges};
 use std::f64::consts::PI;
 
@@ -64,14 +64,7 @@ impl Disk {
 
     /// Returns a regular polygon around the disk.
     pub(crate) fn around(&self) -> Vec<Vector> {
-        let step = 2.0 * PI / EDGES as f64;
-        let reach = self.radius / (0.5 * step).cos();
-        let [right, up] = across(self.normal);
-        let corner = |place: usize| {
-            let (sine, cosine) = (step * place as f64).sin_cos();
-            self.center + reach * (cosine * right + sine * up)
-        };
-        (0..EDGES).map(corner).collect()
+        regular(self.center, self.normal, self.radius / (PI / EDGES as f64).cos(), EDGES)
     }
 
     /// Whether the disk contains a point of its plane.

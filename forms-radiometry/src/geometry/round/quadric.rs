@@ -52,7 +52,7 @@ impl Quadric {
         Self { ends: self.ends.map(|end| factor * end), radii: self.radii.map(|r| factor * r), ..self }
     }
 
-    /// Returns what the shape is called.
+    /// Returns the name of the shape.
     pub(crate) fn name(&self) -> &'static str {
         match self.profile {
             Profile::Parabolic => "paraboloid",

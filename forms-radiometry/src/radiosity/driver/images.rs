@@ -107,7 +107,7 @@ impl Work<'_> {
         sight: &Transport,
         watched: &[Watched],
     ) -> Map {
-        let seen = if radiosity.counts_direct() { 1.0 } else { 0.0 };
+        let seen = radiosity.question.seen_part();
         let outside: Vec<f64> = self.scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
         let bands = outside.len();
         let is_seen_past = outside.iter().any(|&radiance| radiance > 0.0);

@@ -42,7 +42,7 @@ impl Work<'_> {
         }
         self.emitted = vec![Vec::new(); self.readings.len() - self.requested];
         let pixels = self.watched_pixels();
-        let seen = if self.question().direct { 1.0 } else { 0.0 };
+        let seen = self.question().seen_part();
         let emitted = |reading: &Reading| {
             let of_band = |[emitted, _]: [f64; 2]| seen * emitted;
             reading.made_of(self.scene, sight).into_iter().map(of_band).collect()

@@ -309,7 +309,7 @@ fn at(position: Vector, measure: Measure, radiosity: &Radiosity, scratch: &mut S
 /// a black back, and the light from outside where it meets nothing. Lₑ and the light from outside
 /// are direct light: they are zero where that is left out.
 fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut Scratch) -> Vec<f64> {
-    let seen = if radiosity.counts_direct() { 1.0 } else { 0.0 };
+    let seen = radiosity.question.seen_part();
     let Some(met) = met(scene, ray, radiosity.transport()) else {
         return scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
     };

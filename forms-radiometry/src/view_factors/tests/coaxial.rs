@@ -121,10 +121,10 @@ fn a_closed_vessel_keeps_all_light() {
 /// The tip of a cone and the vertex of a paraboloid are closed.
 #[test]
 fn the_insides_of_shapes_tip_to_tip_see_nothing_of_each_other() {
-    let opened_down = ["cone", "paraboloid"];
-    for (lower, upper, gap) in opened_down
+    let kinds = ["cone", "paraboloid"];
+    for (lower, upper, gap) in kinds
         .iter()
-        .flat_map(|lower| opened_down.iter().flat_map(move |upper| [0.0, 0.5].map(|gap| (lower, upper, gap))))
+        .flat_map(|lower| kinds.iter().flat_map(move |upper| [0.0, 0.5].map(|gap| (lower, upper, gap))))
     {
         let shape = |kind: &str, from: f64, to: f64| match kind {
             "cone" => format!(
