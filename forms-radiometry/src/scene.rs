@@ -40,6 +40,7 @@ mod value;
 mod view3d;
 mod words;
 mod working_units;
+mod xml;
 
 pub use cone::Cone;
 pub use division::Division;

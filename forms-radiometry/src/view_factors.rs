@@ -30,7 +30,7 @@ pub use enclosure::{Enclosed, NotEnclosed};
 use pairs::Pairs;
 use rays::Rays;
 use std::ops::Index;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// View factors below this value are computed to the absolute error of a view factor of this value.
 const LEAST: f64 = 1e-3;
@@ -79,11 +79,18 @@ pub struct Row {
 pub struct Rows {
     names: Vec<String>,
     units: WorkingUnits,
-    scene: Scene,
+    scene: Arc<Scene>,
     pairs: Pairs,
-    /// The same with coarser polyhedra, if there are disks or spheres.
-    coarse: Option<Pairs>,
+    /// If there are disks or spheres.
+    round: Option<RoundScene>,
     emitters: OnceLock<Emitters>,
+}
+
+/// What only scenes with disks or spheres need: flat faces have closed forms in pairs.
+struct RoundScene {
+    closed_forms: ClosedForms,
+    /// Pairs of the faces of coarser polyhedra.
+    coarse: Pairs,
 }
 
 /// Goal of a row: the error of each view factor, relative to the largest of the view factor itself,
@@ -115,10 +122,14 @@ impl Rows {
     pub fn of(scene: &Scene) -> Self {
         let names = scene.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let (scene, units) = scene.clone().into_working_units();
+        let scene = Arc::new(scene);
         let is_round = is_round(&scene);
         let pairs = Pairs::of(&scene, usize::from(is_round));
-        let coarse = is_round.then(|| Pairs::of(&scene, 0));
-        Self { names, units, scene, pairs, coarse, emitters: OnceLock::new() }
+        let round = is_round.then(|| RoundScene {
+            closed_forms: ClosedForms::of(Arc::clone(&scene)),
+            coarse: Pairs::of(&scene, 0),
+        });
+        Self { names, units, scene, pairs, round, emitters: OnceLock::new() }
     }
 
     /// Returns the names of the surfaces: one for each row and each column.
@@ -128,7 +139,7 @@ impl Rows {
 
     /// Returns the area from which a surface sends light, in the square of the scene's unit.
     pub fn area(&self, surface: usize) -> f64 {
-        let area = match self.coarse {
+        let area = match self.round {
             Some(_) => self.emitters().area(surface),
             None => self.pairs.area(surface),
         };
@@ -144,9 +155,8 @@ impl Rows {
     pub fn row(&mut self, surface: usize, watch: &dyn Watch) -> Option<Row> {
         let tolerance = self.scene.solve.tolerance;
         let goal = Goal { tolerance };
-        // flat faces have closed forms and quadrature in pairs
-        let known = match self.coarse {
-            Some(_) => ClosedForms::of(&self.scene).known(surface),
+        let known = match &self.round {
+            Some(round) => round.closed_forms.known(surface),
             None => vec![None; self.names.len()],
         };
         if let Some(row) = ClosedForms::row(&known) {
@@ -154,11 +164,11 @@ impl Rows {
         }
         let known = known.into_iter().map(|known| known.map(|(factor, _)| factor)).collect();
         let cost = self.pairs.expected_cost(surface);
-        let row = if self.coarse.is_none() && cost <= Rays::fewest(tolerance) {
+        let row = if self.round.is_none() && cost <= Rays::fewest(tolerance) {
             self.pairs.row(surface, tolerance, watch)
         } else {
             let mut rays = Rays::pilot(self.emitters(), surface, known, self.scene.solve.seed);
-            let most = if self.coarse.is_some() { MOST_RAYS } else { cost };
+            let most = if self.round.is_some() { MOST_RAYS } else { cost };
             if rays.needed(goal) <= most {
                 rays.reach(goal, watch);
                 rays.row()
@@ -174,8 +184,8 @@ impl Rows {
     fn by_pairs(&mut self, surface: usize, watch: &dyn Watch) -> Row {
         let tolerance = self.scene.solve.tolerance;
         let mut row = self.pairs.row(surface, tolerance, watch);
-        if let Some(coarse) = &mut self.coarse {
-            let coarse = coarse.row(surface, tolerance, watch);
+        if let Some(round) = &mut self.round {
+            let coarse = round.coarse.row(surface, tolerance, watch);
             for (fine, coarse) in row.factors.iter_mut().zip(&coarse.factors) {
                 fine.error += (fine.value - coarse.value).abs();
             }

@@ -172,3 +172,19 @@ fn errors_of_pixels_hold_what_finer_elements_change() {
         assert!((answer.value - coarse.values[0].iter().sum::<f64>() / count).abs() <= 1e-12 * PI);
     }
 }
+
+/// What is seen of a grey floor under a sky of radiance L is ρ L, whichever way points on the floor
+/// are rounded.
+#[test]
+fn a_floor_under_a_sky_is_as_bright_as_its_reflectance_says() {
+    let floor = polygon(&[[-9.0, -9.0, 0.0], [9.0, -9.0, 0.0], [9.0, 9.0, 0.0], [-9.0, 9.0, 0.0]]);
+    let text = material("grey", 0.5)
+        + &surface("floor", "grey", &floor)
+        + &camera_at([0.1, 0.2, 0.5], [0.0, 1.0, -0.5], 60.0, [9, 9])
+        + "[ambient]\nradiance = 0.3\n[solve]\neffects = { interreflection = \"off\" }\n";
+    let simulation = simulated(&text);
+    let Map { values, errors, .. } = image(&simulation);
+    for (value, error) in values[0].iter().zip(&errors[0]) {
+        assert!((value - 0.15).abs() <= *error && *error <= 1e-4, "{value} ± {error}");
+    }
+}

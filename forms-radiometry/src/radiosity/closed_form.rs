@@ -192,11 +192,21 @@ impl Lights<'_> {
     }
 
     /// Returns for each band a bound on the rounding error of the direct light at a point, where it
-    /// is summed in `f64`.
-    pub(crate) fn rounding(&self, (point, measure): (Vector, Measure), transport: &Transport) -> Vec<f64> {
+    /// is summed in `f64`. A point that lies `on` a face sees nothing in the plane of that face, on
+    /// whichever side its coordinates are rounded to.
+    pub(crate) fn rounding(
+        &self,
+        (point, measure): (Vector, Measure),
+        on: Option<&Face>,
+        transport: &Transport,
+    ) -> Vec<f64> {
+        let is_beside = |face: &Face| {
+            let is_in_plane = |on: &Face| lies_in_plane(face, on, transport.screens.resolution());
+            on.is_some_and(is_in_plane)
+        };
         let of_face = |face: &Face| {
-            WITH_HORIZON * OF_PIECE * rounding(point, &face.vertices)
-                + unseen(point, measure, face, transport)
+            let unseen = if is_beside(face) { 0.0 } else { unseen(point, measure, face, transport) };
+            WITH_HORIZON * OF_PIECE * rounding(point, &face.vertices) + unseen
         };
         let mut sums = self.of_faces(OF_PIECE * measure.whole(), of_face, transport);
         self.add_of_beams(&[point], &mut sums);
@@ -297,6 +307,11 @@ fn unseen(point: Vector, measure: Measure, face: &Face, transport: &Transport) -
     let looks_away = measure.horizon().is_some_and(|normal| normal.dot(face.normal) >= 0.0);
     let is_near = height != 0.0 && height.abs() <= transport.screens.resolution();
     if is_near && !looks_away { measure.whole().max(1.0) } else { 0.0 }
+}
+
+/// Whether all of a face is as close to the plane of another as points that count as lying in it.
+fn lies_in_plane(face: &Face, other: &Face, resolution: f64) -> bool {
+    face.vertices.iter().all(|&corner| other.normal.dot(corner - other.vertices[0]).abs() <= resolution)
 }
 
 /// Adds a measure times the radiance of each band.

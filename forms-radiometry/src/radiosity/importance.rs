@@ -9,7 +9,7 @@ use super::measure::Measure;
 use super::system::Radiosity;
 use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
-use crate::visibility::ReceivingArea;
+use crate::visibility::{Face, ReceivingArea};
 use rayon::prelude::*;
 
 /// Number of reflections over which importance is propagated.
@@ -97,6 +97,22 @@ impl Radiosity<'_> {
         let goals = [Goal { what, weight: 1.0 }];
         let is_hidden = self.transport.occlusion && matches!(what, GoalKind::Mean { .. });
         is_hidden || self.importance(&goals).iter().any(|&importance| importance > 0.0)
+    }
+
+    /// Whether no light can reach any element, wherever between its nodes: there is no light but that
+    /// of faces, and none of these faces and an element have points in front of each other.
+    pub(crate) fn is_unlit(&self) -> bool {
+        let (faces, kinds) = (&self.transport.faces, self.lights.kinds());
+        let is_before = |one: &Face, other: &Face| {
+            one.vertices.iter().any(|&corner| other.normal.dot(corner - other.vertices[0]) > 0.0)
+        };
+        let reaches = |from: usize, to: usize| {
+            is_before(&faces[from], &faces[to]) && is_before(&faces[to], &faces[from])
+        };
+        let mut lit = self.elements.iter().map(|element| element.face);
+        !kinds.surroundings
+            && !kinds.beams
+            && !lit.any(|to| self.lights.faces().iter().any(|&from| reaches(from, to)))
     }
 
     /// Calls `each` with the direct contributions of the nodes of each element to a goal.

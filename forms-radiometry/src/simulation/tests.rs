@@ -160,6 +160,16 @@ fn paths_and_radiosity_find_the_same_light() {
     }
 }
 
+/// A lamp that no other surface faces lights a point, and nothing reflects its light.
+#[test]
+fn where_no_light_is_reflected_the_reflected_light_is_zero_for_certain() {
+    let point = point_receiver("point", [1.2, 1.7, 0.4], [0.1, 0.3, 1.0]);
+    let solve = "[solve]\neffects = { direct = \"off\", interreflection = 1 }\n";
+    let text = [&material("wall", 0.5), LAMP, &point, solve].concat();
+    let found = by_radiosity(&text);
+    assert!(found.iter().all(|answer| answer.value == 0.0 && answer.error == 0.0), "{found:?}");
+}
+
 #[test]
 fn direct_light_at_points_has_closed_forms_beside_sampled_means() {
     let receivers = surface_receiver("floor")

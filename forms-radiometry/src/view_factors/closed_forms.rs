@@ -23,34 +23,37 @@ use crate::scene::{Scene, Shape, Surface};
 use crate::visibility::{Between, Face, Screens};
 use forms_kernels::{solid_angle_triangle, view_factor_sphere_disk, view_factor_spheres};
 use std::f64::consts::PI;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// A shape counts as behind a plane if it reaches no farther in front of it than this part of its size.
 const BEHIND: f64 = 1e-9;
 
 /// The surfaces of a scene, each with a ball around it.
-pub(super) struct ClosedForms<'s> {
-    surfaces: &'s [Surface],
+pub(super) struct ClosedForms {
+    scene: Arc<Scene>,
     balls: Vec<(Vector, f64)>,
-    tolerance: f64,
     /// The occluders among flat shapes and meshes.
     flat_screens: OnceLock<Screens>,
 }
 
-impl<'s> ClosedForms<'s> {
-    pub(super) fn of(scene: &'s Scene) -> Self {
-        Self {
-            surfaces: &scene.surfaces,
-            balls: scene.surfaces.iter().map(|one| ball(&one.shape)).collect(),
-            tolerance: scene.solve.tolerance,
-            flat_screens: OnceLock::new(),
-        }
+impl ClosedForms {
+    pub(super) fn of(scene: Arc<Scene>) -> Self {
+        let balls = scene.surfaces.iter().map(|one| ball(&one.shape)).collect();
+        Self { scene, balls, flat_screens: OnceLock::new() }
+    }
+
+    fn surfaces(&self) -> &[Surface] {
+        &self.scene.surfaces
+    }
+
+    fn shape(&self, surface: usize) -> &Shape {
+        &self.surfaces()[surface].shape
     }
 
     /// Returns the view factors of a surface that have a closed form, each with the kind of its
     /// error.
     pub(super) fn known(&self, surface: usize) -> Vec<Option<(ViewFactor, ErrorKind)>> {
-        (0..self.surfaces.len()).map(|other| self.factor(surface, other)).collect()
+        (0..self.balls.len()).map(|other| self.factor(surface, other)).collect()
     }
 
     /// Returns the row of a surface if all its view factors are known.
@@ -62,26 +65,26 @@ impl<'s> ClosedForms<'s> {
     }
 
     fn factor(&self, from: usize, to: usize) -> Option<(ViewFactor, ErrorKind)> {
-        if self.surfaces[from].two_sided || self.surfaces[to].two_sided {
+        if self.surfaces()[from].two_sided || self.surfaces()[to].two_sided {
             return None;
         }
         let value = self.enclosed(from, to).or_else(|| self.between(from, to));
         let rounded = value.map(|value| ViewFactor { value, error: ROUNDING * value });
-        let bound = rounded.or_else(|| coaxial::factor(self.surfaces, from, to));
+        let bound = rounded.or_else(|| coaxial::factor(self.surfaces(), from, to));
         let bound = bound.map(|factor| (factor, ErrorKind::Bound));
         bound.or_else(|| Some((self.flat(from, to)?, ErrorKind::Estimate)))
     }
 
     /// Returns the view factor of two flat surfaces that nothing hides from each other.
     fn flat(&self, from: usize, to: usize) -> Option<ViewFactor> {
-        let [one, other] = [from, to].map(|index| FlatShape::of(&self.surfaces[index].shape));
+        let [one, other] = [from, to].map(|index| FlatShape::of(self.shape(index)));
         let (one, other) = (one?, other?);
         if !self.is_unhidden([(from, &one), (to, &other)]) {
             return None;
         }
-        let [size, of_other] = [from, to].map(|index| area(&self.surfaces[index].shape));
+        let [size, of_other] = [from, to].map(|index| area(self.shape(index)));
         let size = size?;
-        let found = one.exchange(&other, (size.min(of_other?), self.tolerance))?;
+        let found = one.exchange(&other, (size.min(of_other?), self.scene.solve.tolerance))?;
         Some(ViewFactor { value: found.area / size, error: found.error / size })
     }
 
@@ -89,13 +92,13 @@ impl<'s> ClosedForms<'s> {
     fn is_unhidden(&self, both: [(usize, &FlatShape); 2]) -> bool {
         let [(from, one), (to, other)] = both;
         let is_aside = |index: usize| {
-            matches!(self.surfaces[index].shape, Shape::Polygon(_) | Shape::Disk(_) | Shape::Mesh(_))
+            matches!(self.shape(index), Shape::Polygon(_) | Shape::Disk(_) | Shape::Mesh(_))
                 || both.iter().any(|(_, flat)| self.reach(index, flat) <= BEHIND * self.balls[index].1)
                 || self.is_around(index, [from, to])
                 || self.is_far_from(index, [from, to])
         };
-        let mut others = (0..self.surfaces.len()).filter(|&index| index != from && index != to);
-        let screens = self.flat_screens.get_or_init(|| flat_screens(self.surfaces));
+        let mut others = (0..self.balls.len()).filter(|&index| index != from && index != to);
+        let screens = self.flat_screens.get_or_init(|| flat_screens(self.surfaces()));
         let mut found = Vec::new();
         let mut is_free = |a: &[Vector], b: &[Vector]| {
             screens.between(a, Some(one.normal), b, other.normal, &mut found) == Between::Nothing
@@ -111,7 +114,7 @@ impl<'s> ClosedForms<'s> {
 
     /// Whether a surface is a sphere that contains both of two others.
     fn is_around(&self, index: usize, both: [usize; 2]) -> bool {
-        let Shape::Sphere(sphere) = self.surfaces[index].shape else { return false };
+        let Shape::Sphere(sphere) = *self.shape(index) else { return false };
         both.iter().all(|&inner| {
             let (center, radius) = self.balls[inner];
             (center - sphere.center).length() + radius <= sphere.radius
@@ -120,7 +123,7 @@ impl<'s> ClosedForms<'s> {
 
     /// Returns the view factor of two surfaces that nothing occludes, or of a surface to itself.
     fn between(&self, from: usize, to: usize) -> Option<f64> {
-        let [one, other] = [from, to].map(|index| &self.surfaces[index].shape);
+        let [one, other] = [from, to].map(|index| self.shape(index));
         if from == to {
             return is_convex(one).then_some(0.0);
         }
@@ -129,18 +132,18 @@ impl<'s> ClosedForms<'s> {
 
     /// Returns the view factor where a sphere around a convex surface is all there is.
     fn enclosed(&self, from: usize, to: usize) -> Option<f64> {
-        let hollow = |index: usize| match self.surfaces[index].shape {
+        let hollow = |index: usize| match *self.shape(index) {
             Shape::Sphere(sphere) if sphere.inward => Some(sphere),
             _ => None,
         };
-        match self.surfaces.len() {
+        match self.balls.len() {
             1 => hollow(from).map(|_| 1.0),
             2 => {
                 let shell = (0..2).find(|&index| hollow(index).is_some())?;
                 let (sphere, inner) = (hollow(shell)?, 1 - shell);
                 let (center, radius) = self.balls[inner];
                 let is_inside = (center - sphere.center).length() + radius <= sphere.radius;
-                let shape = &self.surfaces[inner].shape;
+                let shape = self.shape(inner);
                 let share = area(shape)? / (4.0 * PI * sphere.radius * sphere.radius);
                 // the back of a flat shape takes as much light as its front, and sends none
                 let lost = if matches!(shape, Shape::Sphere(_)) { 1.0 } else { 2.0 };
@@ -159,7 +162,7 @@ impl<'s> ClosedForms<'s> {
 
     /// Whether no other surface can be between two.
     fn is_free(&self, from: usize, to: usize) -> bool {
-        let mut others = (0..self.surfaces.len()).filter(|&index| index != from && index != to);
+        let mut others = (0..self.balls.len()).filter(|&index| index != from && index != to);
         others.all(|index| self.is_far_from(index, [from, to]))
     }
 

@@ -7,23 +7,11 @@ use forms_radiometry::scene::{
 };
 use forms_radiometry::simulation::{Unwatched, Watch, plan, simulate};
 use forms_radiometry::{CORNELL_BOX, view_factors};
+use forms_testing::SplitMix;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Marsaglia's xorshift: a fixed sequence, so that a failure can be repeated.
-struct Sequence(u64);
-
-impl Sequence {
-    fn new() -> Self {
-        Self(0x9e37_79b9_7f4a_7c15)
-    }
-
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as usize
-    }
-}
+/// First state of the random numbers, so that a failure can be repeated.
+const SEED: u64 = 7;
 
 /// Replacements for a number or a bracket.
 const FRAGMENTS: [&str; 28] = [
@@ -58,7 +46,7 @@ const FRAGMENTS: [&str; 28] = [
 ];
 
 /// Returns the text with a few characters, lines or numbers removed, doubled or replaced.
-fn mutate(text: &str, sequence: &mut Sequence) -> String {
+fn mutate(text: &str, sequence: &mut SplitMix) -> String {
     let mut characters: Vec<char> = text.chars().collect();
     for _ in 0..=sequence.below(3) {
         let start = sequence.below(characters.len());
@@ -82,7 +70,7 @@ fn mutate(text: &str, sequence: &mut Sequence) -> String {
 }
 
 /// Returns the bytes with a few of them replaced, and sometimes truncated.
-fn damage(bytes: &[u8], sequence: &mut Sequence) -> Vec<u8> {
+fn damage(bytes: &[u8], sequence: &mut SplitMix) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     for _ in 0..=sequence.below(3) {
         let at = sequence.below(bytes.len());
@@ -104,7 +92,7 @@ fn check(text: &str, errors: &[SceneError]) {
 
 #[test]
 fn no_mutation_of_a_scene_makes_the_reader_or_the_solver_panic() {
-    let mut sequence = Sequence::new();
+    let mut sequence = SplitMix(SEED);
     let (mut right, mut wrong, mut lit) = (0, 0, 0);
     let water = media::text(&media::glass_of_water(), "");
     for i in 0..5000 {
@@ -245,7 +233,7 @@ fn mutations_of_diffuse_scenes_that_are_still_scenes_have_answers_or_errors() {
         include_str!("../../../scenes/opposed_squares.toml"),
         include_str!("../../../scenes/v_groove.toml"),
     ];
-    let mut sequence = Sequence::new();
+    let mut sequence = SplitMix(SEED);
     let (mut simulated, mut refused) = (0, 0);
     let count = if IS_OPTIMISED { 6000 } else { 120 };
     for i in 0..count {
@@ -326,7 +314,7 @@ fn squares() -> [Vec<u8>; 3] {
 
 #[test]
 fn no_damage_to_a_mesh_makes_the_reader_panic() {
-    let mut sequence = Sequence::new();
+    let mut sequence = SplitMix(SEED);
     let mut wrong = 0;
     let [text, little, big] = squares();
     for (name, file) in

@@ -6,6 +6,7 @@ mod elements;
 mod errors;
 mod files;
 mod media;
+mod mesh_damage;
 mod mesh_formats;
 mod meshes;
 mod mitsuba;

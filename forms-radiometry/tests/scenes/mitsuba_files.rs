@@ -76,6 +76,7 @@ fn files_that_cannot_be_included_are_named_where_it_is_wrong() {
     let of_file = |place: &str, message: &str| format!("scenes/a.xml:{place}: {message}");
     let cases: &[(&str, String)] = &[
         ("<scene><shape></scene>", of_file("1:15", "expected 'shape' tag, not 'scene'")),
+        ("<scene>\n<shape/>\n", of_file("2:9", "the root node was opened but never closed")),
         ("<shape type=\"cube\"/>", of_file("1:1", "the root of this included file is `shape`")),
         ("<scene version=\"0.5.0\"/>", of_file("1:17", "scene version `0.5.0` is not supported")),
         ("<scene><include filename=\"a.xml\"/></scene>", of_file("1:27", "the file `a.xml` includes itself")),

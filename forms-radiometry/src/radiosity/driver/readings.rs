@@ -188,15 +188,15 @@ impl Reading {
     /// Returns a bound on the rounding error of its values where they are direct light.
     pub(crate) fn rounding(&self, values: &[f64], scene: &Scene, radiosity: &Radiosity) -> Vec<f64> {
         let transport = radiosity.transport();
-        let at = |position, measure| radiosity.lights().rounding((position, measure), transport);
+        let at = |position, measure, on| radiosity.lights().rounding((position, measure), on, transport);
         let of_values = values.iter().map(|value| OF_PRODUCT * value.abs());
         match self.what {
-            What::At { position, measure } => at(position, measure),
+            What::At { position, measure } => at(position, measure, None),
             What::Mean { .. } => of_values.collect(),
             What::Ray { origin, direction } => match met_bright(scene, [origin, direction], transport) {
                 None => of_values.collect(),
-                Some(Met { surface, position, normal, .. }) => {
-                    let arriving = at(position, Measure::Plane(normal)).into_iter();
+                Some(Met { surface, face, position, .. }) => {
+                    let arriving = at(position, Measure::Plane(face.normal), Some(face)).into_iter();
                     let reflected =
                         arriving.zip(reflectance(scene, surface)).map(|(error, rho)| rho / PI * error);
                     of_values.zip(reflected).map(|(own, reflected)| own + reflected).collect()
@@ -212,7 +212,7 @@ impl Reading {
             What::Mean { area, .. } => Some(GoalKind::Mean { area }),
             What::Ray { origin, direction } => {
                 let met = met_bright(scene, [origin, direction], transport)?;
-                Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.normal) })
+                Some(GoalKind::At { position: met.position, measure: Measure::Plane(met.face.normal) })
             }
         }
     }
@@ -270,7 +270,7 @@ impl Reading {
             What::Mean { area, .. } => transport.faces_in(area).map(Place::of_face).collect(),
             What::Ray { origin, direction } => {
                 let met = met_bright(scene, [origin, direction], transport).into_iter();
-                met.map(|met| Place { outline: vec![met.position], normal: Some(met.normal) }).collect()
+                met.map(|met| Place { outline: vec![met.position], normal: Some(met.face.normal) }).collect()
             }
         }
     }
@@ -313,13 +313,13 @@ fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut S
     let Some(met) = met(scene, ray, radiosity.transport()) else {
         return scene.ambient.radiance.iter().map(|outside| seen * outside).collect();
     };
-    let Met { surface: index, position, normal, is_bright } = met;
+    let Met { surface: index, face, position, is_bright } = met;
     if !is_bright {
         return vec![0.0; scene.band_count()];
     }
     let surface = &scene.surfaces[index];
     let points = [position];
-    let group = Group { points: &points, outline: &points, measure: Measure::Plane(normal) };
+    let group = Group { points: &points, outline: &points, measure: Measure::Plane(face.normal) };
     let mut arriving = vec![0.0; scene.band_count()];
     radiosity.gather_seen(group, scratch, &mut arriving);
     let bands = surface.radiance.iter().zip(reflectance(scene, index)).zip(arriving);
@@ -328,23 +328,23 @@ fn along(scene: &Scene, ray: [Vector; 2], radiosity: &Radiosity, scratch: &mut S
 }
 
 /// First surface along a ray.
-struct Met {
+struct Met<'t> {
     surface: usize,
+    /// The face on the side that the ray sees.
+    face: &'t Face,
     position: Vector,
-    /// Unit normal of the side that the ray sees.
-    normal: Vector,
     /// Whether that side sends light at all.
     is_bright: bool,
 }
 
 /// Returns the first surface along a ray, if it sends light to the ray's origin.
-fn met_bright(scene: &Scene, ray: [Vector; 2], transport: &Transport) -> Option<Met> {
+fn met_bright<'t>(scene: &Scene, ray: [Vector; 2], transport: &'t Transport) -> Option<Met<'t>> {
     met(scene, ray, transport).filter(|met| met.is_bright)
 }
 
-fn met(scene: &Scene, [origin, direction]: [Vector; 2], transport: &Transport) -> Option<Met> {
+fn met<'t>(scene: &Scene, [origin, direction]: [Vector; 2], transport: &'t Transport) -> Option<Met<'t>> {
     let hit = transport.screens.first(origin, direction)?;
     let face = &transport.faces[hit.face];
     let position = origin + hit.distance * direction;
-    Some(Met { surface: face.surface, position, normal: face.normal, is_bright: is_bright(scene, face) })
+    Some(Met { surface: face.surface, face, position, is_bright: is_bright(scene, face) })
 }

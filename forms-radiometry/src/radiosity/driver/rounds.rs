@@ -62,13 +62,15 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// Removes the error by elements from readings that no element reaches, or that have no goal.
+    /// Removes the error by elements from readings that no element reaches, or that have no goal;
+    /// from all where no light reaches an element.
     fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
+        let is_unlit = radiosity.is_unlit();
         for (reading, found) in self.readings.iter().zip(found) {
             let goal = reading.goal(self.scene, radiosity.transport());
             let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
             // where the work was stopped, it is not known which elements reach the reading
-            if !is_reached && !self.watch.is_stopped() {
+            if (is_unlit || !is_reached) && !self.watch.is_stopped() {
                 found.bands.iter_mut().for_each(Estimate::settle);
             }
         }

@@ -43,6 +43,9 @@ pub(super) fn read(file: &str, bytes: &[u8], open: &Open) -> Result<Read, Vec<Sc
     let mut reader =
         Reader { parts: Parts::default(), document: &document, data, rest: document.nodes.len() };
     let scene = document.scenes.get(document.scene.unwrap_or(0));
+    if let (None, Some(number)) = (scene, document.scene) {
+        return Err(fault(format!("there is no scene {number}")));
+    }
     let nodes = scene.map_or(&[][..], |scene| &scene.nodes);
     nodes.iter().try_for_each(|&node| reader.node(node, &Affine::IDENTITY)).map_err(fault)?;
     reader.parts.mesh(&nowhere)

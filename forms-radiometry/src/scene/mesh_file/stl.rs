@@ -81,41 +81,67 @@ impl Reader {
     /// Reads the text form: `solid NAME`, then for each triangle `facet`, `outer loop`, three times
     /// `vertex x y z`, `endloop` and `endfacet`, then `endsolid`.
     fn text(&mut self, text: &str) {
-        let (mut corners, mut begin): (Vec<Vector>, usize) = (Vec::new(), 0);
+        let mut open = Open::default();
         for (start, line) in lines(text, 0) {
             let line: Vec<Word> = words(start, line).collect();
             let Some((keyword, arguments)) = line.split_first() else { continue };
-            match keyword.text.to_ascii_lowercase().as_str() {
-                "solid" => self.parts.group(arguments.first().map_or("", |name| name.text)),
-                "facet" => {
-                    corners.clear();
-                    begin = keyword.range.start;
-                }
-                "vertex" => match vertex(keyword, arguments) {
-                    Ok(vertex) => corners.push(vertex),
-                    Err(fault) => self.parts.fault(fault),
-                },
-                "endfacet" => self.facet(&corners, begin..extent(&line).end),
-                "outer" | "endloop" | "endsolid" => {}
-                word => {
-                    let message = format!("`{word}` is no line of an STL file");
-                    let expected =
-                        "`solid`, `facet`, `outer loop`, `vertex`, `endloop`, `endfacet` or `endsolid`";
-                    self.parts.fault(Fault::new(keyword.range.clone(), message, expected));
-                }
+            if let Err(fault) = self.line(keyword, arguments, extent(&line), &mut open) {
+                self.parts.fault(fault);
             }
+        }
+        let place = open.facet.map(|start| (start..start + "facet".len(), "facet"));
+        if let Some((place, what)) = place.or(open.solid.map(|solid| (solid, "solid"))) {
+            let message = format!("the file ends within this {what}");
+            self.parts.fault(Fault::new(place, message, format!("`end{what}`")));
         }
     }
 
-    fn facet(&mut self, corners: &[Vector], place: Range<usize>) {
-        match corners.first_chunk() {
-            Some(&triangle) if corners.len() == 3 => self.triangle(triangle, place),
-            _ => {
-                let message = format!("a facet has {} of its three vertices", corners.len());
-                self.parts.fault(Fault::new(place, message, "vertex x y z, three times"));
+    fn line(
+        &mut self,
+        keyword: &Word,
+        arguments: &[Word],
+        place: Range<usize>,
+        open: &mut Open,
+    ) -> Result<(), Fault> {
+        match keyword.text.to_ascii_lowercase().as_str() {
+            "solid" => {
+                open.solid = Some(place);
+                self.parts.group(arguments.first().map_or("", |name| name.text));
+            }
+            "facet" => {
+                open.facet = Some(place.start);
+                open.corners.clear();
+            }
+            "vertex" => open.corners.push(vertex(keyword, arguments)?),
+            "endfacet" => {
+                let place = open.facet.take().unwrap_or(place.start)..place.end;
+                let [a, b, c] = open.corners[..] else {
+                    let message = format!("a facet has {} of its three vertices", open.corners.len());
+                    return Err(Fault::new(place, message, "vertex x y z, three times"));
+                };
+                self.triangle([a, b, c], place);
+            }
+            "endsolid" => open.solid = None,
+            "outer" | "endloop" => {}
+            word => {
+                let message = format!("`{word}` is no line of an STL file");
+                let expected =
+                    "`solid`, `facet`, `outer loop`, `vertex`, `endloop`, `endfacet` or `endsolid`";
+                return Err(Fault::new(keyword.range.clone(), message, expected));
             }
         }
+        Ok(())
     }
+}
+
+/// What is open at a line of the text form.
+#[derive(Default)]
+struct Open {
+    /// The line that begins the solid.
+    solid: Option<Range<usize>>,
+    /// The byte at which the facet begins, and its corners so far.
+    facet: Option<usize>,
+    corners: Vec<Vector>,
 }
 
 /// Returns the corners of a triangle in binary form: after its normal, three times three `f32`.

@@ -10,6 +10,7 @@ use super::{Fault, Read};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
+use crate::scene::xml;
 use cell::Cells;
 pub(super) use legacy::read as read_legacy;
 use vtkio::model::{DataSet, IOBuffer, Piece, PolyDataPiece, UnstructuredGridPiece, VertexNumbers, Vtk};
@@ -18,7 +19,9 @@ use vtkio::model::{DataSet, IOBuffer, Piece, PolyDataPiece, UnstructuredGridPiec
 pub(super) fn read_xml(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let source = Source::new(file, "");
     let fault = |message: String| told(&source, vec![Fault::new(0..0, message, "")], 0);
-    let vtk = Vtk::parse_xml(bytes).map_err(|error| fault(format!("the file is not valid: {error}")))?;
+    let vtk = Vtk::parse_xml(bytes).map_err(|error| {
+        not_xml(file, bytes).unwrap_or_else(|| fault(format!("the file is not a VTK file: {error}")))
+    })?;
     let mut cells = Cells::default();
     match vtk.data {
         DataSet::UnstructuredGrid { pieces, .. } => loaded(pieces)
@@ -29,6 +32,13 @@ pub(super) fn read_xml(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>
     }
     .map_err(fault)?;
     cells.finish(&source)
+}
+
+/// Returns the place at which a file that is a text is not valid XML.
+fn not_xml(file: &str, bytes: &[u8]) -> Option<Vec<SceneError>> {
+    let source = Source::new(file, str::from_utf8(bytes).ok()?);
+    let (byte, message) = xml::parsed(&source.text).err()?;
+    Some(told(&source, vec![Fault::new(byte..byte, message, "")], 0))
 }
 
 /// Returns the pieces of a file. Pieces in other files are refused.

@@ -7,7 +7,8 @@ use crate::scene::error::{Report, Span};
 use crate::scene::file::LARGEST_SCENE;
 use crate::scene::mesh_file::{Found, MeshFiles};
 use crate::scene::place::{Place, Source};
-use roxmltree::{Document, Node};
+use crate::scene::xml;
+use roxmltree::Node;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -64,13 +65,9 @@ impl Assembly<'_, '_, '_> {
     /// Appends a file in this folder: the scene itself, or the elements of an included file. Returns
     /// whether it could be read.
     fn file(&mut self, source: &Arc<Source>, folder: &Path) -> bool {
-        let document = match Document::parse(&source.text) {
+        let document = match xml::parsed(&source.text) {
             Ok(document) => document,
-            Err(error) => {
-                let position = error.pos();
-                let byte = byte_at(&source.text, position);
-                let message = error.to_string();
-                let message = message.strip_suffix(&format!(" at {position}")).unwrap_or(&message).to_owned();
+            Err((byte, message)) => {
                 self.error(source, byte..byte, message, "");
                 return false;
             }
@@ -195,12 +192,4 @@ fn contents(node: Node) -> Range<usize> {
     let end = node.range().end;
     let first = node.first_child().map_or(end, |child| child.range().start);
     first..node.last_child().map_or(end, |child| child.range().end)
-}
-
-/// Returns the byte of a row and a column, both counted from one.
-fn byte_at(text: &str, position: roxmltree::TextPos) -> usize {
-    let line = text.split_inclusive('\n').take((position.row as usize).saturating_sub(1));
-    let start: usize = line.map(str::len).sum();
-    let columns = text[start.min(text.len())..].chars().take((position.col as usize).saturating_sub(1));
-    start + columns.map(char::len_utf8).sum::<usize>()
 }

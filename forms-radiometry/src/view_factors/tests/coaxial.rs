@@ -49,7 +49,7 @@ fn vessel(random: &mut SplitMix, rings: usize) -> Scene {
 
 /// Asserts that the closed forms of a scene are what rays find, and returns how many there are.
 fn compare(scene: &Scene, name: &str) -> usize {
-    let (rows, exact) = (Rows::of(scene), ClosedForms::of(scene));
+    let (rows, exact) = (Rows::of(scene), ClosedForms::of(Arc::new(scene.clone())));
     let mut known = 0;
     for surface in 0..scene.surfaces.len() {
         let row = exact.known(surface);

@@ -36,7 +36,7 @@ fn what_hides_disks_and_polygons_is_seen_and_the_others_are_what_rays_find() {
     let mut known = [0; 2];
     for case in 0..6 {
         let scene = lit(&furniture(&mut random), 1e-3);
-        let (rows, exact) = (Rows::of(&scene), ClosedForms::of(&scene));
+        let (rows, exact) = (Rows::of(&scene), ClosedForms::of(Arc::new(scene.clone())));
         for surface in 0..scene.surfaces.len() {
             let row = exact.known(surface);
             let mut rays = Rays::pilot(rows.emitters(), surface, vec![None; row.len()], 1);
