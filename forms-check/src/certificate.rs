@@ -19,7 +19,9 @@ fn hash(text: &str) -> String {
 fn lines(text: &str) -> Result<Vec<Line>, Stop> {
     let mut rows = text.lines().map(str::trim).filter(|row| !row.is_empty());
     if rows.next() != Some(HEADER) {
-        return Err(malformed(format!("the first line is not `{HEADER}`")));
+        return Err(malformed(format!(
+            "the first line is not `{HEADER}`; `forms prove` decides the statements of a theory"
+        )));
     }
     let split = |row: &str| match row.split_once(' ') {
         Some((keyword, rest)) => (keyword.to_string(), rest.trim().to_string()),

@@ -6,6 +6,7 @@
 
 mod named;
 pub(crate) mod names;
+mod other_languages;
 mod value;
 
 pub use named::Named;

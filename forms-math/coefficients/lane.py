@@ -1,9 +1,14 @@
-"""Computes forms-math/src/lane/coefficients.rs: run it from forms-math as `python coefficients/lane.py > src/lane/coefficients.rs`.
+"""Computes the polynomials and constants of functions: run it from forms-math as
+
+    python coefficients/lane.py > src/lane/coefficients.rs
+    python coefficients/lane.py error_function > src/special/error_function/coefficients.rs
 
 A polynomial interpolates its function at the Chebyshev nodes of its interval, which is within a small factor of the best
 approximation, and has the least degree whose error, times `weight` there, is below 2^-(precision + 4); its
 coefficients are then rounded to the format. A constant in parts has so many bits in each part as its use needs.
 """
+
+import sys
 
 from mpmath import asin, atan, atanh, cos, cosh, erf, erfc, exp, hyp1f1, ln, lu_solve, matrix, mp, mpf, pi, polyval, sin, sinh, sqrt
 
@@ -142,10 +147,16 @@ def table(form):
         log_erfc, erfc_weight, mpf(0), last, form, fits)
 
 
+# what lanes and single values of `f64` have in common
+SHARED = ("erf_is_one", "two_over_root_pi", "erf", "ln_erfc")
+APPROXIMATE = '#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]\n'
+
+
 def emit():
     tables = [list(table(form)) for form in FORMATS]
     print("//! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.")
-    print('#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]\n')
+    print(APPROXIMATE)
+    print("use crate::special::error_function;\n")
     print("/// The numbers of one floating-point format; polynomials have their constant term first.")
     print("pub(crate) struct Coefficients<W: 'static> {")
     for name, meaning, value in tables[0]:
@@ -156,7 +167,10 @@ def emit():
         print(f"\n/// Of `{form.rust}`.")
         print(f"pub(crate) const {form.rust.upper()}: Coefficients<{form.rust}> = Coefficients {{")
         for name, _, value in rows:
-            if isinstance(value, list):
+            if form.rust == "f64" and name in SHARED:
+                borrowed = "&" if isinstance(value, list) else ""
+                print(f"    {name}: {borrowed}error_function::{name.upper()},")
+            elif isinstance(value, list):
                 print(f"    {name}: &[")
                 for x in value:
                     print(f"        {literal(x, form)},")
@@ -166,4 +180,21 @@ def emit():
         print("};")
 
 
-emit()
+def emit_error_function():
+    form = FORMATS[0]
+    print("//! The polynomials and constants of erf in `f64`, with the constant term first; computed by `coefficients/lane.py`.")
+    print(APPROXIMATE)
+    for name, meaning, value in table(form):
+        if name not in SHARED:
+            continue
+        print(f"/// {meaning}")
+        if isinstance(value, list):
+            print(f"pub(crate) const {name.upper()}: [f64; {len(value)}] = [")
+            for x in value:
+                print(f"    {literal(x, form)},")
+            print("];")
+        else:
+            print(f"pub(crate) const {name.upper()}: f64 = {literal(value, form)};")
+
+
+emit_error_function() if "error_function" in sys.argv[1:] else emit()

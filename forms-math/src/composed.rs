@@ -1,6 +1,6 @@
 //! Functions that a number type composes from `elementary`, `special` and `quadrature`.
 
-/// Special functions with this number of bits, computed in a type of at least this precision.
+/// Special functions but erf with this number of bits, computed in a type of at least this precision.
 macro_rules! special_functions {
     (@one $type:ty, $bits:expr, $name:ident, |$x:ident| $value:expr) => {
         fn $name(self) -> Self {
@@ -9,7 +9,6 @@ macro_rules! special_functions {
         }
     };
     ($type:ty, $bits:expr) => {
-        $crate::composed::special_functions!(@one $type, $bits, erf, |x| crate::special::error_function(x, $bits));
         $crate::composed::special_functions!(@one $type, $bits, expint1, |x| crate::special::exponential_integral(1, x, $bits));
         $crate::composed::special_functions!(@one $type, $bits, expint2, |x| crate::special::exponential_integral(2, x, $bits));
         $crate::composed::special_functions!(@one $type, $bits, expint3, |x| crate::special::exponential_integral(3, x, $bits));
@@ -82,6 +81,9 @@ macro_rules! composed_functions {
             crate::elementary::hyperbolic_tangent(self)
         }
         $crate::composed::special_functions!(Self, Self::PRECISION);
+        fn erf(self) -> Self {
+            crate::special::error_function(self, Self::PRECISION)
+        }
         fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
             let kind = crate::quadrature::Kind {
                 of: |node| node,

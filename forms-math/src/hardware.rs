@@ -7,6 +7,7 @@ use crate::composed::{Widen, special_functions};
 use crate::error_free;
 use crate::quadrature::{Kind, double_exponential};
 use crate::scalar::{Scalar, choices};
+use crate::special::error_function_of_double;
 use crate::wide::quadrant_of_words;
 use crate::{DoubleDouble, Real};
 
@@ -64,6 +65,10 @@ impl Real for f64 {
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
         f64::atan2(self, x)
+    }
+    #[inline]
+    fn erf(self) -> Self {
+        error_function_of_double(self)
     }
     special_functions!(DoubleDouble, 60);
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
@@ -176,7 +181,7 @@ impl Real for f32 {
     }
     choices!();
     standard_functions!(f32: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p);
-    by_f64!(sinh, cosh, tanh);
+    by_f64!(sinh, cosh, tanh, erf);
     special_functions!(f64, 32);
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {

@@ -42,6 +42,7 @@ const FILES: &[(&str, &str)] = &[
     ("special/clausen", include_str!("special/clausen.rs")),
     ("special/dilogarithm", include_str!("special/dilogarithm.rs")),
     ("special/error_function", include_str!("special/error_function.rs")),
+    ("special/error_function/coefficients", include_str!("special/error_function/coefficients.rs")),
     ("special/exponential_integral", include_str!("special/exponential_integral.rs")),
     ("special/zeta", include_str!("special/zeta.rs")),
     ("table", include_str!("table.rs")),

@@ -1,6 +1,6 @@
 //! `f32` and `f64` as numbers of a kernel.
 
-use forms_math::Real;
+use forms_math::{DoubleDouble, Real};
 use std::f64::consts::{LN_2, PI};
 
 fn ulps(value: f64, truth: f64) -> f64 {
@@ -58,4 +58,30 @@ fn differences_of_products_hold_at_the_ends_of_the_range() {
         );
     }
     assert_eq!(f64::difference_of_products(1e300, 1e300, 1e300, 1e300), 0.0);
+}
+
+/// The largest error of erf in units of 2⁻⁵³: at numbers of all sizes, and densely where polynomials
+/// meet and where it becomes 1.
+#[test]
+fn erf_is_accurate_to_two_units_everywhere() {
+    let sizes = (-700..12).flat_map(|half| {
+        (0..40).map(move |step| (f64::from(half) / 2.0).exp2() * (1.0 + f64::from(step) / 96.0))
+    });
+    let near = [0.999_999, 1.0, 1.000_001, 2.5, 5.86, 5.92, 6.0, 6.5];
+    let close = near.iter().flat_map(|&x| (-20..20).map(move |step| x * (1.0 + f64::from(step) * 1e-7)));
+    let inside = (1..20_000).map(|step| f64::from(step) / 3_000.0);
+    let mut worst: f64 = 0.0;
+    for x in sizes.chain(close).chain(inside) {
+        let truth = DoubleDouble::from_f64(x).erf();
+        let off = ((DoubleDouble::from_f64(Real::erf(x)) - truth) / truth).to_f64().abs() / 2.0_f64.powi(-53);
+        worst = worst.max(off);
+        assert!(off <= 2.0, "{x:e}: {off}");
+        assert_eq!(Real::erf(-x), -Real::erf(x), "{x:e}");
+        let x = x as f32;
+        let far = (f64::from(Real::erf(x)) - Real::erf(f64::from(x))).abs();
+        assert!(!x.is_normal() || far <= 1.13 * f64::from(x.min(1.0)) * 2.0_f64.powi(-24), "{x:e}: {far}");
+    }
+    println!("erf: {worst:.2} units");
+    assert!(Real::erf(f64::NAN).is_nan());
+    assert_eq!([Real::erf(f64::INFINITY), Real::erf(-0.0), Real::erf(5e-324)], [1.0, -0.0, 5e-324]);
 }

@@ -311,11 +311,15 @@ impl Evaluator<'_> {
                 return Err(unusable(named, &function.text, function.span));
             }
             Some(other) => {
+                let help = match other {
+                    Named::Kernel(_) => "write the formula that both use as a `let` above them",
+                    _ => "write `*` for a product",
+                };
                 return Err(Diagnostic::new(
                     function.span,
                     format!("`{}` is {} and takes no arguments", function.text, describe(other)),
                 )
-                .with_help("write `*` for a product"));
+                .with_help(help));
             }
             None => return Err(self.theory.names.unknown(&function.text, function.span, "`fn`")),
         };

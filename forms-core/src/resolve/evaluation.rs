@@ -249,8 +249,15 @@ impl<'a> Evaluator<'a> {
                 Ok(Value::Scalar(field.component(coordinate).copied().unwrap_or(zero)))
             }
             Value::Form(form) => self.form_coefficient(&form, index),
-            Value::Scalar(_) => Err(Diagnostic::new(base.span, "a scalar has no coefficients")
-                .with_help("`w[dx^dy]` takes a coefficient of a form, `X[x]` a component of a field")),
+            Value::Scalar(_) => {
+                let help = match &*index.kind {
+                    ExprKind::Number(_) => {
+                        "an argument is one number: `p0` and `p1` instead of `p[0]` and `p[1]`"
+                    }
+                    _ => "`w[dx^dy]` takes a coefficient of a form, `X[x]` a component of a field",
+                };
+                Err(Diagnostic::new(base.span, "a scalar has no coefficients").with_help(help))
+            }
         }
     }
 

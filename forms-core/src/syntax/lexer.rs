@@ -207,7 +207,11 @@ impl<'a> Lexer<'a> {
         } else {
             format!("`{first}`")
         };
-        self.reject(length, format!("unexpected character {shown}"), replacement(&rest[..length], first));
+        self.reject(
+            length,
+            format!("unexpected character {shown}"),
+            replacement(&rest[..length], &rest[length..]),
+        );
     }
 }
 
@@ -255,15 +259,23 @@ fn is_invisible(c: char) -> bool {
     matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}')
 }
 
-/// Suggests a replacement for a run of unknown characters.
-fn replacement(run: &str, first: char) -> Option<String> {
+/// Suggests a replacement for a run of unknown characters, which is followed by `rest`.
+fn replacement(run: &str, rest: &str) -> Option<String> {
+    let first = run.chars().next()?;
+    let is_before_name = rest.starts_with(|c: char| c.is_ascii_alphabetic());
     let written = |text: &str| Some(format!("write {text}"));
-    match run {
-        "&" | "&&" => return Some("separate conditions with `,`".to_owned()),
-        "|" | "||" => return Some("conditions all hold at once; state alternatives separately".to_owned()),
-        "!" => return Some("write `!=` for “not equal”".to_owned()),
-        "." => return Some("write `..` for a range".to_owned()),
-        _ => {}
+    let told = match run {
+        "&" | "&&" => "separate conditions with `,`",
+        "|" if is_before_name => "write `abs(x)` for an absolute value",
+        "|" | "||" => "conditions all hold at once; state alternatives separately",
+        "!" => "write `!=` for “not equal”",
+        "." if is_before_name => "a function stands before its argument: `sin(x)`",
+        "." => "write `..` for a range",
+        "?" => "write `if x > 0 { a } else { b }` for a choice",
+        _ => "",
+    };
+    if !told.is_empty() {
+        return Some(told.to_owned());
     }
     if let Some((_, text)) = TYPESET.iter().find(|(c, _)| *c == first) {
         return written(text);

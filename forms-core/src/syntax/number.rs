@@ -153,8 +153,10 @@ fn malformed(text: &str) -> Malformed {
     } else if digits == "0" && rest.starts_with(['x', 'b', 'o']) {
         "numbers are decimal".to_owned()
     } else {
-        let (number, name) = split_before_name(text);
-        format!("write `{number}*{name}` for a product")
+        match split_before_name(text) {
+            (number, "f" | "F" | "f32" | "f64") => format!("numbers have no type: `{number}`"),
+            (number, name) => format!("write `{number}*{name}` for a product"),
+        }
     };
     Malformed { message, help: Some(help) }
 }

@@ -1,6 +1,7 @@
 //! The single namespace of a file, and the search for the known name nearest to a misspelt one.
 
 use super::named::{Named, describe};
+use super::other_languages;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::Name;
 use crate::syntax::words::FUNCTIONS;
@@ -84,6 +85,9 @@ impl Names {
             .with_help(format!("write its arguments in brackets: `{text}(…)`"));
         }
         let diagnostic = not_declared(text, span);
+        if let Some(here) = other_languages::meaning(text) {
+            return diagnostic.with_help(here);
+        }
         let near = if self.is_terse { None } else { self.nearest(text) };
         match near {
             Some(near) => diagnostic.with_help(format!("did you mean `{near}`?")),

@@ -35,6 +35,9 @@ pub(super) fn unit(written: &Expr) -> Result<Unit, Diagnostic> {
     Ok(value)
 }
 
+/// Types of numbers in other languages.
+const TYPES: [&str; 8] = ["f64", "f32", "float", "double", "real", "Real", "half", "int"];
+
 fn atom(written: &Expr) -> Result<Unit, Diagnostic> {
     match &*written.kind {
         ExprKind::Number(number) if number.is_one() => Ok(Unit::one()),
@@ -51,6 +54,10 @@ fn malformed(written: &Expr) -> Diagnostic {
 
 fn unknown(name: &str, written: &Expr) -> Diagnostic {
     let diagnostic = Diagnostic::new(written.span, format!("`{name}` is not a unit"));
+    if TYPES.contains(&name) {
+        return diagnostic
+            .with_help("a kernel is the same for all types of numbers; after `:` stands a unit, as `m`");
+    }
     match table::suggestion(name) {
         Some("rad") if name.to_ascii_lowercase().starts_with("deg") => {
             diagnostic.with_help("angles are in radians: `rad`")

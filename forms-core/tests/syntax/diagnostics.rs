@@ -98,6 +98,7 @@ tables! {
 tables! {
     said_about_all:
     what_only_follows_from_an_error_is_not_reported_and_all_else_is "consequences",
+    what_other_languages_write_leads_to_what_is_written_here "other_languages",
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.
 #![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]
 
+use crate::special::error_function;
+
 /// The numbers of one floating-point format; polynomials have their constant term first.
 pub(crate) struct Coefficients<W: 'static> {
     /// From here on erf x rounds to 1
@@ -47,7 +49,7 @@ pub(crate) struct Coefficients<W: 'static> {
 
 /// Of `f64`.
 pub(crate) const F64: Coefficients<f64> = Coefficients {
-    erf_is_one: 6.0,
+    erf_is_one: error_function::ERF_IS_ONE,
     log2_e: 1.4426950408889634,
     ln_2: &[0.6931471805598903, 5.497923018708371e-14],
     two_over_pi: 0.6366197723675814,
@@ -62,7 +64,7 @@ pub(crate) const F64: Coefficients<f64> = Coefficients {
         3.141592653589793,
         1.2246467991473532e-16,
     ],
-    two_over_root_pi: &[1.1283791670955126, 1.533545961316588e-17],
+    two_over_root_pi: &error_function::TWO_OVER_ROOT_PI,
     two_thirds: &[0.6666666666666666, 3.700743415417188e-17],
     exp: &[
         0.5,
@@ -159,41 +161,8 @@ pub(crate) const F64: Coefficients<f64> = Coefficients {
         -0.014851887071247204,
         0.028757851367421566,
     ],
-    erf: &[
-        -0.37612638903183754,
-        0.11283791670955111,
-        -0.026866170645123838,
-        0.005223977625303518,
-        -0.0008548327010033328,
-        0.00012055332214716276,
-        -1.4925622504489842e-5,
-        1.6461446656928561e-6,
-        -1.6355118610877705e-7,
-        1.4692484859133263e-8,
-        -1.1500357159785296e-9,
-        6.174097221305255e-11,
-    ],
-    ln_erfc: &[
-        -1.8496055099332482,
-        -2.638967514234788,
-        -0.8431072563586866,
-        -0.04156109804159179,
-        0.010033825371928505,
-        -0.0019779025510959767,
-        0.0002373224078962554,
-        2.6278094448532506e-5,
-        -2.715957480596495e-5,
-        9.60960724352212e-6,
-        -2.0605669406249576e-6,
-        1.4353832208517946e-7,
-        9.713692640519622e-8,
-        -5.185047792207241e-8,
-        1.4849384331745716e-8,
-        -2.849581657658107e-9,
-        3.660080614374357e-10,
-        -2.8608882469579202e-11,
-        1.0305267765735484e-12,
-    ],
+    erf: &error_function::ERF,
+    ln_erfc: &error_function::LN_ERFC,
 };
 
 /// Of `f32`.

@@ -68,12 +68,12 @@ fn what_is_missing_is_said_where_it_is_missing() {
         (
             "cut.stl",
             stl.split_at(stl.rfind("endsolid").unwrap()).0,
-            "cut.stl:16:1: the file ends within this solid",
+            "cut.stl:17:1: the file ends within this solid",
         ),
         (
             "cut.vtu",
             vtu.strip_suffix("</VTKFile>").unwrap(),
-            "cut.vtu:1:736: the root node was opened but never closed",
+            "cut.vtu:1:621: the root node was opened but never closed",
         ),
         ("cut.gltf", &gltf.replace("\"scene\": 0", "\"scene\": 1"), "cut.gltf: there is no scene 1"),
     ];

@@ -15,7 +15,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::syntax::ast::{Binary, Expr, ExprKind, Name};
 use crate::syntax::number;
 use crate::syntax::token::{Symbol, TokenKind};
-use crate::syntax::words::Word;
+use crate::syntax::words::{FUNCTIONS, Word};
 
 /// Expression with the height of its tree, 1 for a leaf.
 pub(super) struct Tree {
@@ -104,6 +104,9 @@ impl Parser<'_> {
             Some(TokenKind::Symbol(Symbol::Star)) if self.follows_star() => {
                 Err(self.unexpected("an expression", Some("a power is written `**`, without a space")))
             }
+            Some(TokenKind::Symbol(Symbol::OpenBrace)) => {
+                Err(self.unexpected("an expression", Some("what several kernels use is a `let` above them")))
+            }
             _ => Err(self.unexpected("an expression", None)),
         }
     }
@@ -166,8 +169,9 @@ impl Parser<'_> {
             _ => return,
         };
         let base = match &*left.kind {
-            ExprKind::Name(name) => name,
-            _ => "…",
+            ExprKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => format!("{name}(…)"),
+            ExprKind::Name(name) => name.clone(),
+            _ => "…".to_owned(),
         };
         let message = "`^` is the wedge product, but its right operand is a number";
         let help = format!("use `**` for powers: `{base}**{sign}{digits}`");

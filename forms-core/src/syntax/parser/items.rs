@@ -263,7 +263,8 @@ impl Parser<'_> {
             self.position += 2;
             return Ok(());
         }
-        Err(self.unexpected("`=`", None))
+        let help = self.at(Symbol::Arrow).then_some("the results of a kernel have no declared type");
+        Err(self.unexpected("`=`", help))
     }
 
     /// Parses `(x: m, y: m)`.
