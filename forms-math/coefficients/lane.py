@@ -152,6 +152,10 @@ SHARED = ("erf_is_one", "two_over_root_pi", "erf", "ln_erfc")
 APPROXIMATE = '#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]\n'
 
 
+def numbers(values, form, indent):
+    return "".join(f"{indent}{literal(x, form)},\n" for x in values)
+
+
 def emit():
     tables = [list(table(form)) for form in FORMATS]
     print("//! The polynomials and constants of the functions of lanes; computed by `coefficients/lane.py`.")
@@ -171,10 +175,7 @@ def emit():
                 borrowed = "&" if isinstance(value, list) else ""
                 print(f"    {name}: {borrowed}error_function::{name.upper()},")
             elif isinstance(value, list):
-                print(f"    {name}: &[")
-                for x in value:
-                    print(f"        {literal(x, form)},")
-                print("    ],")
+                print(f"    {name}: &[\n{numbers(value, form, ' ' * 8)}    ],")
             else:
                 print(f"    {name}: {literal(value, form)},")
         print("};")
@@ -189,10 +190,7 @@ def emit_error_function():
             continue
         print(f"/// {meaning}")
         if isinstance(value, list):
-            print(f"pub(crate) const {name.upper()}: [f64; {len(value)}] = [")
-            for x in value:
-                print(f"    {literal(x, form)},")
-            print("];")
+            print(f"pub(crate) const {name.upper()}: [f64; {len(value)}] = [\n{numbers(value, form, ' ' * 4)}];")
         else:
             print(f"pub(crate) const {name.upper()}: f64 = {literal(value, form)};")
 

@@ -1,6 +1,6 @@
-//! Names that other languages have and this one has not, each with what is written here.
+//! Names that other languages have and this one has not, each with its notation here.
 
-/// Names in other languages, and what says the same here.
+/// Names in other languages, and the same in this one.
 const NAMES: &[(&[&str], &str)] = &[
     (&["pow", "powf", "powi", "power"], "write `x**y` for a power"),
     (&["sqr", "square"], "write `x**2` for a square"),
@@ -35,7 +35,7 @@ const NAMES: &[(&[&str], &str)] = &[
     (&["sum", "prod"], "write all terms: `q0 + q1 + q2`"),
 ];
 
-/// Returns what is written here for a name of another language.
+/// Returns the notation here for a name of another language.
 pub(super) fn meaning(name: &str) -> Option<&'static str> {
     NAMES.iter().find(|(names, _)| names.contains(&name)).map(|(_, here)| *here)
 }

@@ -53,7 +53,9 @@ def street(program, folder, view3d):
     if not view3d:
         return row("street, 545 quads", own, "", None, f"{sum(r['value'] > 0 for r in records)} factors above 0")
     start = time.perf_counter()
-    subprocess.run([view3d, folder / "street.vs3", folder / "street.out"], capture_output=True, check=True)
+    # it writes a log into the folder in which it runs
+    files = [folder / "street.vs3", folder / "street.out"]
+    subprocess.run([Path(view3d).resolve(), *files], cwd=folder, capture_output=True, check=True)
     other = time.perf_counter() - start
     lines = (folder / "street.out").read_text().splitlines()[2:]
     count = int(len(records) ** 0.5)
