@@ -35,6 +35,7 @@
 //! [`core`] is the library below the macros, for programs that read the language at run time:
 //! [`core::compile`] accepts the same input. [`math`] is the arithmetic of generated kernels.
 
+pub mod arrays;
 mod form;
 #[cfg(feature = "ndarray")]
 pub mod rows;
@@ -122,6 +123,8 @@ mod documents {
     struct Readme;
     #[doc = include_str!("../docs/language.md")]
     struct Language;
+    #[doc = include_str!("../docs/kernels.md")]
+    struct Kernels;
     #[doc = include_str!("../docs/book/src/04-solid-angle.md")]
     struct SolidAngle;
 }

@@ -11,6 +11,7 @@ macro_rules! case_files {
 case_files! {
     angles "tests/cases/angles.forms";
     change_of_variables "tests/cases/change_of_variables.forms";
+    elementary_functions "tests/cases/elementary_functions.forms";
     equations "tests/cases/equations.forms";
     etendue "tests/cases/etendue.forms";
     exponentials "tests/cases/exponentials.forms";

@@ -30,6 +30,25 @@ mod radiometry {
     }
 }
 
+/// Arrays, definitions and calls.
+mod bodies {
+    forms::forms! {
+        let ease(t) = t*t*(3 - 2*t);
+
+        /// Where a point of a body is after a rotation about a centre.
+        pub kernel turned(p[3], c[3], R[3, 3]) = c + R*(p - c);
+        pub kernel distance(p[3], q[3]) = norm(p - q) within 2;
+        pub kernel slopes = jacobian(distance; p, q);
+        pub kernel distance_and_slopes = value_and_jacobian(distance; p);
+        pub kernel rotation(a) = [[cos(a), -sin(a)], [sin(a), cos(a)]];
+        pub kernel eased(t) = ease(t) where 0 <= t <= 1;
+        pub kernel blend(a, b, t) = a + (b - a)*eased(t);
+        pub kernel polynomial(c[4], x) = sum(c[k]*x**k, k = 0..3);
+        pub kernel faded(p[2], sigma, s) = p*exp(-sigma*s) effects { absorption: sigma = 0; };
+        pub kernel none(unused[2]) = 1;
+    }
+}
+
 mod theorems {
     forms::include_forms!("tests/files/theorems.forms");
     forms::proof_tests!("tests/files/theorems.forms");
@@ -268,4 +287,64 @@ fn a_promise_is_kept_at_every_size_or_an_error() {
         assert_eq!(radiometry::versine_ratio::checked(x), Ok(value));
     }
     assert!(radiometry::versine_ratio::checked(-1.0).expect("no error outside the domain").is_nan());
+}
+
+#[test]
+fn arrays_are_arrays_of_rust() {
+    let quarter = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let moved: [f64; 3] = bodies::turned([2.0, 1.0, 5.0], [1.0, 1.0, 1.0], quarter);
+    assert_eq!(moved, [1.0, 2.0, 5.0]);
+    let distance = bodies::distance([1.0, 2.0, 2.0], [0.0; 3]);
+    assert_eq!(distance, 3.0);
+    let (value, slopes): (f64, [f64; 3]) = bodies::distance_and_slopes([1.0, 2.0, 2.0], [0.0; 3]);
+    assert_eq!(value, 3.0);
+    let both: [f64; 6] = bodies::slopes([1.0, 2.0, 2.0], [0.0; 3]);
+    for (place, wanted) in [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0].into_iter().enumerate() {
+        assert_close(slopes[place], wanted);
+        assert_close(both[place], wanted);
+        assert_close(both[place + 3], -wanted);
+    }
+    let turn: [[f64; 2]; 2] = bodies::rotation(0.5);
+    assert_eq!(turn, [[0.5_f64.cos(), -0.5_f64.sin()], [0.5_f64.sin(), 0.5_f64.cos()]]);
+    assert_eq!(bodies::polynomial([1.0, 2.0, 3.0, 4.0], 2.0), 1.0 + 4.0 + 12.0 + 32.0);
+    assert_eq!(bodies::none([0.0; 2]), 1.0);
+}
+
+#[test]
+fn calls_compute_the_formulas_that_they_name() {
+    for t in [0.0, 0.25, 0.5, 1.0] {
+        let eased = t * t * (3.0 - 2.0 * t);
+        assert_close(bodies::eased(t), eased);
+        assert_close(bodies::blend(2.0, 5.0, t), 2.0 + 3.0 * eased);
+    }
+    assert!(bodies::eased(1.5).is_nan(), "outside its domain");
+}
+
+#[test]
+fn every_tier_takes_arrays() {
+    use forms::math::{DoubleDouble, Real};
+    let (p, q) = ([1.0, 2.0, 2.0], [0.0, 0.0, 0.0]);
+    assert_eq!(bodies::distance::plain(p, q), 3.0);
+    assert_eq!(bodies::distance::f32([1.0, 2.0, 2.0], [0.0; 3]), 3.0);
+    assert_eq!(bodies::distance::checked(p, q), Ok(3.0));
+    let of = |point: [f64; 3]| point.map(DoubleDouble::from_f64);
+    assert_eq!(bodies::distance::dd(of(p), of(q)).to_f64(), 3.0);
+    let (value, slopes) = bodies::distance_and_slopes::plain(p, q);
+    assert!(value == 3.0 && (slopes[0] - 1.0 / 3.0).abs() < 1e-15);
+
+    let columns = [[1.0, 2.0], [2.0, 3.0], [2.0, 6.0]];
+    let [x, y, z] = [&columns[0][..], &columns[1][..], &columns[2][..]];
+    let zero = &[0.0, 0.0][..];
+    let mut lengths = [0.0; 2];
+    bodies::distance::batch([x, y, z], [zero; 3], &mut lengths).expect("columns of one length");
+    assert_eq!(lengths, [3.0, 7.0]);
+    let (mut lengths, mut slopes) = ([0.0; 2], [[0.0; 2]; 3]);
+    let [a, b, c] = &mut slopes;
+    bodies::distance_and_slopes::batch([x, y, z], [zero; 3], (&mut lengths, [a, b, c]))
+        .expect("columns of one length");
+    assert!(lengths == [3.0, 7.0] && (slopes[2][1] - 6.0 / 7.0).abs() < 1e-15);
+
+    let effects = bodies::faded::Effects::of([1.0, 2.0], 0.0, 3.0);
+    assert_eq!(effects, bodies::faded::Effects::NONE);
+    assert_eq!(bodies::faded::with(effects)([1.0, 2.0], 0.0, 3.0), [1.0, 2.0]);
 }

@@ -12,7 +12,6 @@ use forms_core::check::read_file;
 use forms_core::decide::Verdict;
 use forms_core::derivation::{Derivation, Line, derive};
 use forms_core::diagnostic::Span;
-use forms_core::expression::Symbol;
 use forms_core::notation::{latex_of_name, latex_of_named};
 use forms_core::syntax::Source;
 use forms_core::syntax::ast::{File, ItemKind};
@@ -63,8 +62,8 @@ impl Shown {
         let value = latex_of_named(&mut theory, &name.text)?;
         let mut title = latex_of_name(&name.text);
         if let Some(Named::Kernel(number)) = theory.named(&name.text) {
-            let argument = |&symbol: &Symbol| latex_of_name(theory.pool.symbol_name(symbol));
-            let arguments: Vec<String> = theory.kernels[*number].arguments.iter().map(argument).collect();
+            let parameters = theory.kernels[*number].signature.parameters.iter();
+            let arguments: Vec<String> = parameters.map(|parameter| latex_of_name(&parameter.name)).collect();
             title = format!("{title}\\left({}\\right)", arguments.join(", "));
         }
         let written = format!("{title} = {value}");

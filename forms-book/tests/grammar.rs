@@ -1,6 +1,6 @@
 //! The editor grammar contains exactly the words of the language.
 
-use forms_core::syntax::words::{CONTEXTUAL, FUNCTIONS, INSIDE, ITEMS};
+use forms_core::syntax::words::{ARRAY_FUNCTIONS, COMMON_FUNCTIONS, CONTEXTUAL, FUNCTIONS, INSIDE, ITEMS};
 use serde_json::Value;
 
 const GRAMMAR: &str = include_str!("../../editors/forms.tmLanguage.json");
@@ -16,7 +16,14 @@ fn words<'a>(grammar: &'a Value, rule: &str) -> Vec<&'a str> {
 #[test]
 fn the_words_of_the_grammar_are_those_of_the_language() {
     let grammar: Value = serde_json::from_str(GRAMMAR).expect("JSON");
-    let lists = [("items", ITEMS), ("inside", INSIDE), ("contextual", CONTEXTUAL), ("functions", FUNCTIONS)];
+    let lists = [
+        ("items", ITEMS),
+        ("inside", INSIDE),
+        ("contextual", CONTEXTUAL),
+        ("functions", FUNCTIONS),
+        ("array_functions", ARRAY_FUNCTIONS),
+        ("common_functions", COMMON_FUNCTIONS),
+    ];
     for (rule, known) in lists {
         assert_eq!(words(&grammar, rule), known, "{rule} of editors/forms.tmLanguage.json");
     }

@@ -3,20 +3,24 @@
 use crate::calculus::{Kind, Value};
 use crate::expression::Operation::{Function, Jet};
 use crate::expression::rational;
-use crate::theory::{DERIVED, FUNCTIONS, Named, Theory};
+use crate::theory::{COMMON, FUNCTIONS, Named, Theory, derived};
 use crate::tokens::Reader;
 use crate::{Stop, malformed, uncovered};
 
 impl Theory {
     /// Reads the arguments of a function after its opening bracket.
     pub(crate) fn call(&mut self, name: &str, reader: &mut Reader) -> Result<Value, Stop> {
+        if COMMON.iter().any(|row| row.0 == name) && self.names.contains_key(name) {
+            // the name has the other meaning only below its declaration
+            return uncovered(format!("`{name}`, which the file gives another meaning"));
+        }
         if let Some(Named::Function(f)) = self.names.get(name) {
             let f = *f;
             let values = self.scalars(reader, self.functions[f].0.len())?;
             return Ok(Value::of(0, self.unknown(f, values)));
         }
         let plain = FUNCTIONS.iter().find(|row| row.0 == name).map(|row| row.0);
-        let derived = DERIVED.iter().find(|row| row.0 == name);
+        let derived = derived().find(|row| row.0 == name);
         if plain.is_some() || derived.is_some() {
             let values = self.scalars(reader, derived.map_or(1, |row| row.1))?;
             let images = values.iter().copied().enumerate().collect();

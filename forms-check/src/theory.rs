@@ -131,6 +131,22 @@ pub(crate) const DERIVED: [(&str, usize, &str, &str); 5] = [
     ("tanh", 1, "(exp(a) - exp(-a))/(exp(a) + exp(-a))", ""),
 ];
 
+/// Derived functions whose names a file can give another meaning, in the same columns.
+pub(crate) const COMMON: [(&str, usize, &str, &str); 7] = [
+    ("min", 2, "(a + b - abs(a - b))/2", ""),
+    ("max", 2, "(a + b + abs(a - b))/2", ""),
+    ("copysign", 2, "abs(a)*b/abs(b)", "b != 0"),
+    ("hypot", 2, "sqrt(a**2 + b**2)", ""),
+    ("sec", 1, "1/cos(a)", "cos(a) != 0"),
+    ("csc", 1, "1/sin(a)", "sin(a) != 0"),
+    ("cot", 1, "cos(a)/sin(a)", "sin(a) != 0"),
+];
+
+/// Returns the derived functions, with the arguments a and b.
+pub(crate) fn derived() -> impl Iterator<Item = (&'static str, usize, &'static str, &'static str)> {
+    DERIVED.into_iter().chain(COMMON)
+}
+
 /// File that was read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Theory {
@@ -172,7 +188,7 @@ impl Theory {
         for name in ["a", "b"] {
             theory.new_variable(name, false)?;
         }
-        for (name, text, domain) in FUNCTIONS.into_iter().chain(DERIVED.map(|row| (row.0, row.2, row.3))) {
+        for (name, text, domain) in FUNCTIONS.into_iter().chain(derived().map(|row| (row.0, row.2, row.3))) {
             let expr = theory.scalar(&mut Reader::new(text)?)?;
             theory.pool.templates.insert(name, expr);
             if !domain.is_empty() {

@@ -99,6 +99,10 @@ pub(crate) enum Command {
         tier: Tier,
     },
     /// Print the kernels of a file as source code that compiles without changes
+    ///
+    /// In C, CUDA and WGSL each kernel is also computed over arrays, by a function NAME_batch. A
+    /// kernel that the target cannot express is omitted and reported. Exit status: 0 if every
+    /// kernel was written, 2 if some were omitted or if the file has errors.
     Emit {
         /// A file of the forms language, or - for the library
         file: String,
@@ -111,6 +115,10 @@ pub(crate) enum Command {
         /// Number type: f32, f64 or dd; by default f64, in wgsl f32
         #[arg(long)]
         precision: Option<String>,
+        /// Prefix of the names of all functions of kernels
+        #[arg(long, default_value = "", hide_default_value = true, value_name = "TEXT",
+            value_parser = prefix)]
+        prefix: String,
     },
     /// Show the run time and the accuracy of each precision and form of a kernel, on typical and on
     /// hard arguments
@@ -286,6 +294,16 @@ pub(crate) enum Tier {
 fn interval(text: &str) -> Result<Duration, String> {
     let seconds = text.parse().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     seconds.ok_or_else(|| "expected a number of seconds from 0 to 1e19".to_owned())
+}
+
+/// Parses a prefix of names.
+fn prefix(text: &str) -> Result<String, String> {
+    let is_name = text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    let is_first = text.starts_with(|c: char| c.is_ascii_alphabetic());
+    if text.is_empty() || is_name && is_first {
+        return Ok(text.to_owned());
+    }
+    Err("expected letters, digits and underscores, a letter first".to_owned())
 }
 
 /// Largest number of arguments per regime for the measurement of accuracy.

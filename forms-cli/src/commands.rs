@@ -49,8 +49,9 @@ pub(crate) fn run_with_input(
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval((file, kernel), precision, *tier, input, output)
         }
-        Some(Command::Emit { file, kernel, target, precision }) => {
-            emit::emit(file, kernel.as_deref(), (target, precision.as_deref()), output)
+        Some(Command::Emit { file, kernel, target, precision, prefix }) => {
+            let language = (target.as_str(), precision.as_deref());
+            emit::emit(&emit::Request { file, kernel: kernel.as_deref(), language, prefix }, output)
         }
         Some(Command::Accuracy { file, kernel, json, write, pages, samples, no_times }) => {
             let request = accuracy::Request {

@@ -49,7 +49,7 @@ fn lost_item(file: &File, theory: &Theory) -> Option<Diagnostic> {
     let kernels: FxHashSet<&str> = theory.kernels.iter().map(|kernel| kernel.name.as_str()).collect();
     let is_kept = |item: &Item| match &item.kind {
         ItemKind::Statement { name, .. } => statements.contains(name.text.as_str()),
-        ItemKind::Kernel { name, .. } | ItemKind::Gradient { name, .. } => {
+        ItemKind::Kernel { name, .. } | ItemKind::Derivatives { name, .. } => {
             kernels.contains(name.text.as_str())
         }
         ItemKind::Warp(warp) => {

@@ -17,6 +17,7 @@ mod circular;
 mod constants;
 mod decimal;
 mod dilogarithm;
+mod expansion;
 mod exponential;
 mod exponential_integral;
 mod graph;
@@ -31,6 +32,7 @@ mod tests;
 mod word;
 
 pub use bounds::{Enclosure, Precision, Undecided};
+pub(crate) use expansion::{Place, expansion};
 pub use graph::enclose;
 pub(crate) use graph::{enclose_number, enclose_of_kernel};
 pub(crate) use word::{WordRange, word_ranges};

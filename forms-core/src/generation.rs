@@ -10,6 +10,7 @@
 //! unchecked. A claim that could not be proved is reported with the kernel, and never presented as
 //! a proof.
 
+mod approximation_claim;
 mod boundary;
 mod cuts;
 mod definedness;
@@ -55,7 +56,14 @@ pub struct Generated {
     pub rewritten: Vec<String>,
     /// Promised largest error of the kernel's `f64` value, in units of 2⁻⁵³; `None` if nothing is
     /// promised.
-    pub within: Option<f64>,
+    pub promise: Option<f64>,
+    /// The bound that keeps the promise, in units of 2⁻⁵³.
+    pub bounded: Option<f64>,
+    /// Largest relative error of the form before rounding; 0 unless it is an approximation.
+    pub approximation: f64,
+    /// Whether the kernel has an approximation that is not computed, because no bound shows that it
+    /// keeps the promise.
+    pub is_dropped: bool,
 }
 
 /// Length of the longest form that is quoted.
@@ -64,18 +72,42 @@ const LONGEST_FORM: usize = 200;
 impl Generated {
     /// Evaluates the kernel in `f64`, within the promised error.
     pub fn values(&self, arguments: &[f64]) -> Vec<f64> {
-        match self.within {
+        match self.within() {
             Some(within) => self.optimised.interpret_within(arguments, within),
             None => self.optimised.interpret(arguments),
         }
     }
 
+    /// Returns the promise if it is kept by as much precision as each value needs; `None` if nothing
+    /// is promised, or if a bound of the error over the whole domain keeps the promise.
+    pub fn within(&self) -> Option<f64> {
+        self.promise.filter(|_| self.bounded.is_none())
+    }
+
+    /// Returns the program whose value is that of the formula in every precision.
+    pub fn exact(&self) -> &Program {
+        if self.approximation > 0.0 { &self.written } else { &self.optimised }
+    }
+
     /// Describes in sentences how the program relates to the formula.
     pub fn account(&self) -> String {
+        if self.approximation > 0.0 {
+            // the bound is the float above the stated one
+            return format!(
+                "Proved to differ from its formula by at most {:e} of the value, before rounding.",
+                self.approximation.next_down()
+            );
+        }
+        if self.is_dropped {
+            return format!(
+                "{} The approximation is not computed: no bound shows that it keeps the promise of `within`.",
+                self.translation
+            );
+        }
         if self.rewritten.is_empty() {
             return self.translation.to_string();
         }
-        let form = results(&self.rewritten);
+        let form = results(&self.rewritten, &self.optimised.signature().results);
         let form = if form.len() <= LONGEST_FORM { format!(": `{form}`") } else { String::new() };
         format!("{} Computed by an equal form found by rewriting rules{form}.", self.translation)
     }
@@ -98,6 +130,7 @@ pub(crate) fn generate(
         name: kernel.name.clone(),
         docs: kernel.docs.clone(),
         public: kernel.public,
+        signature: Some(kernel.signature.clone()),
         arguments: kernel.arguments.clone(),
         outputs: kernel.outputs.clone(),
         domain: kernel.domain.clone(),
@@ -119,12 +152,28 @@ pub(crate) fn generate(
     // a form to compute by, or an error bound, asks for accuracy first
     let is_stable = form.is_some() || kernel.within.is_some();
     let optimised = if is_stable { optimised.compensate() } else { optimised };
+    let approximation = kernel.approximation.as_ref().map_or(0.0, |number| nearest_f64(number).next_up());
+    let bounded = kernel.within.as_ref().and_then(|within| optimised.keeps(within, approximation));
+    if approximation > 0.0 && kernel.within.is_some() && bounded.is_none() {
+        // more precision brings the value of an approximation no closer to that of the formula
+        let exact = Kernel { computed: Vec::new(), approximation: None, ..kernel.clone() };
+        return generate(pool, &exact, rewritten).map(|found| Generated { is_dropped: true, ..found });
+    }
     let translation = translation::validate(pool, computed, &optimised);
     match translation.objection(kernel) {
         Some(objection) => Err(vec![objection]),
         None => {
-            let (rewritten, within) = (pool.texts(rewritten), kernel.within.as_ref().map(nearest_f64));
-            Ok(Generated { written, optimised, translation, rewritten, within })
+            let (rewritten, promise) = (pool.texts(rewritten), kernel.within.as_ref().map(nearest_f64));
+            Ok(Generated {
+                written,
+                optimised,
+                translation,
+                rewritten,
+                promise,
+                bounded,
+                approximation,
+                is_dropped: false,
+            })
         }
     }
 }
@@ -167,6 +216,8 @@ pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     let Some(form) = with_form(kernel, &kernel.computed) else { return Vec::new() };
     match form_claim::fault(pool, kernel) {
         Some(fault) => vec![fault],
+        // pieces of an approximation that are close to one formula are close to each other
+        None if kernel.approximation.is_some() => Vec::new(),
         None => seam::faults(pool, &form),
     }
 }

@@ -58,6 +58,7 @@
 //! benchmarks of this repository; nothing else should rely on them.
 
 pub mod accuracy;
+mod approximation;
 mod assume;
 #[cfg(not(feature = "internals"))]
 mod calculus;

@@ -11,10 +11,17 @@
 //! domain is therefore kept even where 0·log x becomes 0. All errors of a file are collected. An
 //! item that fails is known but poisoned, so that one mistake is reported once.
 
+mod arguments;
 mod arithmetic;
+mod arrays;
+mod bindings;
 mod boundary;
 mod call;
+mod cycles;
 mod declarations;
+mod definitions;
+mod derivatives;
+mod elementary;
 mod evaluation;
 mod integration;
 mod items;
@@ -25,6 +32,7 @@ mod potential;
 mod quadratic;
 mod scope;
 mod statement;
+mod sums;
 mod warps;
 
 #[cfg(feature = "internals")]

@@ -26,7 +26,8 @@ pub use arithmetic::Arithmetic;
 #[cfg(not(feature = "internals"))]
 pub(crate) use arithmetic::Arithmetic;
 
-use crate::kernel::Program;
+use crate::expression::Rational;
+use crate::kernel::{Program, nearest_f64};
 use std::fmt;
 
 /// Error bounds of one output, valid wherever the kernel is defined.
@@ -47,9 +48,18 @@ impl ErrorBound {
 
 impl fmt::Display for ErrorBound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.units() {
-            Some(units) => write!(f, "{units:.1}·2⁻⁵³ of its magnitude"),
-            None => write!(f, "{:.1e}", self.absolute),
+        f.write_str(&self.text(&Arithmetic::DOUBLE))
+    }
+}
+
+impl ErrorBound {
+    /// Returns the bound in the units of an arithmetic.
+    fn text(&self, arithmetic: &Arithmetic) -> String {
+        match self.relative {
+            Some(relative) => {
+                format!("{:.1}·{} of its magnitude", relative / arithmetic.unit, arithmetic.unit_name())
+            }
+            None => format!("{:.1e}", self.absolute),
         }
     }
 }
@@ -79,16 +89,35 @@ impl fmt::Display for Unbounded {
 /// is computed at compile time of the user's crate.
 const BOXES_OF_DOCUMENTATION: usize = 64;
 
+/// Maximum number of boxes for the bound that keeps a promise.
+const BOXES_OF_PROMISE: usize = 256;
+
 /// Returns the sentence on rounding in a kernel's documentation: a bound for each output, or `None`
 /// where there is none.
 pub fn sentence(program: &Program) -> Option<String> {
-    let bounds = program.error_bound(BOXES_OF_DOCUMENTATION).ok()?;
-    let bounds: Vec<String> = bounds.iter().map(ErrorBound::to_string).collect();
+    Some(format!("{}.", claim(program, Arithmetic::DOUBLE)?))
+}
+
+/// Returns the bounds in the arithmetic of a target as a claim without a full stop, or `None` where
+/// there is none.
+pub(crate) fn claim(program: &Program, arithmetic: Arithmetic) -> Option<String> {
+    let bounds = program.error_bound_in(arithmetic, BOXES_OF_DOCUMENTATION).ok()?;
+    let bounds: Vec<String> = bounds.iter().map(|bound| bound.text(&arithmetic)).collect();
     let of = if bounds.len() == 1 { "its value" } else { "each value" };
     Some(format!(
-        "The rounding error of {of} in `f64` is at most {}, everywhere on the domain (bound).",
+        "The rounding error of {of} in `{}` is at most {}, everywhere on the domain (bound)",
+        arithmetic.format(),
         bounds.join(", ")
     ))
+}
+
+/// Returns a bound of the relative error of every value, in units of the arithmetic; `None` if there
+/// is only an absolute one. `approximation` is the relative error before rounding.
+pub(crate) fn units(bounds: &[ErrorBound], arithmetic: Arithmetic, approximation: f64) -> Option<f64> {
+    let worst = bounds.iter().try_fold(0.0, |worst: f64, bound| Some(worst.max(bound.relative?)))?;
+    // (1 + ε)(1 + δ) − 1, rounded upward
+    let both = (worst + approximation + worst * approximation) * (1.0 + 4.0 * f64::EPSILON);
+    (!both.is_nan()).then_some(both / arithmetic.unit)
 }
 
 impl Program {
@@ -113,6 +142,19 @@ impl Program {
         self.error_bound_in(Arithmetic::DOUBLE, boxes)
     }
 
+    /// Returns a bound of the relative error of every value in `f64`, in units of 2⁻⁵³, if it is
+    /// below `within`. `approximation` is the relative error before rounding.
+    pub(crate) fn keeps(&self, within: &Rational, approximation: f64) -> Option<f64> {
+        let bounds = self.bounds_of_promise(Arithmetic::DOUBLE).ok()?;
+        let units = units(&bounds, Arithmetic::DOUBLE, approximation)?;
+        (units <= nearest_f64(within).next_down()).then_some(units)
+    }
+
+    /// Returns the bounds that decide whether a promise is kept.
+    pub(crate) fn bounds_of_promise(&self, arithmetic: Arithmetic) -> Result<Vec<ErrorBound>, Unbounded> {
+        self.error_bound_in(arithmetic, BOXES_OF_PROMISE)
+    }
+
     /// Bounds the rounding errors as [`Program::error_bound`] does, for operations that round as in
     /// `arithmetic`.
     ///
@@ -121,6 +163,7 @@ impl Program {
     pub fn error_bound_in(&self, arithmetic: Arithmetic, boxes: usize) -> Result<Vec<ErrorBound>, Unbounded> {
         // the bound with two roundings instead of one, and with products whose roundings cancel,
         // also covers fused instructions
-        search::error_bound(&self.unfused(), arithmetic, boxes)
+        let split = if arithmetic.is_fused { self.unfused() } else { self.with_rounded_corrections() };
+        search::error_bound(&split, arithmetic, boxes)
     }
 }

@@ -11,14 +11,15 @@ mod value;
 
 pub use named::Named;
 pub(crate) use named::describe;
-pub use value::Value;
+pub use value::{Array, Value};
 
 pub use crate::calculus::{Blade, Coordinate, Field, Form, Metric};
 use crate::diagnostic::Span;
-use crate::expression::{Condition, Expr, Pool, Rational, Symbol};
-use crate::syntax::ast::Claim;
+use crate::expression::{Condition, Expr, Pool, Rational, Signature, Symbol};
+use crate::syntax::ast::{self, Claim};
 use rustc_hash::FxHashSet;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Coordinate chart.
 #[derive(Clone, Debug)]
@@ -135,13 +136,18 @@ pub struct Kernel {
     pub public: bool,
     /// Span of the kernel in its source.
     pub span: Span,
+    /// Arguments and results as declared; the lists below hold the entries of arrays by rows.
+    pub signature: Signature,
     /// Its arguments.
     pub arguments: Vec<Symbol>,
     /// Its formulas, one for each output.
     pub outputs: Vec<Expr>,
-    /// Equal form of each output that is computed instead of the formula; empty where the formula
+    /// Form of each output that is computed instead of the formula; empty where the formula
     /// itself is computed.
     pub computed: Vec<Expr>,
+    /// Largest relative error of this form where it is only close to the formula; `None` where it is
+    /// equal.
+    pub approximation: Option<Rational>,
     /// Its stated domain; outside it the value is NaN.
     pub domain: Vec<Condition>,
     /// Promised bound of the error of its `f64` value, in units of 2⁻⁵³ of the exact value; `None`
@@ -157,6 +163,8 @@ pub struct Kernel {
     pub statements: Vec<String>,
     /// Maps and named values that it mentions.
     pub(crate) mentioned: BTreeSet<String>,
+    /// Conditions under which its formulas are defined as written.
+    pub(crate) defined: Vec<Condition>,
 }
 
 impl Kernel {
@@ -190,6 +198,20 @@ pub struct KernelUnits {
     pub outputs: Vec<Option<String>>,
 }
 
+/// Definition with arguments, such as `let ease(t) = t*t*(3 - 2*t);`: an expression to be evaluated
+/// with a value in the place of each argument.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// Its name.
+    pub name: ast::Name,
+    /// Names of its arguments.
+    pub arguments: Vec<String>,
+    /// The expression.
+    pub value: ast::Expr,
+    /// Levels of nesting in the expression, with those of the definitions that it calls.
+    pub(crate) nesting: usize,
+}
+
 /// Map from uniform random numbers, with the density of its values; its map, statements and kernels
 /// are stored among the others.
 #[derive(Clone, Debug)]
@@ -220,10 +242,14 @@ pub struct Theory {
     pub metrics: Vec<NamedMetric>,
     /// The named scalars, forms and fields in order.
     pub objects: Vec<Object>,
+    /// The definitions with arguments in order.
+    pub definitions: Vec<Arc<Definition>>,
     /// The statements in order.
     pub statements: Vec<Statement>,
     /// The kernels in order.
     pub kernels: Vec<Kernel>,
+    /// Arrays among the arguments of kernels, in order.
+    pub(crate) arrays: Vec<Array>,
     /// The warps in order.
     pub warps: Vec<Warp>,
     /// Integrations over one range, in the order in which they were performed.

@@ -21,7 +21,7 @@ mod table;
 mod unit;
 
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::Symbol;
+use crate::expression::Parameter;
 use crate::resolve::Trace;
 use crate::syntax::ast::{Declared, File, ItemKind};
 use crate::theory::{Kernel, KernelUnits, Theory};
@@ -72,16 +72,32 @@ pub(crate) fn check(file: &File, theory: &mut Theory, trace: &Trace) -> Vec<Diag
     errors
 }
 
+/// Returns the units of the results of a kernel: one for an array whose entries have the same.
+fn units_of_results(kernel: &Kernel) -> Vec<Option<String>> {
+    let (mut rest, mut units) = (kernel.units.outputs.as_slice(), Vec::new());
+    for shape in &kernel.signature.results {
+        let (own, others) = rest.split_at(shape.entries().min(rest.len()));
+        rest = others;
+        match own {
+            [first, others @ ..] if others.iter().all(|unit| unit == first) => units.push(first.clone()),
+            several => units.extend_from_slice(several),
+        }
+    }
+    units
+}
+
 /// Describes the units of a kernel in a sentence: "Units: `r2` in `m**2`, `cos_theta` in `1`;
 /// result in `sr/m**2`."; `None` if no unit is known.
-pub fn sentence(theory: &Theory, kernel: &Kernel) -> Option<String> {
-    let known = |(&symbol, unit): (&Symbol, &Option<String>)| {
-        Some(format!("`{}` in `{}`", theory.pool.symbol_name(symbol), unit.as_ref()?))
+pub fn sentence(kernel: &Kernel) -> Option<String> {
+    let mut first = 0;
+    let known = |parameter: &Parameter| {
+        let unit = kernel.units.arguments.get(first).and_then(Option::as_ref);
+        first += parameter.shape.entries();
+        Some(format!("`{}` in `{}`", parameter.name, unit?))
     };
-    let arguments: Vec<String> =
-        kernel.arguments.iter().zip(&kernel.units.arguments).filter_map(known).collect();
-    let outputs: Option<Vec<String>> =
-        kernel.units.outputs.iter().map(|unit| Some(format!("`{}`", unit.as_ref()?))).collect();
+    let arguments: Vec<String> = kernel.signature.parameters.iter().filter_map(known).collect();
+    let quoted = |unit: &Option<String>| Some(format!("`{}`", unit.as_ref()?));
+    let outputs: Option<Vec<String>> = units_of_results(kernel).iter().map(quoted).collect();
     let results = match outputs.as_deref() {
         None | Some([]) => None,
         Some([unit]) => Some(format!("result in {unit}")),

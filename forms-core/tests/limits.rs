@@ -174,3 +174,39 @@ fn derivatives_of_unknown_functions_in_an_integrand_are_limited() {
         "cannot integrate over `x`: the integrand has more than 64 derivatives of unknown functions";
     assert_eq!(error(&text(65)), expected);
 }
+
+/// Returns definitions f0, f1, … of which each calls the one before it by `call`.
+fn tower(levels: usize, call: &str) -> String {
+    let level = |n: usize| format!("let f{}(t) = {};\n", n + 1, call.replace("f", &format!("f{n}")));
+    "let f0(t) = t + 1;\n".to_owned() + &(0..levels).map(level).collect::<String>()
+}
+
+#[test]
+fn definitions_that_call_each_other_are_limited() {
+    let of = |levels: usize, call: &str| format!("{}kernel k(x) = f{levels}(x);", tower(levels, call));
+    assert_eq!(resolve(&read(&of(10, "f(t) + f(2*t)")).0).1, []);
+    assert_eq!(
+        error(&of(30, "f(t) + f(2*t)")),
+        "this item has more than 10000 calls of definitions and terms of sums"
+    );
+    assert!(
+        error(&of(100, "f(t)"))
+            .ends_with("nested more than 64 levels deep, with the definitions that it calls")
+    );
+}
+
+#[test]
+fn sums_are_limited() {
+    assert_eq!(
+        error("kernel k(x) = sum(x, j = 1..1001);"),
+        "`sum` has 1001 terms, more than the limit of 1000"
+    );
+    assert_eq!(
+        error("kernel k(x) = sum(sum(x, j = 1..1000), j = 1..1000);"),
+        "this item has more than 10000 calls of definitions and terms of sums"
+    );
+    assert_eq!(
+        error("kernel k(x) = sum(x, j = 0..10**30);"),
+        "`sum` has 1000000000000000000000000000001 terms, more than the limit of 1000"
+    );
+}

@@ -56,6 +56,8 @@ fn values_are_typeset() {
         ("sigma_a*x", r"\sigma_{a}\,x"),
         ("2*3**(1/2)*x", r"2\,\sqrt{3}\,x"),
         ("(x + y)**2*z", r"\left(x + y\right)^{2}\,z"),
+        ("min(x, y + 1) - max(0, z)", r"\min\left(x, y + 1\right) - \max\left(0, z\right)"),
+        ("hypot(x, y)*cbrt(z)", r"\operatorname{hypot}\left(x, y\right)\,\operatorname{cbrt}\left(z\right)"),
         ("x**(1/3) + x**(3/2)", r"\sqrt[3]{x} + x^{3/2}"),
         ("x*(-y)", r"-x\,y"),
         ("x - (y + z)", r"x - \left(y + z\right)"),

@@ -5,7 +5,7 @@ use forms_core::compile::compile_kernel;
 use forms_core::enclosure::{Enclosure, Precision, enclose};
 use forms_core::expression::{Pool, Rational};
 use forms_core::kernel::Program;
-use forms_core::rounding::{ErrorBound, Unbounded};
+use forms_core::rounding::{Arithmetic, ErrorBound, Unbounded};
 use forms_core::theory::Kernel;
 use num_rational::BigRational;
 use num_traits::Signed;
@@ -68,6 +68,13 @@ const KERNELS: &[(&str, Ranges, f64)] = &[
         &[(0.0, 0.5), (-1.0, 1.0)],
         60.0,
     ),
+    // a branch without a value at 0, and a seam inside the domain
+    (
+        "kernel k(x) = if jump abs(x) < 1/2 { 1/6 - x**2/120 } else { (1 - sin(x)/x)/x**2 } where abs(x) <= 8;",
+        &[(-8.0, 8.0)],
+        150.0,
+    ),
+    ("kernel k(x) = if jump x < 1 { 1 + x } else { 100*x } where 0 <= x <= 4;", &[(0.0, 4.0)], 4.0),
 ];
 
 /// Numbers between two ends: uniform over the binades if both ends are positive, otherwise uniform.
@@ -143,4 +150,19 @@ fn the_cosine_of_large_angles_has_an_absolute_bound_only() {
     assert!(units("kernel small(x) = 2 + cos(x) where 1 <= x <= 2;").is_some());
     assert!(units("kernel large(x) = 2 + cos(x) where 1e23 <= x <= 2e23;").is_some());
     assert_eq!(units("kernel near(x) = cos(x) where 1e23 <= x <= 2e23;"), None);
+}
+
+/// WGSL can round the product of `fma`, so that the correction of a compensated product can be 0, and
+/// adding it is one more rounding: 1 ulp, two units.
+#[test]
+fn the_correction_of_a_compensated_sum_is_a_rounding_in_wgsl() {
+    let units = |stable: &str| {
+        let domain = "1 <= a <= 1.001, 1 <= b <= 1.001, 1 <= c <= 1.001, 1 <= d <= 1.001";
+        let bounded = kernel(&format!("kernel k(a, b, c, d) = a*b + c*d {stable} where {domain};"));
+        let bounds = bounded.program.error_bound_in(Arithmetic::SHADER, BOXES).expect("a bound");
+        bounds[0].relative.expect("a relative bound") / Arithmetic::SHADER.unit
+    };
+    let (plain, compensated) = (units(""), units("by a*b + c*d"));
+    assert!((3.99..4.1).contains(&plain), "{plain}");
+    assert!((5.99..6.1).contains(&compensated), "{compensated}");
 }

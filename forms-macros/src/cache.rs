@@ -1,4 +1,5 @@
-//! Cache of expansions: code that this library has proved and emitted for a source is not proved again.
+//! Cache of expansions: code that this library has proved and emitted for a part of a source is not
+//! proved again.
 //!
 //! ```text
 //! tokens · rest · file of this library ─▶ Key ─┬─ entry with this key ─▶ [Emitted]
@@ -6,12 +7,12 @@
 //! ```
 //! An entry is a file in a folder next to the compiled macros, which is below `target` and can be
 //! deleted at any time. It contains its whole key, so it is used only for the same tokens, the same
-//! rest (a file of choices, the kind of macro) and the same build of this library: any change of the
-//! prover, of the arithmetic or of their features writes the file of this library anew. The first
-//! line is a hash of all that follows, so a damaged entry is no entry. Comments are not part of a
-//! key, and the documentation of kernels is inserted into what was emitted. A source with
-//! diagnostics is never stored. If the folder or the file of this library cannot be found, nothing
-//! is cached.
+//! rest (the name of the part, a file of choices, the kind of macro) and the same build of this
+//! library: any change of the prover, of the arithmetic or of their features writes the file of this
+//! library anew. The first line is a hash of all that follows, so a damaged entry is no entry.
+//! Comments are not part of a key, and the documentation of kernels is inserted into what was
+//! emitted. A part with diagnostics is never stored. If the folder or the file of this library cannot
+//! be found, nothing is cached.
 
 use forms_core::syntax::token::{Token, TokenKind};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -22,7 +23,7 @@ use std::{fs, io};
 /// Name of the folder of entries.
 const FOLDER: &str = "forms-expansions";
 /// Number of entries at which the older half is deleted.
-const MOST: usize = 1000;
+const MOST: usize = 4000;
 
 /// Rust text emitted for a kernel.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +42,8 @@ pub(crate) struct Key {
 }
 
 impl Key {
-    /// Returns the key of a source and of the rest of the input; nothing where nothing can be cached.
+    /// Returns the key of a part of a source and of the rest of the input; nothing where nothing can
+    /// be cached.
     pub(crate) fn of(tokens: &[Token], rest: &str) -> Option<Self> {
         let library = process_path::get_dylib_path()?;
         Self::at(&library, tokens, rest)
@@ -141,10 +143,11 @@ fn delete_older(folder: &Path) -> io::Result<()> {
         let entry = entry?;
         Ok((entry.metadata()?.modified()?, entry.path()))
     };
-    let mut entries = fs::read_dir(folder)?.map(time).collect::<io::Result<Vec<_>>>()?;
-    if entries.len() < MOST {
+    // times are read only if they are needed: each kernel has an entry
+    if fs::read_dir(folder)?.count() < MOST {
         return Ok(());
     }
+    let mut entries = fs::read_dir(folder)?.map(time).collect::<io::Result<Vec<_>>>()?;
     entries.sort();
     entries.iter().take(MOST / 2).try_for_each(|(_, path)| fs::remove_file(path))
 }

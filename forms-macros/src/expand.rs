@@ -4,9 +4,11 @@
 //! Body ─ parse ─ resolve ─▶ Theory ─┬─ statements ─ decide ─▶ errors, or nothing
 //!                                   └─ kernels ─ generate, emit ─▶ errors, or documented functions
 //! ```
-//! A theory that was compiled before is not compiled again: its functions are in the cache.
+//! A source without errors is divided into parts. A part that was compiled before is not compiled
+//! again: its functions are in the cache.
 
 use crate::cache::{Emitted, Key};
+use crate::parts::Parts;
 use crate::report::{Origin, warned};
 use crate::tokens::Body;
 use crate::{lattice, tiers};
@@ -15,14 +17,14 @@ use forms_core::check::resolve_parsed;
 use forms_core::compile::{Compiled, CompiledKernel, Options, compile_theory};
 use forms_core::decide::Verdict;
 use forms_core::diagnostic::{Diagnostic, Span};
-use forms_core::emission::{KernelDocs, comment, emit_rust, emit_rust_within};
+use forms_core::emission::{KernelDocs, comment, emit_rust, emit_rust_within, promised_by_bound};
 use forms_core::generation::Generated;
 use forms_core::notation::results;
 use forms_core::syntax::ast::{Claim, Equation, Item, ItemKind, Name};
 use forms_core::syntax::token::{Symbol, Token, TokenKind};
 use forms_core::syntax::words::ITEMS;
 use forms_core::syntax::{parse, parse_equation};
-use forms_core::theory::{Kernel, Theory};
+use forms_core::theory::{Kernel, Statement, Theory};
 use proc_macro2::{Group, TokenStream, TokenTree};
 
 /// Placeholder for the lines that the author of a kernel wrote above it.
@@ -36,8 +38,8 @@ pub(crate) fn file(body: Body) -> TokenStream {
     diagnostics.extend(found);
     let (theory, found) = resolve_parsed(&body.tokens, &file);
     diagnostics.extend(found);
-    let key = Key::of(&body.tokens, "");
-    theory_checked(theory, diagnostics, &Origin::Body(body.places), key.as_ref())
+    let parts = Parts::new(&body.tokens, &file, None);
+    source_checked(theory, diagnostics, &Origin::Body(body.places), &parts)
 }
 
 /// Expands `prove! { items; left == right where … }`.
@@ -134,6 +136,63 @@ fn split_last(tokens: &[Token]) -> (&[Token], &[Token]) {
     tokens.split_at(if is_item { tokens.len() } else { start })
 }
 
+/// Decides every statement and emits every kernel of a source. A source without errors is expanded
+/// by its parts.
+pub(crate) fn source_checked(
+    theory: Theory,
+    diagnostics: Vec<Diagnostic>,
+    origin: &Origin,
+    parts: &Parts<'_>,
+) -> TokenStream {
+    let items = if diagnostics.is_empty() { by_parts(&theory, origin, parts) } else { None };
+    items.unwrap_or_else(|| theory_checked(theory, diagnostics, origin, None))
+}
+
+/// Expands a source by its parts; nothing if a statement or a warp has an error.
+fn by_parts(theory: &Theory, origin: &Origin, parts: &Parts<'_>) -> Option<TokenStream> {
+    let of_warps = part(parts, None)?.ok()?;
+    let (mut of_warps, mut output, mut diagnostics) = (of_warps.iter(), TokenStream::new(), Vec::new());
+    for kernel in &theory.kernels {
+        let items = if parts.has_kernel(&kernel.name) {
+            let emitted = part(parts, Some(&kernel.name))?;
+            emitted.and_then(|emitted| emitted.iter().map(|one| tokens(kernel, one, origin)).collect())
+        } else {
+            tokens(kernel, of_warps.next()?, origin)
+        };
+        match items {
+            Ok(items) => output.extend(items),
+            Err(found) => diagnostics.extend(found),
+        }
+    }
+    output.extend(origin.errors(&diagnostics));
+    Some(output)
+}
+
+/// Emits the kernels of a part, or takes what was emitted before from the cache. Nothing if the
+/// part has no meaning alone. The part of a kernel is emitted after all statements have been decided and
+/// are what they are claimed to be.
+fn part(parts: &Parts<'_>, kernel: Option<&str>) -> Option<Result<Vec<Emitted>, Vec<Diagnostic>>> {
+    let key = parts.key(kernel);
+    if let Some(emitted) = key.as_ref().and_then(Key::read) {
+        return Some(Ok(emitted));
+    }
+    let mut compiled = parts.compiled(kernel)?;
+    let mut all = Vec::new();
+    for compiled_kernel in &std::mem::take(&mut compiled.kernels) {
+        match emitted(&mut compiled, compiled_kernel, kernel.is_some()) {
+            Ok(emitted) => all.push(emitted),
+            Err(found) => compiled.diagnostics.extend(found),
+        }
+    }
+    if !compiled.diagnostics.is_empty() {
+        return Some(Err(compiled.diagnostics));
+    }
+    if let Some(key) = key {
+        key.write(&all);
+    }
+    Some(Ok(all))
+}
+
 /// Decides every statement and emits every kernel, or takes what was emitted before from the cache.
 /// Kernels are emitted even if there are errors, so that calls of them cause no further errors.
 pub(crate) fn theory_checked(
@@ -150,7 +209,7 @@ pub(crate) fn theory_checked(
     let kernels = std::mem::take(&mut compiled.kernels);
     let (mut output, mut all) = (TokenStream::new(), Vec::new());
     for kernel in &kernels {
-        let emitted = emitted(&mut compiled, kernel);
+        let emitted = emitted(&mut compiled, kernel, false);
         match emitted.and_then(|emitted| Ok((tokens(kernel.kernel(), &emitted, origin)?, emitted))) {
             Ok((items, emitted)) => {
                 output.extend(items);
@@ -173,17 +232,22 @@ fn known(theory: &Theory, key: &Key, origin: &Origin) -> Option<TokenStream> {
     kernels.map(|(kernel, emitted)| tokens(kernel, emitted, origin).ok()).collect()
 }
 
-/// Emits a kernel as a documented Rust function and the module of its tiers.
-fn emitted(compiled: &mut Compiled, of_kernel: &CompiledKernel) -> Result<Emitted, Vec<Diagnostic>> {
+/// Emits a kernel as a documented Rust function and the module of its tiers. `hold` states that all
+/// statements were decided before, and are what they are claimed to be.
+fn emitted(
+    compiled: &mut Compiled,
+    of_kernel: &CompiledKernel,
+    hold: bool,
+) -> Result<Emitted, Vec<Diagnostic>> {
     let (kernel, generated) = (of_kernel.kernel(), of_kernel.generated());
-    let docs = documentation(compiled, kernel, generated);
+    let docs = documentation(compiled, kernel, generated, hold);
     let program = of_kernel.program();
     let function = match &kernel.within {
-        None => emit_rust(program, &docs, tiers::MATH),
-        Some(within) => {
+        Some(within) if generated.within().is_some() => {
             let formula = format!("{}::Stable", kernel.name);
             emit_rust_within(program, &docs, tiers::MATH, &formula, within)
         }
+        _ => emit_rust(program, &docs, tiers::MATH),
     };
     let lattice = lattice::items(&mut compiled.theory.pool, kernel, generated)?;
     let mut items = tiers::module(generated, &lattice).map_err(|error| unreadable(kernel, &error))?;
@@ -223,21 +287,31 @@ fn warning(theory: &Theory, kernel: &Kernel) -> Option<TokenStream> {
 
 /// Collects the documentation: the formula, the proved statements that it rests on, the domain, the
 /// units, whether the kernel is proved equal to its formula, and its rounding error.
-fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated) -> KernelDocs {
+fn documentation(compiled: &Compiled, kernel: &Kernel, generated: &Generated, hold: bool) -> KernelDocs {
     let theory = &compiled.theory;
-    let arguments: Vec<&str> =
-        kernel.arguments.iter().map(|&argument| theory.pool.symbol_name(argument)).collect();
     let is_proved = |name: &&String| {
         let mut decided = compiled.statements.iter();
-        decided.any(|(statement, verdict)| statement.name == **name && matches!(verdict, Verdict::Proved(_)))
+        let is_it = |(statement, verdict): &(Statement, Verdict)| {
+            statement.name == **name && matches!(verdict, Verdict::Proved(_))
+        };
+        // the statements that a kernel names are claimed by `prove`
+        hold || decided.any(is_it)
     };
     KernelDocs {
-        formula: format!("{}({}) = {}", kernel.name, arguments.join(", "), results(&kernel.formula)),
+        formula: format!(
+            "{}({}) = {}",
+            kernel.name,
+            kernel.signature,
+            results(&kernel.formula, &kernel.signature.results)
+        ),
         statements: kernel.statements.iter().filter(is_proved).cloned().collect(),
         conditions: kernel.domain.iter().map(|condition| condition.text(&theory.pool)).collect(),
-        units: forms_core::units::sentence(theory, kernel).unwrap_or_default(),
+        units: forms_core::units::sentence(kernel).unwrap_or_default(),
         translation: generated.account(),
-        rounding: forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
+        rounding: match (&kernel.within, generated.bounded) {
+            (Some(within), Some(units)) => promised_by_bound(within, units),
+            _ => forms_core::rounding::sentence(&generated.optimised).unwrap_or_default(),
+        },
         docs: if kernel.docs.is_empty() { Vec::new() } else { vec![DOCS.to_owned()] },
     }
 }

@@ -55,6 +55,10 @@ fn written(theory: &mut Theory, span: Span) -> Result<TokenStream, Option<Diagno
             let diagnostic = Diagnostic::new(span, "expected a scalar or form, found a vector field");
             return Err(Some(diagnostic.with_help("`X[x]` is a component of a field")));
         }
+        Value::Array(array) => {
+            let message = format!("expected a scalar or form, found {}", array.shape);
+            return Err(Some(Diagnostic::new(span, message).with_help("`p[0]` is an entry of an array")));
+        }
     };
     let pool = &mut theory.pool;
     let mut terms: Vec<(Blade, Expr)> =

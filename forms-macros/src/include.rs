@@ -1,9 +1,9 @@
 //! Files named in macros: finds and reads them, and makes the compiler track their changes.
 
-use crate::cache::Key;
-use crate::expand::theory_checked;
+use crate::expand::source_checked;
+use crate::parts::Parts;
 use crate::report::{Origin, compile_error, warned};
-use forms_core::check::read_theory;
+use forms_core::check::read_file;
 use forms_core::stability::{Choices, EXTENSION};
 use forms_core::syntax::{Source, lex};
 use forms_core::theory::Theory;
@@ -95,15 +95,17 @@ pub(crate) fn items(argument: TokenStream) -> TokenStream {
         Err(error) => return error,
     };
     let text = included.text();
-    let (mut theory, diagnostics) = read_theory(&included.source.text);
+    let (file, mut theory, diagnostics) = read_file(&included.source.text);
     let choices = included.choices();
     let chosen = match choices.as_deref().map(|choices| included.choose(&mut theory, choices)).transpose() {
         Ok(chosen) => chosen,
         Err(error) => return error,
     };
-    let key = Key::of(&lex(&included.source.text).0, &choices.unwrap_or_default());
+    let (tokens, _) = lex(&included.source.text);
+    let read = choices.as_deref().and_then(|text| Some((Choices::read(text).ok()?, text)));
+    let parts = Parts::new(&tokens, &file, read.as_ref().map(|(choices, text)| (choices, *text)));
     let origin = Origin::File(included.source, included.place);
-    let items = theory_checked(theory, diagnostics, &origin, key.as_ref());
+    let items = source_checked(theory, diagnostics, &origin, &parts);
     quote! {
         const _: &str = #text;
         #chosen

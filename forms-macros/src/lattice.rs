@@ -6,11 +6,12 @@
 //! ```
 //! Each member is compiled separately: its code does not contain the absent effects.
 
+use crate::shapes::nested_type;
 use crate::tiers::{MATH, Tiers, operations};
 use forms_core::compile::compile_kernel;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::emission::emit_formula;
-use forms_core::expression::Pool;
+use forms_core::expression::{Pool, Signature};
 use forms_core::generation::{Generated, specialisations};
 use forms_core::kernel::{KernelSource, Program, lower};
 use forms_core::notation::results;
@@ -39,16 +40,11 @@ pub(crate) fn items(
         return Ok(TokenStream::new());
     }
     let all = vec![true; kernel.effects.len()];
-    let mut members =
-        vec![Member { present: all, formula: results(&kernel.formula), generated: full.clone() }];
+    let mut members = vec![Member { present: all, formula: formula(kernel), generated: full.clone() }];
     for specialisation in specialisations(pool, kernel)? {
         let special = &specialisation.kernel;
         let generated = compile_kernel(pool, special)?;
-        members.push(Member {
-            present: specialisation.present,
-            formula: results(&special.formula),
-            generated,
-        });
+        members.push(Member { present: specialisation.present, formula: formula(special), generated });
     }
     let unreadable = |error: proc_macro2::LexError| {
         let message =
@@ -59,6 +55,10 @@ pub(crate) fn items(
     let conditions = emit_formula(&conditions, "Conditions", MATH).parse().map_err(unreadable)?;
     let lattice = Lattice { kernel, tiers: Tiers::of(&full.optimised), members };
     Ok(lattice.items(conditions, lattice.formulas().map_err(unreadable)?))
+}
+
+fn formula(kernel: &Kernel) -> String {
+    results(&kernel.formula, &kernel.signature.results)
 }
 
 /// Builds one output per effect that is zero where the effect is inactive: the controlling argument
@@ -111,6 +111,7 @@ impl Lattice<'_> {
     /// Emits `struct Effects`.
     fn effects(&self) -> TokenStream {
         let (fields, arguments) = (self.fields(), &self.tiers.arguments);
+        let (declared, unpacked) = self.tiers.parameters(&quote!(f64));
         let (count, kinds) = (arguments.len(), fields.len());
         let docs = format!(" The effects of `{}`, each on or off.", self.kernel.name);
         let field_docs =
@@ -136,7 +137,8 @@ impl Lattice<'_> {
                 /// Returns the effects that these arguments need: an effect is off where the kernel
                 /// has the same value without it.
                 #[inline]
-                pub fn of(#(#arguments: f64),*) -> Self {
+                pub fn of(#(#declared),*) -> Self {
+                    #unpacked
                     let [#(#differences),*] =
                         <Conditions as ::forms::math::Formula<#count, #kinds>>::value([#(#arguments),*]);
                     Self { #(#fields: #differences != 0.0,)* }
@@ -196,14 +198,15 @@ impl Lattice<'_> {
 
     /// Emits `fn with`, which selects the function of single values.
     fn choice(&self) -> TokenStream {
-        let Tiers { name, arguments, outputs } = &self.tiers;
+        let Tiers { name, signature, arguments, outputs } = &self.tiers;
         let (count, result) = (arguments.len(), self.tiers.result(&quote!(f64)));
         let docs =
             format!(" `{name}` with these effects; effects that are off are not in the function's code.");
         let parameters = self.parameters();
         let number = quote!(f64);
-        let types = vec![number.clone(); count];
-        let value = match self.members[0].generated.within {
+        let types = argument_types(signature, &number);
+        let (declared, unpacked) = self.tiers.parameters(&number);
+        let value = match self.members[0].generated.within() {
             Some(within) => {
                 quote!(::forms::math::escalate::<With<#(#parameters),*>, #count, #outputs>([#(#arguments),*], #within))
             }
@@ -217,10 +220,11 @@ impl Lattice<'_> {
             #[doc = #docs]
             #[inline]
             pub fn with(effects: Effects) -> fn(#(#types),*) -> #result {
-                fn value<#(const #parameters: bool),*>(#(#arguments: #number),*) -> #result
+                fn value<#(const #parameters: bool),*>(#(#declared),*) -> #result
                 where
                     With<#(#parameters),*>: ::forms::math::Formula<#count, #outputs>,
                 {
+                    #unpacked
                     #body
                 }
                 match (#(effects.#fields,)*) { #choices }
@@ -230,15 +234,16 @@ impl Lattice<'_> {
 
     /// Emits `fn batch_with`, which selects the function of columns.
     fn batch_choice(&self) -> TokenStream {
-        let Tiers { name, arguments, outputs } = &self.tiers;
+        let Tiers { name, signature, arguments, outputs } = &self.tiers;
         let count = arguments.len();
         let docs = format!(" `{name}` of each row of columns with these effects.");
         let parameters = self.parameters();
         let output = format_ident!("{}", self.tiers.unused("output"));
         let (column, columns) = self.tiers.output_columns(&output, &quote!(f64));
         let error = quote!(::core::result::Result<(), ::forms::math::LengthMismatch>);
-        let inputs = vec![quote!(&[f64]); count];
-        let (function, within) = match self.members[0].generated.within {
+        let inputs = argument_types(signature, &quote!(&[f64]));
+        let (declared, unpacked) = self.tiers.parameters(&quote!(&[f64]));
+        let (function, within) = match self.members[0].generated.within() {
             Some(within) => (quote!(batch_within), quote!(, #within)),
             None => (quote!(batch), quote!()),
         };
@@ -247,10 +252,11 @@ impl Lattice<'_> {
             #[doc = #docs]
             #[inline]
             pub fn batch_with(effects: Effects) -> fn(#(#inputs,)* #column) -> #error {
-                fn values<#(const #parameters: bool),*>(#(#arguments: &[f64],)* #output: #column) -> #error
+                fn values<#(const #parameters: bool),*>(#(#declared,)* #output: #column) -> #error
                 where
                     With<#(#parameters),*>: ::forms::math::Formula<#count, #outputs>,
                 {
+                    #unpacked
                     ::forms::math::#function::<With<#(#parameters),*>, #count, #outputs>(
                         [#(#arguments),*], #columns #within
                     )
@@ -269,6 +275,11 @@ impl Lattice<'_> {
         });
         quote!(#(#arms)*)
     }
+}
+
+/// Returns the types of the arguments with elements of one type.
+fn argument_types(signature: &Signature, number: &TokenStream) -> Vec<TokenStream> {
+    signature.parameters.iter().map(|parameter| nested_type(parameter.shape, number)).collect()
 }
 
 /// Converts a name of the language to a Rust identifier; a Rust keyword becomes a raw identifier.

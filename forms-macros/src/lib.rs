@@ -10,12 +10,15 @@
 //! expansions refer to.
 
 mod cache;
+mod conversions;
 mod expand;
 mod form;
 mod include;
 mod lattice;
+mod parts;
 mod proof_tests;
 mod report;
+mod shapes;
 mod tiers;
 mod tokens;
 

@@ -4,7 +4,8 @@
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
 //! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows
-//!                                        └─ with a promise: checked, unguarded, batch_unguarded
+//!                                        ├─ with a promise: checked, unguarded, batch_unguarded
+//!                                        └─ with arrays: at, at_f32
 //! ```
 //! If a kernel promises an accuracy, its batch keeps the promise; the `unguarded` functions omit
 //! it.
@@ -13,7 +14,9 @@
 //! have no values of their name, so that neither the user's names nor the kernel's arguments
 //! collide with them.
 
+use crate::{conversions, shapes};
 use forms_core::emission::{MANY_ARGUMENTS, emit_formula};
+use forms_core::expression::{Shape, Signature};
 use forms_core::generation::Generated;
 use forms_core::kernel::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -28,7 +31,7 @@ pub(crate) fn module(
     generated: &Generated,
     more: &TokenStream,
 ) -> Result<TokenStream, proc_macro2::LexError> {
-    let (program, within) = (&generated.optimised, generated.within);
+    let (program, within, promise) = (&generated.optimised, generated.within(), generated.promise);
     let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
     let plain = formula(&generated.written, "Plain")?;
     let stable = if generated.written == *program {
@@ -40,14 +43,18 @@ pub(crate) fn module(
         quote!(pub enum Stable {} #stable)
     };
     let tiers = Tiers::of(program);
-    let mut functions = vec![tiers.plain(), tiers.f32(within.is_some()), tiers.dd(within.is_some())];
-    if let Some(within) = within {
-        functions.extend([tiers.checked(within), tiers.unguarded()]);
+    // more precision brings an approximation no closer to the formula
+    let exact = if generated.approximation > 0.0 { quote!(Plain) } else { quote!(Stable) };
+    let mut functions =
+        vec![tiers.plain(), tiers.f32(promise.is_some()), tiers.dd(promise.is_some(), &exact)];
+    if let Some(promise) = promise {
+        functions.extend([tiers.checked(promise, &exact), tiers.unguarded()]);
     }
-    functions.extend(batches(within).into_iter().map(|batch| tiers.batch(batch)));
+    functions.extend(batches(within, promise.is_some()).into_iter().map(|batch| tiers.batch(batch)));
     if cfg!(feature = "ndarray") {
         functions.push(tiers.batch_rows(within));
     }
+    functions.push(conversions::functions(&tiers.name, &tiers.signature, &tiers.arguments, within));
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
@@ -78,13 +85,14 @@ pub(crate) fn operations(program: &Program) -> usize {
 
 /// Emits `allow` attributes for the lints that names of the formula and unused tiers would trigger.
 fn attributes(program: &Program) -> TokenStream {
-    let names = std::iter::once(program.name()).chain(program.arguments().iter().map(String::as_str));
+    let parameters = &program.signature().parameters;
+    let names = std::iter::once(program.name()).chain(parameters.iter().map(|parameter| &*parameter.name));
     let case = names
         .flat_map(str::chars)
         .any(char::is_uppercase)
         .then(|| quote!(#[allow(non_snake_case, reason = "the names of the formula")]));
     // A batch has one more argument, its output.
-    let many = (program.arguments().len() + 1 > MANY_ARGUMENTS)
+    let many = (parameters.len() + 1 > MANY_ARGUMENTS)
         .then(|| quote!(#[allow(clippy::too_many_arguments, reason = "one for each variable")]));
     quote! {
         #[allow(dead_code, reason = "a crate may use only some of a kernel's tiers")]
@@ -105,8 +113,8 @@ struct Batch<'a> {
     within: Option<f64>,
 }
 
-/// Lists the batches of a kernel with this promised error bound.
-fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
+/// Lists the batches of a kernel with this promised error bound, if it takes precision to keep it.
+fn batches(within: Option<f64>, is_promised: bool) -> Vec<Batch<'static>> {
     let batch = |name, function, within| Batch { name, function, number: "f64", within };
     let [one, all] = match within {
         Some(_) => ["batch_within", "batch_within_parallel"],
@@ -119,7 +127,7 @@ fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
     if cfg!(feature = "rayon") {
         batches.push(batch("batch_parallel", all, within));
     }
-    if within.is_some() {
+    if is_promised {
         batches.push(batch("batch_unguarded", "batch", None));
     }
     batches
@@ -128,7 +136,11 @@ fn batches(within: Option<f64>) -> Vec<Batch<'static>> {
 /// Common data of the wrappers of one kernel.
 pub(crate) struct Tiers {
     pub(crate) name: Ident,
+    /// Arguments and results as declared.
+    pub(crate) signature: Signature,
+    /// Names of all numbers among the arguments.
     pub(crate) arguments: Vec<Ident>,
+    /// Number of numbers in the results.
     pub(crate) outputs: usize,
 }
 
@@ -137,6 +149,7 @@ impl Tiers {
         let identifier = |name: &String| Ident::new(name, Span::call_site());
         Tiers {
             name: format_ident!("{}", program.name()),
+            signature: program.signature().clone(),
             arguments: program.arguments().iter().map(identifier).collect(),
             outputs: program.outputs().len(),
         }
@@ -159,26 +172,27 @@ impl Tiers {
         self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
     }
 
-    /// Emits the stable form in double-double arithmetic. For a kernel with a promise, at least 29
+    /// Emits the stable form, or the formula if this form is an approximation, in double-double
+    /// arithmetic. For a kernel with a promise, at least 29
     /// digits are correct.
-    fn dd(&self, promised: bool) -> TokenStream {
+    fn dd(&self, promised: bool, exact: &TokenStream) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let number = quote!(::forms::math::DoubleDouble);
         let name = format_ident!("dd");
         if !promised {
             let docs = format!(" `{}` in double-double arithmetic, of about 31 digits.", self.name);
-            return self.scalar(&docs, &name, &number, &quote!(Stable));
+            return self.scalar(&docs, &name, &number, exact);
         }
         let docs =
             format!(" `{}` in double-double arithmetic, with at least 29 correct digits, or NaN.", self.name);
         let escalate = quote!(::forms::math::escalate_double_double);
-        let value = quote!(#escalate::<Stable, #count, #outputs>([#(#arguments),*]));
+        let value = quote!(#escalate::<#exact, #count, #outputs>([#(#arguments),*]));
         self.function(&docs, &name, &number, value)
     }
 
     /// Emits the function that returns values within the promise, or an error where the promised
     /// accuracy cannot be ensured.
-    fn checked(&self, within: f64) -> TokenStream {
+    fn checked(&self, within: f64, exact: &TokenStream) -> TokenStream {
         let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
         let docs = format!(
             " `{}` in `f64`, with an error where the promised accuracy cannot be ensured.",
@@ -186,12 +200,18 @@ impl Tiers {
         );
         let result = self.result(&quote!(f64));
         let values = quote! {
-            ::forms::math::escalate_checked::<Stable, #count, #outputs>([#(#arguments),*], #within)
+            ::forms::math::escalate_checked::<#exact, #count, #outputs>([#(#arguments),*], #within)
         };
-        let body = match self.outputs {
-            1 => quote!(::core::result::Result::map(#values, |[value]| value)),
-            _ => values,
+        let body = match self.signature.results.as_slice() {
+            [Shape::Number] => quote!(::core::result::Result::map(#values, |[value]| value)),
+            [Shape::Vector(_)] => values,
+            _ if self.signature.has_numbers_only() => values,
+            results => {
+                let (numbers, value) = shapes::taken_apart(results);
+                quote!(::core::result::Result::map(#values, |[#(#numbers),*]| #value))
+            }
         };
+        let (parameters, unpacked) = self.parameters(&quote!(f64));
         quote! {
             #[doc = #docs]
             ///
@@ -202,8 +222,9 @@ impl Tiers {
             /// limit (`within`).
             #[inline]
             pub fn checked(
-                #(#arguments: f64),*
+                #(#parameters),*
             ) -> ::core::result::Result<#result, ::forms::math::NotWithin> {
+                #unpacked
                 #body
             }
         }
@@ -229,6 +250,7 @@ impl Tiers {
         // An argument can have this name.
         let output = format_ident!("{}", self.unused("output"));
         let (column, columns) = self.output_columns(&output, &quote!(#number));
+        let (parameters, unpacked) = self.parameters(&quote!(&[#number]));
         quote! {
             #[doc = #docs]
             ///
@@ -236,9 +258,10 @@ impl Tiers {
             /// If the length of a column differs from the first.
             #[inline]
             pub fn #name(
-                #(#arguments: &[#number],)*
+                #(#parameters,)*
                 #output: #column,
             ) -> ::core::result::Result<(), ::forms::math::LengthMismatch> {
+                #unpacked
                 ::forms::math::#function::<Stable, #count, #outputs>([#(#arguments),*], #columns #within)
             }
         }
@@ -271,16 +294,33 @@ impl Tiers {
 
     /// Returns the type of the output columns, and an array of them.
     pub(crate) fn output_columns(&self, output: &Ident, number: &TokenStream) -> (TokenStream, TokenStream) {
-        match self.outputs {
-            1 => (quote!(&mut [#number]), quote!([#output])),
-            outputs => (quote!([&mut [#number]; #outputs]), quote!(#output)),
-        }
+        let column = quote!(&mut [#number]);
+        let results = &self.signature.results;
+        let columns = match results.as_slice() {
+            [Shape::Number] => quote!([#output]),
+            [Shape::Vector(_)] => quote!(#output),
+            _ if self.signature.has_numbers_only() => quote!(#output),
+            results => {
+                let (numbers, pattern) = shapes::taken_apart(results);
+                quote!({ let #pattern = #output; [#(#numbers),*] })
+            }
+        };
+        (shapes::result_type(results, &column), columns)
+    }
+
+    /// Returns the declarations of the parameters with elements of one type, and the statements
+    /// that take arrays apart.
+    pub(crate) fn parameters(&self, number: &TokenStream) -> (Vec<TokenStream>, TokenStream) {
+        (shapes::parameters(&self.signature, number), shapes::unpacked(&self.signature))
     }
 
     /// Returns a name that differs from all arguments.
     pub(crate) fn unused(&self, name: &str) -> String {
         let mut name = name.to_owned();
-        while self.arguments.iter().any(|argument| argument == &name) {
+        let parameters = &self.signature.parameters;
+        while self.arguments.iter().any(|argument| argument == &name)
+            || parameters.iter().any(|parameter| parameter.name == name)
+        {
             name.push('_');
         }
         name
@@ -296,30 +336,25 @@ impl Tiers {
 
     /// Emits a function of numbers of one type, given an expression for the array of its outputs.
     fn function(&self, docs: &str, name: &Ident, number: &TokenStream, value: TokenStream) -> TokenStream {
-        let arguments = &self.arguments;
         let (result, body) = (self.result(number), self.body(value));
+        let (parameters, unpacked) = self.parameters(number);
         quote! {
             #[doc = #docs]
             #[inline]
-            pub fn #name(#(#arguments: #number),*) -> #result {
+            pub fn #name(#(#parameters),*) -> #result {
+                #unpacked
                 #body
             }
         }
     }
 
-    /// Returns the result type of a function: a number, or an array if there are several outputs.
+    /// Returns the result type of a function: a number, an array, or a tuple of both.
     pub(crate) fn result(&self, number: &TokenStream) -> TokenStream {
-        match self.outputs {
-            1 => number.clone(),
-            outputs => quote!([#number; #outputs]),
-        }
+        shapes::result_type(&self.signature.results, number)
     }
 
     /// Emits the result of a function from an expression for the array of its outputs.
     pub(crate) fn body(&self, value: TokenStream) -> TokenStream {
-        match self.outputs {
-            1 => quote!(let [value] = #value; value),
-            _ => value,
-        }
+        shapes::results_of_array(&self.signature.results, value)
     }
 }

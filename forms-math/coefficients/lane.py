@@ -181,6 +181,16 @@ def emit():
         print("};")
 
 
+SHIFT = mpf(2)  # of the argument of erfc
+ERFC_IS_ZERO = mpf(28)
+
+
+def scaled_erfc(t):
+    """(x + SHIFT) e^(x^2) erfc x with t = (x - SHIFT)/(x + SHIFT)."""
+    x = SHIFT * (1 + t) / (1 - t)
+    return (x + SHIFT) * exp(x * x) * erfc(x)
+
+
 def emit_error_function():
     form = FORMATS[0]
     print("//! The polynomials and constants of erf in `f64`, with the constant term first; computed by `coefficients/lane.py`.")
@@ -193,6 +203,10 @@ def emit_error_function():
             print(f"pub(crate) const {name.upper()}: [f64; {len(value)}] = [\n{numbers(value, form, ' ' * 4)}];")
         else:
             print(f"pub(crate) const {name.upper()}: f64 = {literal(value, form)};")
+    last = (ERFC_IS_ZERO - SHIFT) / (ERFC_IS_ZERO + SHIFT)
+    value = interpolate(scaled_erfc, mpf(-1), last, 24)
+    print("/// (x + 2) e^(x^2) erfc x in (x - 2)/(x + 2), of x >= 0, to where erfc rounds to 0")
+    print(f"pub(crate) const ERFC: [f64; {len(value)}] = [\n{numbers(value, form, ' ' * 4)}];")
 
 
 emit_error_function() if "error_function" in sys.argv[1:] else emit()

@@ -1,6 +1,6 @@
 //! Functions that a number type composes from `elementary`, `special` and `quadrature`.
 
-/// Special functions but erf with this number of bits, computed in a type of at least this precision.
+/// Special functions but erf and erfc with this number of bits, computed in a type of at least this precision.
 macro_rules! special_functions {
     (@one $type:ty, $bits:expr, $name:ident, |$x:ident| $value:expr) => {
         fn $name(self) -> Self {
@@ -83,6 +83,12 @@ macro_rules! composed_functions {
         $crate::composed::special_functions!(Self, Self::PRECISION);
         fn erf(self) -> Self {
             crate::special::error_function(self, Self::PRECISION)
+        }
+        fn erfc(self) -> Self {
+            crate::special::complementary_error_function(self, Self::PRECISION)
+        }
+        fn hypot(self, y: Self) -> Self {
+            crate::elementary::hypotenuse(self, y)
         }
         fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
             let kind = crate::quadrature::Kind {

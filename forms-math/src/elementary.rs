@@ -16,6 +16,14 @@ pub(crate) use power::{LARGEST_BY_SQUARING, rational_power};
 
 use crate::scalar::Scalar;
 
+/// √(x² + y²) from numbers below 1: no square overflows, and the square of a number that matters
+/// does not underflow.
+pub(crate) fn hypotenuse<T: Scalar>(x: T, y: T) -> T {
+    let exponent = x.exponent().into_iter().chain(y.exponent()).max().unwrap_or(0);
+    let (x, y) = (x.scaled(-exponent), y.scaled(-exponent));
+    (x * x + y * y).sqrt().scaled(exponent)
+}
+
 /// Evaluates s + c s³/3 + c² s⁵/5 + …: artanh s with c = 1, arctan s with c = −1, for |s| < 2⁻⁴⁹.
 fn odd_series<T: Scalar>(s: T, sign: f64) -> T {
     let square = s * s * T::from_f64(sign);

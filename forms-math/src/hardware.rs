@@ -7,7 +7,7 @@ use crate::composed::{Widen, special_functions};
 use crate::error_free;
 use crate::quadrature::{Kind, double_exponential};
 use crate::scalar::{Scalar, choices};
-use crate::special::error_function_of_double;
+use crate::special::{complementary_error_function_of_double, error_function_of_double};
 use crate::wide::quadrant_of_words;
 use crate::{DoubleDouble, Real};
 
@@ -70,6 +70,18 @@ impl Real for f64 {
     fn erf(self) -> Self {
         error_function_of_double(self)
     }
+    #[inline]
+    fn erfc(self) -> Self {
+        complementary_error_function_of_double(self)
+    }
+    #[inline]
+    fn hypot(self, y: Self) -> Self {
+        hypotenuse_of_doubles(self, y)
+    }
+    #[inline(always)]
+    fn cbrt(self) -> Self {
+        f64::cbrt(self)
+    }
     special_functions!(DoubleDouble, 60);
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
         let kind = Kind { of: |node| node, number: |value: f64| value, bits: Self::PRECISION };
@@ -102,6 +114,27 @@ fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
             }
         }
     }
+}
+
+/// √(x² + y²): both numbers are multiplied by a power of two where a square would leave the range.
+/// If one of them is NaN, so is the result.
+#[inline]
+fn hypotenuse_of_doubles(x: f64, y: f64) -> f64 {
+    const LARGE: f64 = f64::from_bits((1023 + 500) << 52);
+    const SMALL: f64 = f64::from_bits((1023 - 400) << 52);
+    const DOWN: f64 = f64::from_bits((1023 - 600) << 52);
+    const UP: f64 = f64::from_bits((1023 + 600) << 52);
+    let larger = if x.abs() < y.abs() { y.abs() } else { x.abs() };
+    let (scale, back) = match larger {
+        larger if larger > LARGE => (DOWN, UP),
+        larger if larger < SMALL => (UP, DOWN),
+        _ => (1.0, 1.0),
+    };
+    let (x, y) = (x * scale, y * scale);
+    if x.is_infinite() || y.is_infinite() {
+        return x.abs() + y.abs();
+    }
+    f64::sum_of_products(x, x, y, y).sqrt() * back
 }
 
 impl Scalar for f64 {
@@ -181,7 +214,13 @@ impl Real for f32 {
     }
     choices!();
     standard_functions!(f32: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p);
-    by_f64!(sinh, cosh, tanh, erf);
+    by_f64!(sinh, cosh, tanh, erf, erfc, cbrt);
+    /// Computes in `f64`, where the squares are exact.
+    #[inline(always)]
+    fn hypot(self, y: Self) -> Self {
+        let [x, y] = [self, y].map(f64::from);
+        (x * x + y * y).sqrt() as f32
+    }
     special_functions!(f64, 32);
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {

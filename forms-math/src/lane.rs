@@ -12,7 +12,7 @@
 //! and [`batch`](crate::batch) recomputes it with the functions of single numbers. Such arguments
 //! are angles beyond 2²⁰ right angles (2¹² in `f32`), exponentials near overflow, points at the
 //! origin or near overflow, and powers whose intermediate values leave the range of pairs.
-//! Functions that lanes do not have give up everywhere: exponential integrals, the dilogarithm,
+//! Functions that lanes do not have give up everywhere: erfc, exponential integrals, the dilogarithm,
 //! Clausen's function and quadratures.
 //!
 //! The largest error of every function is below 2 ulp, with and without fused multiply-add:

@@ -113,6 +113,20 @@ pub trait Real:
     fn dilog(self) -> Self;
     /// Clausen's function Cl₂(x) = −∫₀ˣ ln|2 sin(t/2)| dt
     fn clausen(self) -> Self;
+    /// Complementary error function erfc x = 1 − erf x, with a small relative error for large x
+    fn erfc(self) -> Self;
+    /// √(x² + y²). The types with the exponents of `f32` and `f64` scale both numbers where a square
+    /// would overflow or underflow.
+    #[inline(always)]
+    fn hypot(self, y: Self) -> Self {
+        Self::sum_of_products(self, self, y, y).sqrt()
+    }
+    /// ∛x for every x: ∛(−x) = −∛x
+    #[inline(always)]
+    fn cbrt(self) -> Self {
+        let (root, zero) = (self.abs().power(1, 3), Self::from_f64(0.0));
+        Self::if_less(self, zero, -root, root)
+    }
     /// ∫ₐᵇ f(t) dt for an integrand that is analytic between a and b; weak singularities at the
     /// ends are allowed.
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self;

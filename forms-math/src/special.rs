@@ -13,5 +13,8 @@ mod zeta;
 
 pub(crate) use clausen::clausen;
 pub(crate) use dilogarithm::dilogarithm;
-pub(crate) use error_function::{error_function, error_function_of_double};
+pub(crate) use error_function::{
+    complementary_error_function, complementary_error_function_of_double, error_function,
+    error_function_of_double,
+};
 pub(crate) use exponential_integral::exponential_integral;

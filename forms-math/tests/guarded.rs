@@ -13,7 +13,7 @@ struct Step {
 
 type Function<T> = fn(T) -> T;
 
-fn functions<T: Real>() -> [Function<T>; 24] {
+fn functions<T: Real>() -> [Function<T>; 26] {
     [
         T::sqrt,
         T::abs,
@@ -36,30 +36,33 @@ fn functions<T: Real>() -> [Function<T>; 24] {
         T::expint3,
         T::dilog,
         T::clausen,
+        T::erfc,
+        T::cbrt,
         |x| x.power(-3, 2),
         |x| x.power(3, 1),
         |x| x.power(1, 3),
     ]
 }
 
-const OPERATIONS: usize = 24 + 4 * 4 + 5;
+const OPERATIONS: usize = 26 + 4 * 4 + 6;
 
 impl Step {
     fn value<T: Real>(self, values: &[T]) -> T {
         let [a, b, c, d] = self.operands.map(|operand| values[operand % values.len()]);
         match self.operation {
-            index if index < 24 => functions::<T>()[index](a),
-            index if index < 40 => match index % 4 {
+            index if index < 26 => functions::<T>()[index](a),
+            index if index < 42 => match index % 4 {
                 0 => a + b,
                 1 => a - b,
                 2 => a * b,
                 _ => a / b,
             },
-            40 => T::difference_of_products(a, b, c, d),
-            41 => a.atan2(b),
-            42 => T::if_less(a, b, c, d),
-            43 => T::if_less_equal(a, b, c, d),
-            _ => T::if_equal(a, b, c, d),
+            42 => T::difference_of_products(a, b, c, d),
+            43 => a.atan2(b),
+            44 => T::if_less(a, b, c, d),
+            45 => T::if_less_equal(a, b, c, d),
+            46 => T::if_equal(a, b, c, d),
+            _ => a.hypot(b),
         }
     }
 }
@@ -126,6 +129,10 @@ fn check<T: Guardable + std::fmt::Debug>(
     Ok(())
 }
 
+fn of_two_words(value: DoubleDouble) -> Wide<8> {
+    Wide::from_f64(value.high()) + Wide::from_f64(value.low())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -136,8 +143,31 @@ proptest! {
 
     #[test]
     fn bounds_of_double_double_hold(steps in steps(6), arguments in prop::collection::vec(argument(), 4)) {
-        let words = |value: DoubleDouble| Wide::from_f64(value.high()) + Wide::from_f64(value.low());
-        check::<DoubleDouble>(&steps, &arguments, words, Wide::from_f64)?;
+        check::<DoubleDouble>(&steps, &arguments, of_two_words, Wide::from_f64)?;
+    }
+}
+
+/// A number of any size.
+fn of_any_binade() -> impl Strategy<Value = f64> {
+    (-1074..1023_i32, 1.0..2.0_f64).prop_map(|(exponent, significand)| significand * 2.0_f64.powi(exponent))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Products of tiny numbers are zero, and those of large ones infinite; their roots and functions
+    /// are not.
+    #[test]
+    fn bounds_of_products_hold_in_all_binades(
+        operation in 42..OPERATIONS,
+        after in 0..OPERATIONS,
+        arguments in prop::collection::vec(of_any_binade(), 4),
+    ) {
+        let product = Step { operation, operands: [0, 1, 2, 3] };
+        let root = Step { operation: 0, operands: [4; 4] };
+        let steps = [product, root, Step { operation: after, operands: [5, 4, 4, 5] }];
+        check::<f64>(&steps, &arguments, Wide::from_f64, Wide::from_f64)?;
+        check::<DoubleDouble>(&steps, &arguments, of_two_words, Wide::from_f64)?;
     }
 }
 

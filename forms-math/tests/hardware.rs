@@ -85,3 +85,22 @@ fn erf_is_accurate_to_two_units_everywhere() {
     assert!(Real::erf(f64::NAN).is_nan());
     assert_eq!([Real::erf(f64::INFINITY), Real::erf(-0.0), Real::erf(5e-324)], [1.0, -0.0, 5e-324]);
 }
+
+/// The largest error of erfc in units of 2⁻⁵³, where its value is a normal number.
+#[test]
+fn erfc_is_accurate_to_six_units_everywhere() {
+    let inside = (0..30_000).map(|step| f64::from(step) / 1_132.0);
+    let near = (-40..40).map(|step| 0.5 + f64::from(step) * 1e-7);
+    let sizes = (-120..0).map(|half| (f64::from(half) / 2.0).exp2());
+    let mut worst: f64 = 0.0;
+    for x in inside.chain(near).chain(sizes) {
+        for x in [x, -x] {
+            let truth = DoubleDouble::from_f64(x).erfc();
+            let off =
+                ((DoubleDouble::from_f64(Real::erfc(x)) - truth) / truth).to_f64().abs() / 2.0_f64.powi(-53);
+            worst = worst.max(off);
+            assert!(off <= 6.0, "{x:e}: {off}");
+        }
+    }
+    println!("erfc: {worst:.2} units");
+}

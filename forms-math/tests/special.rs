@@ -15,11 +15,16 @@ fn number<T: Real>(value: f64) -> T {
 
 /// Returns every special function with its defining integral, for 0.1 < x < 1; e^(−x/t) needs no
 /// special treatment at 0.
-fn definitions<T: Scalar>(x: T) -> [(&'static str, T, T); 6] {
+fn definitions<T: Scalar>(x: T) -> [(&'static str, T, T); 7] {
     let (zero, one) = (number::<T>(0.0), number::<T>(1.0));
     let decay = |order: i64| T::quadrature(zero, one, |t| (-(x / t)).exp() * t.power(order - 2, 1));
     [
         ("erf", x.erf(), number::<T>(2.0) / T::pi().sqrt() * T::quadrature(zero, x, |t| (-(t * t)).exp())),
+        (
+            "erfc",
+            x.erfc(),
+            one - number::<T>(2.0) / T::pi().sqrt() * T::quadrature(zero, x, |t| (-(t * t)).exp()),
+        ),
         ("E1", x.expint1(), decay(1)),
         ("E2", x.expint2(), decay(2)),
         ("E3", x.expint3(), decay(3)),
@@ -48,6 +53,7 @@ proptest! {
         let x = if negative { -exponent.exp2() } else { exponent.exp2() };
         for (name, double, double_double, four, eight) in [
             ("erf", Real::erf(x), DoubleDouble::from_f64(x).erf(), Wide::<4>::from_f64(x).erf(), Wide::<8>::from_f64(x).erf()),
+            ("erfc", Real::erfc(x), DoubleDouble::from_f64(x).erfc(), Wide::<4>::from_f64(x).erfc(), Wide::<8>::from_f64(x).erfc()),
             ("E1", x.expint1(), DoubleDouble::from_f64(x).expint1(), Wide::<4>::from_f64(x).expint1(), Wide::<8>::from_f64(x).expint1()),
             ("E2", x.expint2(), DoubleDouble::from_f64(x).expint2(), Wide::<4>::from_f64(x).expint2(), Wide::<8>::from_f64(x).expint2()),
             ("E3", x.expint3(), DoubleDouble::from_f64(x).expint3(), Wide::<4>::from_f64(x).expint3(), Wide::<8>::from_f64(x).expint3()),
@@ -58,8 +64,16 @@ proptest! {
                 prop_assert!(double.is_nan() && double_double.to_f64().is_nan() && four.to_f64().is_nan(), "{name} {x:e}");
                 continue;
             }
+            // beyond, the value underflows in f64
+            if name == "erfc" && eight.to_f64() < 1e-260 {
+                continue;
+            }
             let words = Wide::from_f64(double_double.high()) + Wide::from_f64(double_double.low());
-            let most = if name == "erf" { 2.0 } else { 1.01 };
+            let most = match name {
+                "erf" => 2.0,
+                "erfc" => 5.0,
+                _ => 1.01,
+            };
             prop_assert!(units(Wide::from_f64(double), eight, 53) <= most, "{name} {x:e}: {double:e}");
             prop_assert!(units(words, eight, 106) <= 128.0, "{name} {x:e}: {double_double}");
             prop_assert!(units(four.to_limbs(), eight, 248) <= 4.0, "{name} {x:e}: {four}");
@@ -81,6 +95,77 @@ proptest! {
         prop_assert!(close((x + pi.scaled(1)).clausen(), x.clausen()));
         prop_assert!(close((-x).clausen(), -x.clausen()));
     }
+}
+
+/// erfc x to 60 digits.
+#[rustfmt::skip]
+const ERFC: [(f64, &str); 6] = [
+    (0.25, "7.23673609831763067014931732235184287934646022107688745917528e-1"),
+    (1.0, "1.57299207050285130658779364917390740703933002033697091540062e-1"),
+    (3.5, "7.43098372341412745523683756095635720660092172797462591109570e-7"),
+    (10.0, "2.08848758376254475700078629495778861156081811932116372701221e-45"),
+    (26.0, "5.66319240885614284647572789692609258032877756092580736864625e-296"),
+    (-2.0, "1.99532226501895273416206925636725292861089179704006007673835e0"),
+];
+
+/// Returns the number with these digits, such as `1.25e-3`.
+fn of_digits(text: &str) -> Wide<8> {
+    let (digits, exponent) = text.split_once('e').expect("an exponent");
+    let ten = Wide::from_f64(10.0);
+    let digits: Vec<f64> = digits.chars().filter_map(|c| c.to_digit(10)).map(f64::from).collect();
+    let exponent: i64 = exponent.parse().expect("an exponent");
+    let integer =
+        digits.iter().fold(Wide::from_f64(0.0), |number, &digit| number * ten + Wide::from_f64(digit));
+    integer * ten.power(exponent - digits.len() as i64 + 1, 1)
+}
+
+#[test]
+fn erfc_has_its_digits_where_one_minus_erf_has_none() {
+    for (x, digits) in ERFC {
+        let exact = of_digits(digits);
+        let double_double = DoubleDouble::from_f64(x).erfc();
+        let words = Wide::from_f64(double_double.high()) + Wide::from_f64(double_double.low());
+        assert!(units(Wide::<4>::from_f64(x).erfc().to_limbs(), exact, 196) <= 1.0, "Wide {x}");
+        assert!(exact.to_f64() < 1e-290 || units(words, exact, 106) <= 128.0, "DoubleDouble {x}");
+        assert!(units(Wide::from_f64(Real::erfc(x)), exact, 53) <= 5.0 || exact.to_f64() < 1e-290, "f64 {x}");
+    }
+    assert!(Real::erfc(f64::NAN).is_nan() && Real::erfc(f32::NAN).is_nan());
+    assert_eq!([f64::INFINITY, f64::NEG_INFINITY, 0.0, 30.0].map(Real::erfc), [0.0, 2.0, 1.0, 0.0]);
+}
+
+#[test]
+fn lengths_neither_overflow_nor_underflow() {
+    for exponent in [-1060, -1022, -600, -537, -400, 0, 400, 500, 512, 600, 1020] {
+        let scale = if exponent < -1000 {
+            2.0_f64.powi(exponent + 60) * 2.0_f64.powi(-60)
+        } else {
+            2.0_f64.powi(exponent)
+        };
+        let (x, y) = (3.0 * scale, 4.0 * scale);
+        let largest = f64::MAX / 4.0 < scale;
+        assert!(largest || Real::hypot(x, y) == 5.0 * scale, "2^{exponent}: {:e}", Real::hypot(x, y));
+        let length = DoubleDouble::from_f64(x).hypot(DoubleDouble::from_f64(-y));
+        assert!(largest || exponent < -900 || length.to_f64() == 5.0 * scale, "2^{exponent}: {length}");
+    }
+    let infinity = f64::INFINITY;
+    assert_eq!(
+        [Real::hypot(infinity, 1.0), Real::hypot(-0.0, 0.0), Real::hypot(0.0, -5e-324)],
+        [infinity, 0.0, 5e-324]
+    );
+    assert!(Real::hypot(f64::NAN, infinity).is_nan() && Real::hypot(f64::NAN, 0.0).is_nan());
+}
+
+#[test]
+fn cube_roots_of_all_signs() {
+    for (x, root) in [(27.0, 3.0), (-27.0, -3.0), (0.0, 0.0), (-0.125, -0.5), (1e-300, 1e-100)] {
+        let values = [
+            Real::cbrt(x),
+            DoubleDouble::from_f64(x).cbrt().to_f64(),
+            Wide::<4>::from_f64(x).cbrt().to_f64(),
+        ];
+        assert!(values.iter().all(|value| (value - root).abs() <= 2e-16 * root.abs()), "{x}: {values:?}");
+    }
+    assert!(Real::cbrt(f64::NAN).is_nan() && DoubleDouble::from_f64(f64::NAN).cbrt().to_f64().is_nan());
 }
 
 #[test]

@@ -22,7 +22,7 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
         match &surface.shape {
             Shape::Polygon(polygon) => {
                 let pieces = polygon.pieces_at(fineness).into_owned().into_iter();
-                faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
+                faces.extend(pieces.flat_map(|piece| Face::sides(index, &piece, polygon.normal())));
             }
             Shape::Mesh(mesh) if are_measured[index] => {
                 for (part, polygon) in mesh.polygons().enumerate() {
@@ -34,18 +34,20 @@ pub(crate) fn faces(scene: &Scene, fineness: usize) -> Vec<Face> {
             }
             Shape::Disk(disk) => {
                 let pieces = disk.pieces(fineness).into_iter();
-                faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, disk.normal)));
+                faces.extend(pieces.flat_map(|piece| Face::sides(index, &piece, disk.normal)));
             }
             Shape::Quadric(quadric) => {
                 let pieces = quadric.pieces(fineness).into_iter();
-                faces.extend(pieces.flat_map(|piece| Face::of_outline(index, piece)));
+                faces.extend(pieces.flat_map(|piece| Face::of_outline(index, &piece)));
             }
             Shape::Sphere(sphere) => {
                 let triangles = sphere.triangles(fineness).into_iter();
-                faces.extend(triangles.flat_map(|triangle| Face::of_outline(index, triangle.to_vec())));
+                faces.extend(triangles.flat_map(|triangle| Face::of_outline(index, &triangle)));
             }
         }
     }
+    // a mesh can have millions
+    faces.shrink_to_fit();
     faces
 }
 

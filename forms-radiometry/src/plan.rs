@@ -46,8 +46,8 @@ impl Plan {
     /// Returns the plan with these effects and the error budget spent on omitted effects. The scene
     /// is solved by path tracing if there is a reason for it.
     fn new(scene: &Scene, (effects, dropped): (Vec<PlannedEffect>, f64), paths: Option<String>) -> Self {
-        let simulated = SimulatedScene::of(scene, &effects, dropped);
-        let (solver, methods) = method::decide(&simulated, paths);
+        let mut simulated = SimulatedScene::of(scene, &effects, dropped);
+        let (solver, methods) = method::decide(&mut simulated, paths);
         let kernels = kernels::of(&simulated, &solver);
         Self { effects, methods, kernels, simulated, solver }
     }

@@ -40,6 +40,9 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const NAMED: usize = 8;
 /// Number of standard errors by which a sum of sampled view factors may exceed 1.
 const DEVIATIONS: f64 = 5.0;
+/// How often a row that sums to more than 1 is computed again, and the factor of its tolerance.
+const AGAIN: usize = 3;
+const FINER: f64 = 0.1;
 /// Number of rays beyond which the row of a scene with disks or spheres is found by pairs of flat
 /// faces, whatever their error.
 const MOST_RAYS: f64 = 1e10;
@@ -165,7 +168,7 @@ impl Rows {
         let known = known.into_iter().map(|known| known.map(|(factor, _)| factor)).collect();
         let cost = self.pairs.expected_cost(surface);
         let row = if self.round.is_none() && cost <= Rays::fewest(tolerance) {
-            self.pairs.row(surface, tolerance, watch)
+            self.of_flat(surface, watch)
         } else {
             let mut rays = Rays::pilot(self.emitters(), surface, known, self.scene.solve.seed);
             let most = if self.round.is_some() { MOST_RAYS } else { cost };
@@ -179,16 +182,31 @@ impl Rows {
         (!watch.is_stopped()).then_some(row)
     }
 
+    /// Returns the row of a scene of flat faces by pairs. Estimates of errors can be too small: a row
+    /// that sums to more than it can is computed again to lower tolerances before it counts as an
+    /// error of the scene.
+    fn of_flat(&mut self, surface: usize, watch: &dyn Watch) -> Row {
+        let mut tolerance = self.scene.solve.tolerance;
+        let mut row = self.pairs.row(surface, tolerance, watch);
+        for _ in 0..AGAIN {
+            if row.excess().is_none() || watch.is_stopped() {
+                break;
+            }
+            tolerance *= FINER;
+            row = self.pairs.row_again(surface, tolerance, watch);
+        }
+        row
+    }
+
     /// Returns the row by pairs of faces. For disks and spheres, the errors include the change from
     /// polyhedra with half as many edges.
     fn by_pairs(&mut self, surface: usize, watch: &dyn Watch) -> Row {
         let tolerance = self.scene.solve.tolerance;
+        let Some(round) = &mut self.round else { return self.of_flat(surface, watch) };
         let mut row = self.pairs.row(surface, tolerance, watch);
-        if let Some(round) = &mut self.round {
-            let coarse = round.coarse.row(surface, tolerance, watch);
-            for (fine, coarse) in row.factors.iter_mut().zip(&coarse.factors) {
-                fine.error += (fine.value - coarse.value).abs();
-            }
+        let coarse = round.coarse.row(surface, tolerance, watch);
+        for (fine, coarse) in row.factors.iter_mut().zip(&coarse.factors) {
+            fine.error += (fine.value - coarse.value).abs();
         }
         row
     }
@@ -215,13 +233,7 @@ impl Row {
     /// Returns an error of the scene if this row of a surface has a sum above 1 by more than its
     /// error: surfaces to which it sends light overlap.
     pub fn contradiction(&self, scene: &Scene, surface: usize) -> Option<SceneError> {
-        let error = match self.kind {
-            ErrorKind::Sigma => DEVIATIONS * self.sum_error(),
-            ErrorKind::Bound | ErrorKind::Estimate => self.sum_error(),
-        };
-        if self.sum() <= 1.0 + error {
-            return None;
-        }
+        let error = self.excess()?;
         let message = format!(
             "the view factors of `{}` sum to {:.6}, above 1 by more than the error of \
              the sum, {error:.1e}: {}",
@@ -231,6 +243,15 @@ impl Row {
         );
         let expected = "surfaces that do not overlap or pass through each other";
         Some(SceneError::new(&scene.surfaces[surface].place, message, expected))
+    }
+
+    /// Returns the error of the sum if it exceeds 1 by more than that.
+    fn excess(&self) -> Option<f64> {
+        let error = match self.kind {
+            ErrorKind::Sigma => DEVIATIONS * self.sum_error(),
+            ErrorKind::Bound | ErrorKind::Estimate => self.sum_error(),
+        };
+        (self.sum() > 1.0 + error).then_some(error)
     }
 
     /// Lists the terms of the sum, the largest first: "0.6 to `a`, 0.5 to `b`".

@@ -42,11 +42,11 @@ pub(crate) use horizon::Workspace;
 pub(crate) use occluder_search::Between;
 pub(crate) use ray_walls::{Met, Start, Wall, Walls};
 pub(crate) use receiving_area::ReceivingArea;
-pub(crate) use silhouette_columns::Borders;
+pub(crate) use silhouette_columns::{Aspects, Borders};
 
 use crate::geometry::bounds::Bounds;
 use crate::geometry::plane::{ROUNDING, flatness};
-use crate::geometry::{Plane, Polygon, Vector, edges};
+use crate::geometry::{Outline, Plane, Polygon, Vector, edges};
 use body::{Body, bodies};
 use branches::Branches;
 use tree::Tree;
@@ -62,7 +62,7 @@ pub(crate) struct Face {
     /// Whether it is the surface's back.
     pub(crate) is_back: bool,
     /// The vertices, counter-clockwise seen from the side that the face shows.
-    pub(crate) vertices: Vec<Vector>,
+    pub(crate) vertices: Outline,
     /// The unit normal to that side.
     pub(crate) normal: Vector,
     /// The area.
@@ -73,28 +73,28 @@ impl Face {
     /// Returns the faces of a polygon: the front of each convex piece, followed by its back.
     pub(crate) fn of(surface: usize, polygon: &Polygon) -> impl Iterator<Item = Self> {
         let normal = polygon.normal();
-        polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece.clone(), normal))
+        polygon.convex_pieces().iter().flat_map(move |piece| Self::sides(surface, piece, normal))
     }
 
     /// Returns front and back of a triangle or trapezoid; nothing if it is too narrow to have a
     /// normal.
-    pub(crate) fn of_outline(surface: usize, vertices: Vec<Vector>) -> impl Iterator<Item = Self> {
+    pub(crate) fn of_outline(surface: usize, vertices: &[Vector]) -> impl Iterator<Item = Self> + use<> {
         let (first, last) = (vertices[0], vertices.len() - 1);
-        let normal = match vertices[..] {
+        let normal = match *vertices {
             [a, b, c, d] => (c - a).cross(d - b).unit(),
             _ => (vertices[1] - first).cross(vertices[last] - first).unit(),
         };
-        normal.into_iter().flat_map(move |normal| Self::sides(surface, vertices.clone(), normal))
+        normal.map(|normal| Self::sides(surface, vertices, normal)).into_iter().flatten()
     }
 
     /// Returns front and back of a convex outline with this unit normal.
-    pub(crate) fn sides(surface: usize, vertices: Vec<Vector>, normal: Vector) -> [Self; 2] {
+    pub(crate) fn sides(surface: usize, vertices: &[Vector], normal: Vector) -> [Self; 2] {
         let about = vertices[0];
         let twice = |pair: &[Vector]| normal.dot((pair[0] - about).cross(pair[1] - about));
         let area = 0.5 * vertices.windows(2).map(twice).sum::<f64>();
-        let back = vertices.iter().rev().copied().collect();
+        let (front, back) = (Outline::from_slice(vertices), vertices.iter().rev().copied().collect());
         [
-            Self { surface, part: 0, is_back: false, vertices, normal, area },
+            Self { surface, part: 0, is_back: false, vertices: front, normal, area },
             Self { surface, part: 0, is_back: true, vertices: back, normal: -normal, area },
         ]
     }
@@ -103,7 +103,7 @@ impl Face {
 /// An occluding polygon: a convex piece of an opaque surface.
 #[derive(Clone, Debug)]
 struct Screen {
-    vertices: Vec<Vector>,
+    vertices: Outline,
     plane: Plane,
     /// The indices of its front and its back among the faces.
     sides: [usize; 2],

@@ -8,6 +8,8 @@ use forms_radiometry::scene::{
     self, Effect, Force, ForcedEffect, Place, Receiver, ReceiverKind, Scene, Shape, Surface,
 };
 use forms_radiometry::simulation::{Answer, ErrorKind, Unwatched, plan, simulate};
+use forms_testing::SplitMix;
+use std::f64::consts::PI;
 
 /// Nodes and weights of the Gauss–Legendre rule of order five on [0, 1].
 const GAUSS: [(f64, f64); 5] = [
@@ -370,4 +372,29 @@ fn behind_random_triangles_the_irradiance_is_the_integral_over_what_is_visible()
         partly += usize::from(found > 0.01 * whole && found < 0.99 * whole);
     }
     assert!(partly >= 20, "only {partly} lamps are partly hidden");
+}
+
+#[test]
+fn a_point_of_a_surface_sees_the_whole_sky_and_nothing_of_the_surface() {
+    let mut random = SplitMix(29);
+    for index in 0..360 {
+        let reflectance = [0.0, 0.5][index % 2];
+        let sides = ["two_sided = false", "two_sided = true", "two_sided = true\nexitance = 50"][index % 3];
+        // decimals, so that neither the point nor the normal is exact
+        let mut tenths = || (random.between([-5.0, 5.0]) * 10.0).round() / 10.0;
+        let [a, b, c]: [Vector; 3] = std::array::from_fn(|_| Vector::new(tenths(), tenths(), tenths()));
+        let shown = |v: Vector| format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z);
+        let (normal, point) = (shown((b - a).cross(c - a)), shown((1.0 / 3.0) * (a + b + c)));
+        let polygon = [a, b, c].map(shown).join(", ");
+        let text = format!(
+            "[[material]]\nname = \"m\"\nkind = \"diffuse\"\nreflectance = {reflectance:?}\n[[surface]]\nname = \"s\"\n\
+             material = \"m\"\npolygon = [{polygon}]\n{sides}\n[ambient]\nradiance = 100\n[[receiver]]\nname = \"p\"\n\
+             kind = \"point\"\nposition = {point}\nnormal = {normal}\n",
+        );
+        let scene = scene::read(&text, "sky.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let found = &simulate(&plan, &Unwatched).answers[0];
+        let off = (found.value - 100.0 * PI).abs();
+        assert!(off <= 1e-7 && found.error <= 0.1, "{index}, {reflectance}, {sides}: {found:?}");
+    }
 }

@@ -2,7 +2,11 @@
 
 use forms_radiometry::form_factor::{view_factor, visible_exchange};
 use forms_radiometry::geometry::{Polygon, Vector};
+use forms_radiometry::scene::{Scene, read};
+use forms_radiometry::view_factors;
+use forms_testing::SplitMix;
 use serde_json::Value;
+use std::fmt::Write;
 
 const ROWS: &str = include_str!("../../tests/reference/visible.json");
 
@@ -80,4 +84,105 @@ fn a_view_factor_with_an_obstruction_is_within_what_is_said() {
             found.error
         );
     }
+}
+
+/// The corners of a box, by the bits of x, y and z, counter-clockwise from outside.
+const SIDES: [[usize; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
+
+/// How the bodies in a room are placed.
+#[derive(Clone, Copy, Debug)]
+enum Placed {
+    Turned,
+    OnAGrid,
+    OnTheFloor,
+}
+
+/// Appends the sides of a box as surfaces.
+fn add_box(
+    text: &mut String,
+    name: &str,
+    [low, high]: [[f64; 3]; 2],
+    is_room: bool,
+    turn: impl Fn(Vector) -> Vector,
+) {
+    let corner = |bits: usize| {
+        let at = |axis: usize| if bits >> axis & 1 == 0 { low[axis] } else { high[axis] };
+        let turned = turn(Vector::new(at(0), at(1), at(2)));
+        format!("[{:?}, {:?}, {:?}]", turned.x, turned.y, turned.z)
+    };
+    for (side, corners) in SIDES.iter().enumerate() {
+        let mut corners = corners.map(corner);
+        if is_room {
+            corners.reverse();
+        }
+        let polygon = corners.join(", ");
+        writeln!(text, "[[surface]]\nname = \"{name}{side}\"\nmaterial = \"grey\"\npolygon = [{polygon}]")
+            .expect("text");
+    }
+}
+
+/// Returns a closed room with boxes that do not touch each other.
+fn room(random: &mut SplitMix, placed: Placed) -> String {
+    let mut unit = || {
+        let v = Vector::new(
+            random.between([-1.0, 1.0]),
+            random.between([-1.0, 1.0]),
+            random.between([-1.0, 1.0]),
+        );
+        v.unit().expect("not zero")
+    };
+    let x = unit();
+    let z = x.cross(unit()).unit().expect("two directions");
+    let y = z.cross(x);
+    let turn = |v: Vector| match placed {
+        Placed::Turned => v.x * x + v.y * y + v.z * z,
+        Placed::OnAGrid | Placed::OnTheFloor => v,
+    };
+    let mut eighths = |low: f64, high: f64| (8.0 * random.between([low, high])).round() / 8.0;
+    let half = [eighths(0.5, 2.0), eighths(0.5, 2.0), eighths(0.5, 2.0)];
+    let least = half.iter().copied().fold(f64::INFINITY, f64::min);
+    let mut text =
+        "[solve]\ntolerance = 1e-3\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5\n"
+            .to_owned();
+    add_box(&mut text, "room", [half.map(|x| -x), half], true, turn);
+    for (body, quadrant) in [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5]].into_iter().enumerate() {
+        let size = [(); 3].map(|()| 0.25 * least * f64::from(1 + random.below(4) as u32) / 4.0);
+        let lift = match placed {
+            Placed::OnTheFloor => size[2] - half[2],
+            Placed::Turned | Placed::OnAGrid => 0.0,
+        };
+        let center = [quadrant[0] * half[0], quadrant[1] * half[1], lift];
+        let ends = [-1.0, 1.0].map(|sign| std::array::from_fn(|axis| center[axis] + sign * size[axis]));
+        add_box(&mut text, &format!("body{body}"), ends, false, turn);
+    }
+    text
+}
+
+#[test]
+fn view_factors_of_rooms_with_bodies_are_within_what_is_said_and_no_room_is_refused() {
+    let mut random = SplitMix(41);
+    let (mut count, mut beyond) = (0, 0);
+    for index in 0..18 {
+        let placed = [Placed::Turned, Placed::OnAGrid, Placed::OnTheFloor][index % 3];
+        let text = room(&mut random, placed);
+        let read = |text: &str| -> Scene {
+            read(text, "room.toml").unwrap_or_else(|errors| panic!("{placed:?} {index}: {}", errors[0]))
+        };
+        let scene = read(&text);
+        let [found, finer] = [&text, &text.replace("1e-3", "1e-4")].map(|text| view_factors(&read(text)));
+        assert!(found.contradictions(&scene).is_empty(), "{placed:?} {index}");
+        for (found, finer) in found.rows.iter().flatten().zip(finer.rows.iter().flatten()) {
+            let off = (found.value - finer.value).abs();
+            assert!(
+                off <= 0.01 * finer.value.max(0.01),
+                "{placed:?} {index}: {} and {}",
+                found.value,
+                finer.value
+            );
+            count += 1;
+            beyond += usize::from(off > 3.0 * (found.error + finer.error) + 1e-14);
+        }
+    }
+    assert!(beyond * 2000 < count, "{beyond} of {count}");
 }

@@ -11,6 +11,7 @@
 
 mod exact;
 pub mod formula;
+mod nvrtc;
 pub mod page;
 pub mod processor_clock;
 mod random;
@@ -18,6 +19,7 @@ pub mod scene_text;
 pub mod wall_clock;
 
 pub use exact::exact;
+pub use nvrtc::accepted_by_nvrtc;
 pub use random::SplitMix;
 
 use std::io::Write;

@@ -88,7 +88,7 @@ impl Judge {
 
     fn of(mut theory: Theory, kernel: Kernel, text: &str) -> Option<Judge> {
         let generated = compile_kernel(&mut theory.pool, &kernel).ok()?;
-        let within = generated.within?;
+        let within = generated.within()?;
         let text = if text.len() < 400 { text } else { &kernel.name }.to_string();
         Some(Judge { theory, kernel, generated, within, text })
     }

@@ -7,9 +7,10 @@ use forms_core::check::read_theory;
 use std::path::Path;
 
 /// Every function of one argument, whether the checker knows it or not.
-const FUNCTIONS: [&str; 22] = [
+const FUNCTIONS: [&str; 27] = [
     "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "sinh", "cosh", "tanh", "abs",
-    "clausen", "dilog", "erf", "expm1", "log1p", "expint1", "expint2", "expint3", "-",
+    "clausen", "dilog", "erf", "expm1", "log1p", "expint1", "expint2", "expint3", "cbrt", "erfc", "sec",
+    "csc", "cot", "-",
 ];
 
 fn sources_in(folder: &Path, found: &mut Vec<(String, String)>) {

@@ -3,25 +3,34 @@
 use crate::commands::refuse;
 use crate::kernel::{LIBRARY, files, find, generated};
 use crate::status::Status;
+use crate::streams::tell;
 use crate::theory_file::{FileError, TheoryFile, complain};
 use forms::core::emission;
-use forms::core::emission::{KernelDocs, Precision, Source, Target};
+use forms::core::emission::{FileNames, KernelDocs, Precision, Source, Target};
 use forms::core::generation::{Specialisation, specialisations};
 use forms::core::theory::Kernel;
 use forms::core::units::sentence;
 use std::io::{self, Write};
+use std::path::Path;
 
 /// Longest formula in the documentation; for longer ones the text of their file is used.
 const LONGEST_FORMULA: usize = 160;
 
+/// Kernels to be printed, and their target.
+pub(crate) struct Request<'a> {
+    pub(crate) file: &'a str,
+    /// One kernel instead of all.
+    pub(crate) kernel: Option<&'a str>,
+    /// Names of the target and of the precision.
+    pub(crate) language: (&'a str, Option<&'a str>),
+    /// Prefix of the names of functions.
+    pub(crate) prefix: &'a str,
+}
+
 /// Prints the kernels of a file, or one of them.
-pub(crate) fn emit(
-    file: &str,
-    kernel: Option<&str>,
-    (target, precision): (&str, Option<&str>),
-    output: &mut dyn Write,
-) -> io::Result<Status> {
-    let (target, precision) = match language(target, precision) {
+pub(crate) fn emit(request: &Request<'_>, output: &mut dyn Write) -> io::Result<Status> {
+    let file = request.file;
+    let (target, precision) = match language(request.language.0, request.language.1) {
         Ok(language) => language,
         Err(message) => return Ok(refuse(&message)),
     };
@@ -32,7 +41,7 @@ pub(crate) fn emit(
             return Ok(Status::Error);
         }
     };
-    let chosen: Vec<(&TheoryFile, &Kernel)> = match kernel.map(|name| find(&files, name)) {
+    let chosen: Vec<(&TheoryFile, &Kernel)> = match request.kernel.map(|name| find(&files, name)) {
         Some(Ok(found)) => vec![found],
         Some(Err(message)) => return Ok(refuse(&format!("{message} (in {file})"))),
         None => files.iter().flat_map(|file| file.theory.kernels.iter().map(move |k| (file, k))).collect(),
@@ -42,22 +51,53 @@ pub(crate) fn emit(
     }
     let sources: Result<Vec<Vec<Source>>, _> =
         chosen.iter().map(|(file, kernel)| sources(file, kernel)).collect();
-    let sources: Vec<Source> = match sources {
-        Ok(sources) => sources.into_iter().flatten().collect(),
+    match sources {
+        Ok(sources) => request.print(&sources.concat(), (target, precision), output),
         Err(errors) => {
             complain(&errors);
-            return Ok(Status::Error);
+            Ok(Status::Error)
         }
-    };
-    match emission::emit(&sources, target, precision) {
-        Ok(text) => {
-            for line in emission::broken_promises(&sources, target, precision) {
-                eprintln!("warning: {line}");
+    }
+}
+
+impl Request<'_> {
+    /// Prints the kernels that the target can express; reports the others, and the promises that are
+    /// not kept.
+    fn print(
+        &self,
+        sources: &[Source],
+        (target, precision): (Target, Precision),
+        output: &mut dyn Write,
+    ) -> io::Result<Status> {
+        let (file, origin) = (self.name(), if self.file == LIBRARY { "the library" } else { self.file });
+        let names = FileNames { prefix: self.prefix, file: &file };
+        let emitted = match emission::emit_possible(sources, target, precision, names) {
+            Ok(emitted) => emitted,
+            Err(error) => {
+                return Ok(refuse(&format!("{error}; {} (in {origin})", error.help())));
             }
-            write!(output, "{}\n{text}", heading(if file == LIBRARY { "the library" } else { file }))?;
-            Ok(Status::AsStated)
+        };
+        for error in &emitted.omitted {
+            tell!("error: {error}; {} (in {origin}, omitted)", error.help());
         }
-        Err(error) => Ok(refuse(&format!("{error} (in {file})"))),
+        for line in emission::broken_promises(sources, target, precision) {
+            tell!("warning: {line}");
+        }
+        if !emitted.text.is_empty() {
+            write!(output, "{}\n{}", heading(origin), emitted.text)?;
+        }
+        Ok(if emitted.omitted.is_empty() { Status::AsStated } else { Status::Error })
+    }
+
+    /// Returns the name of the file without its folder and extension, with the name of the kernel if
+    /// it is the only one.
+    fn name(&self) -> String {
+        let stem = Path::new(self.file).file_stem().map(|stem| stem.to_string_lossy());
+        let stem = if self.file == LIBRARY { "library".into() } else { stem.unwrap_or_default() };
+        match self.kernel {
+            Some(kernel) => format!("{stem}_{kernel}"),
+            None => stem.into_owned(),
+        }
     }
 }
 
@@ -121,10 +161,10 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<FileError>> 
         formula: formula(file, kernel),
         statements: kernel.statements.clone(),
         conditions: Vec::new(),
-        units: sentence(&file.theory, kernel).unwrap_or_default(),
+        units: sentence(kernel).unwrap_or_default(),
         translation: generated.account(),
         rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };
-    Ok(Source { program: generated.optimised, docs, within: kernel.within.clone() })
+    Ok(Source { docs, within: kernel.within.clone(), ..generated.into() })
 }

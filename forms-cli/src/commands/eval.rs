@@ -54,7 +54,13 @@ pub(crate) fn eval(
         return table(&Exact::new(file, kernel), input, output);
     }
     let (program, within) = match generated(file, kernel) {
-        Ok(generated) if tier == Tier::Stable => (generated.optimised, generated.within),
+        Ok(generated) if tier == Tier::Stable && precision == "dd" => {
+            (generated.exact().clone(), generated.promise)
+        }
+        Ok(generated) if tier == Tier::Stable => {
+            let within = generated.within();
+            (generated.optimised, within)
+        }
         Ok(generated) => (generated.written, None),
         Err(errors) => {
             complain(&errors);
@@ -247,12 +253,9 @@ fn arguments<K: Evaluation>(
 }
 
 /// Returns the column names: the arguments, then the kernel's name, or `NAME_0`, `NAME_1`, … if it
-/// has several values.
+/// has several values. The entries of an array have names such as `p_0` and `NAME_1_2`.
 fn header(kernel: &impl Evaluation) -> Vec<String> {
     let mut names = kernel.arguments().to_vec();
-    match kernel.outputs() {
-        1 => names.push(kernel.name().to_string()),
-        several => names.extend((0..several).map(|place| format!("{}_{place}", kernel.name()))),
-    }
+    names.extend(kernel.columns());
     names
 }

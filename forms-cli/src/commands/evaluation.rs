@@ -8,8 +8,8 @@ pub(super) trait Evaluation {
     fn name(&self) -> &str;
     /// Returns the names of its arguments.
     fn arguments(&self) -> &[String];
-    /// Returns the number of its values.
-    fn outputs(&self) -> usize;
+    /// Returns the names of the columns of its values.
+    fn columns(&self) -> Vec<String>;
     /// Parses a number.
     fn read(&self, text: &str) -> Result<Self::Number, Unread>;
     /// Computes the kernel's values.

@@ -40,8 +40,8 @@ impl Evaluation for Exact<'_> {
         &self.arguments
     }
 
-    fn outputs(&self) -> usize {
-        self.kernel.outputs.len()
+    fn columns(&self) -> Vec<String> {
+        self.kernel.signature.columns(&self.kernel.name)
     }
 
     fn read(&self, text: &str) -> Result<Rational, Unread> {

@@ -5,7 +5,7 @@ use crate::layout::wrap;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::theory_file::{TheoryFile, complain};
-use forms::core::expression::Symbol;
+use forms::core::expression::Parameter;
 use forms::core::notation::{simplify_expression, text};
 use forms::core::theory::{Kernel, KernelUnits, Value};
 use std::io::{self, Write};
@@ -44,7 +44,7 @@ fn describe(
     for line in wrap(&kernel.docs.join(" "), INDENT) {
         writeln!(output, "{line}")?;
     }
-    for line in wrap(&signature(file, kernel), INDENT) {
+    for line in wrap(&signature(kernel), INDENT) {
         writeln!(output, "{}", palette.quiet(&line))?;
     }
     for &formula in &kernel.outputs {
@@ -64,16 +64,18 @@ fn describe(
 
 /// Formats the arguments and the results with their units: `of r2 [m**2], cos_theta [1], in
 /// sr/m**2`.
-fn signature(file: &TheoryFile, kernel: &Kernel) -> String {
+fn signature(kernel: &Kernel) -> String {
     let KernelUnits { arguments: units, outputs } = &kernel.units;
-    let argument = |(place, &symbol): (usize, &Symbol)| {
-        let name = file.theory.pool.symbol_name(symbol);
-        match units.get(place).and_then(Option::as_deref) {
-            Some(unit) => format!("{name} [{unit}]"),
-            None => name.to_owned(),
+    let mut place = 0;
+    let mut argument = |parameter: &Parameter| {
+        let unit = units.get(place).and_then(Option::as_deref);
+        place += parameter.shape.entries();
+        match unit {
+            Some(unit) => format!("{parameter} [{unit}]"),
+            None => parameter.to_string(),
         }
     };
-    let arguments: Vec<String> = kernel.arguments.iter().enumerate().map(argument).collect();
+    let arguments: Vec<String> = kernel.signature.parameters.iter().map(&mut argument).collect();
     let outputs: Option<Vec<&str>> = outputs.iter().map(Option::as_deref).collect();
     let results = match outputs.as_deref() {
         None | Some([]) => String::new(),

@@ -130,8 +130,8 @@ impl<T: Number> Evaluation for Rounded<'_, T> {
         self.program.arguments()
     }
 
-    fn outputs(&self) -> usize {
-        self.program.outputs().len()
+    fn columns(&self) -> Vec<String> {
+        self.program.signature().columns(self.program.name())
     }
 
     fn read(&self, text: &str) -> Result<T, Unread> {

@@ -24,7 +24,7 @@ use crate::layout::seconds;
 use crate::palette::Palette;
 use crate::status::Status;
 use crate::streams::tell;
-use forms_radiometry::scene::{Scene, SceneError, Sources};
+use forms_radiometry::scene::{Scene, SceneError, Sources, open};
 use forms_radiometry::simulation::{self, Exposure, Identity, Job, Plan, Share, Simulation, State};
 use kept::{Checkpoint, Kept, Part, PartOf};
 pub(crate) use merge::merge;
@@ -49,10 +49,11 @@ struct OutputOptions<'a> {
     ran_out_of_time: bool,
 }
 
-/// Scene with its sources and its plan.
+/// Scene with its plan.
 struct Planned {
     scene: Scene,
-    sources: Sources,
+    /// The input files, if the run is to be identified or finished elsewhere.
+    sources: Option<Sources>,
     plan: Plan,
 }
 
@@ -115,7 +116,12 @@ fn found(arguments: &SimulateArguments, planned: &Planned, ready: &mut Ready) ->
 fn planned(arguments: &SimulateArguments) -> Result<Planned, Vec<String>> {
     let file = &arguments.scene;
     let messages = |errors: Vec<SceneError>| errors.iter().map(SceneError::to_string).collect::<Vec<_>>();
-    let (mut scene, sources) = Sources::open(Path::new(file)).map_err(messages)?;
+    let is_kept = arguments.checkpoint.is_some() || arguments.shard.is_some();
+    let (mut scene, sources) = match is_kept {
+        true => Sources::open(Path::new(file)).map(|(scene, sources)| (scene, Some(sources))),
+        false => open(Path::new(file)).map(|scene| (scene, None)),
+    }
+    .map_err(messages)?;
     show_notes(&scene);
     arguments.solve.overrides().apply(&mut scene);
     if scene.receivers.is_empty() {
@@ -147,18 +153,18 @@ fn ready(
         solved_as_a_whole(arguments)?;
     }
     let share = arguments.shard.unwrap_or(Share::WHOLE);
-    let identity = || Identity::new(&planned.sources, &planned.plan, arguments.samples, share);
-    if let Some(file) = &arguments.checkpoint {
-        let (checkpoint, found) = Checkpoint::open(file, identity(), arguments.every)?;
+    let identity = |sources| Identity::new(sources, &planned.plan, arguments.samples, share);
+    if let (Some(file), Some(sources)) = (&arguments.checkpoint, &planned.sources) {
+        let (checkpoint, found) = Checkpoint::open(file, identity(sources), arguments.every)?;
         if found.is_some() {
             tell!("note: resuming from `{file}`");
         }
         (kept.checkpoint, state) = (Some(checkpoint), found);
     }
-    if let (Some(_), Some(file)) = (arguments.shard, &arguments.out) {
+    if let (Some(_), Some(file), Some(sources)) = (arguments.shard, &arguments.out, &planned.sources) {
         let belongs_to = PartOf {
-            identity: identity(),
-            sources: planned.sources.clone(),
+            identity: identity(sources),
+            sources: sources.clone(),
             overrides: arguments.solve.overrides(),
             exposure: arguments.exposure.map(Exposure::seconds),
             instructions: arguments.isa.map(|set| set.name().to_lowercase()),

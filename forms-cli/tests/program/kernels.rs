@@ -152,8 +152,12 @@ fn kernels_are_emitted_in_every_language() {
     };
     assert!(emitted(&["c"]).contains("double ratio(double a, double b) {"));
     assert!(emitted(&["c", "--precision", "f32"]).contains("float ratio(float a, float b) {"));
-    assert!(emitted(&["cuda"]).contains("__host__ __device__ inline void both(double x, double *outputs) {"));
-    assert!(emitted(&["wgsl"]).contains("fn both(x: f32) -> array<f32, 2> {"));
+    let cuda = emitted(&["cuda"]);
+    assert!(cuda.contains("__device__ inline void both(double x, double *outputs) {"), "{cuda}");
+    assert!(cuda.contains("extern \"C\" __global__ void both_batch("), "{cuda}");
+    let wgsl = emitted(&["wgsl"]);
+    assert!(wgsl.contains("fn both(x: f32) -> array<f32, 2> {"), "{wgsl}");
+    assert!(wgsl.contains("@compute @workgroup_size(64)\nfn both_batch("), "{wgsl}");
     for precision in ["f32", "f64", "dd"] {
         let source = emitted(&["rust", "--precision", precision]);
         assert!(process::compiles(&folder, &source), "{source}");

@@ -4,6 +4,7 @@
 mod book;
 mod checkpoints;
 mod dark;
+mod emission;
 mod hall;
 mod kernels;
 mod overrides;

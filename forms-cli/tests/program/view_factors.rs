@@ -33,12 +33,12 @@ fn view_factors_of_a_scene_are_a_matrix_with_sums_and_areas_or_lines_with_errors
 
 #[test]
 fn a_row_of_view_factors_above_one_is_an_error_that_names_what_it_sums_up() {
-    // The lamp contains each of its faces twice.
+    // The lamp is there as a square and as two triangles.
     let scene = "unit = \"cm\"\n[[material]]\nname = \"grey\"\nkind = \"diffuse\"\nreflectance = 0.5
 [[surface]]\nname = \"floor\"\nmaterial = \"grey\"\npolygon = [[0,0,0], [1,0,0], [1,1,0], [0,1,0]]
 [[surface]]\nname = \"lamp\"\nmaterial = \"grey\"\nmesh = \"lamp.obj\"\n";
     let lamp = "v 0 0 0.1\nv 0 1 0.1\nv 1 1 0.1\nv 1 0 0.1\nf 1 2 3 4\n";
-    let twice = lamp.to_owned() + "f 1 2 3 4\n";
+    let twice = lamp.to_owned() + "f 1 2 3\nf 1 3 4\n";
     let folder = Folder::with(&[("scene.toml", scene), ("lamp.obj", &twice)]);
     let run = forms(&folder, &["view-factors", "scene.toml"]);
     assert_eq!(run.status, 2, "{}", run.errors);

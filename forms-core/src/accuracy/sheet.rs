@@ -102,9 +102,13 @@ pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, 
     let samples = |width| sample(pool, kernel, width, &Regime::ALL, count, seed);
     let (single, double) = (samples(Width::Single), samples(Width::Double));
     let line = |variant: Variant| {
-        let program = if variant.stable { &generated.optimised } else { &generated.written };
+        let is_wide = variant.arithmetic == Arithmetic::DoubleDouble;
+        let (program, within) = match (variant.stable, is_wide) {
+            (false, _) => (&generated.written, None),
+            (true, true) => (generated.exact(), generated.promise),
+            (true, false) => (&generated.optimised, generated.within()),
+        };
         let samples = if variant.width() == Width::Single { &single } else { &double };
-        let within = generated.within.filter(|_| variant.stable);
         Line { variant, scores: scores(program, within, variant, samples) }
     };
     Variant::ALL.into_iter().map(line).collect()

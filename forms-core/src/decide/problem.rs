@@ -91,6 +91,8 @@ fn labelled(theory: &Theory, value: &Value) -> Vec<((Blade, String), Expr)> {
     match value {
         Value::Zero => vec![],
         Value::Scalar(scalar) => vec![((Blade::SCALAR, String::new()), *scalar)],
+        // the sides of a statement are not arrays
+        Value::Array(_) => vec![],
         Value::Form(form) => form
             .terms()
             .iter()

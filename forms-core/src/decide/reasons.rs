@@ -114,6 +114,9 @@ pub enum KernelReason {
         /// The part of the form that needs it.
         part: String,
     },
+    /// An approximation was not shown to be close to its formula under these conditions; empty for
+    /// the whole domain.
+    NotClose(String),
     /// The equation of a seam could not be solved completely.
     UnsolvedSeam,
     /// A branch is not defined on a seam, for a reason if it is known.
@@ -132,6 +135,10 @@ impl fmt::Display for KernelReason {
             KernelReason::Undefined { condition, part } => {
                 write!(f, "`{condition}`, which `{part}` requires, was not proved")
             }
+            KernelReason::NotClose(path) if path.is_empty() => {
+                write!(f, "no expansion shows it on the whole domain")
+            }
+            KernelReason::NotClose(path) => write!(f, "no expansion shows it where {path}"),
             KernelReason::UnsolvedSeam => {
                 write!(f, "the equation of the seam could not be solved completely")
             }

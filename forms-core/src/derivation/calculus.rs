@@ -1,7 +1,7 @@
 //! Results of the operations of the calculus, innermost first; the exterior derivative term by
 //! term.
 
-use super::definitions::{expressions, parts};
+use super::definitions::expressions;
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
 use crate::calculus::{Blade, Coordinate, Form, contributions};
@@ -39,7 +39,7 @@ pub(super) fn step(scribe: &mut Scribe, items: &[&ItemKind], claim: &ItemKind) -
 
 /// Collects wedge products and calls of the calculus, innermost first.
 fn collect<'a>(expression: &'a Expr, found: &mut Vec<&'a Expr>) {
-    parts(expression).into_iter().for_each(|part| collect(part, found));
+    expression.parts().into_iter().for_each(|part| collect(part, found));
     let is_operation = match &*expression.kind {
         ExprKind::Call { function, .. } => is_calculus(&function.text),
         ExprKind::Binary(Binary::Wedge, ..) => has_calculus(expression),
@@ -56,7 +56,7 @@ fn is_calculus(name: &str) -> bool {
 }
 
 fn has_calculus(expression: &Expr) -> bool {
-    parts(expression).into_iter().any(|part| {
+    expression.parts().into_iter().any(|part| {
         matches!(&*part.kind, ExprKind::Call { function, .. } if is_calculus(&function.text))
             || has_calculus(part)
     })

@@ -4,7 +4,7 @@
 use super::scribe::{Formula, Scribe};
 use super::{Line, Step};
 use crate::notation::latex_of_name;
-use crate::syntax::ast::{Argument, Condition, Expr, ExprKind, File, ItemKind};
+use crate::syntax::ast::{Condition, Expr, ExprKind, File, ItemKind};
 use std::collections::BTreeSet;
 
 /// Returns the items of a file on which a statement rests, in the order of the file.
@@ -35,6 +35,13 @@ fn line(scribe: &Scribe, item: &ItemKind) -> Option<Formula> {
         | ItemKind::Form { name, value, .. }
         | ItemKind::Field { name, value, .. }
         | ItemKind::Metric { name, value, .. } => Some(named(&name.text).equals(scribe.written(value))),
+        ItemKind::Definition { name, arguments, value } => {
+            let arguments: Vec<Formula> = arguments.iter().map(|argument| named(&argument.text)).collect();
+            let (head, list) = (named(&name.text), Formula::list(&arguments, ", "));
+            let text = format!("{}({})", head.text, list.text);
+            let latex = format!("{}\\left({}\\right)", head.latex, list.latex);
+            Some(Formula::new(text, latex).equals(scribe.written(value)))
+        }
         ItemKind::Map { name, source, target, components } => {
             let parts: Vec<Formula> = components.iter().map(|part| scribe.written(part)).collect();
             let list = Formula::list(&parts, ", ");
@@ -55,6 +62,7 @@ fn line(scribe: &Scribe, item: &ItemKind) -> Option<Formula> {
 pub(super) fn name(item: &ItemKind) -> Option<&str> {
     match item {
         ItemKind::Let { name, .. }
+        | ItemKind::Definition { name, .. }
         | ItemKind::Form { name, .. }
         | ItemKind::Field { name, .. }
         | ItemKind::Metric { name, .. }
@@ -67,47 +75,26 @@ pub(super) fn name(item: &ItemKind) -> Option<&str> {
 pub(super) fn expressions(item: &ItemKind) -> Vec<&Expr> {
     match item {
         ItemKind::Let { value, .. }
+        | ItemKind::Definition { value, .. }
         | ItemKind::Form { value, .. }
         | ItemKind::Field { value, .. }
         | ItemKind::Metric { value, .. } => vec![value],
         ItemKind::Map { components, .. } => components.iter().collect(),
         ItemKind::Statement { left, right, conditions, .. } => {
-            [left, right].into_iter().chain(conditions.iter().flat_map(sides)).collect()
+            [left, right].into_iter().chain(conditions.iter().flat_map(Condition::sides)).collect()
         }
         _ => vec![],
-    }
-}
-
-fn sides(condition: &Condition) -> impl Iterator<Item = &Expr> {
-    std::iter::once(&condition.first).chain(condition.rest.iter().map(|(_, side)| side))
-}
-
-/// Returns the parts of an expression, in the order in which they are evaluated.
-pub(super) fn parts(expression: &Expr) -> Vec<&Expr> {
-    match &*expression.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Basis(_) => vec![],
-        ExprKind::Negate(inner) => vec![inner],
-        ExprKind::Binary(_, _, left, right) => vec![left, right],
-        ExprKind::Call { index, arguments, .. } => {
-            let arguments = arguments.iter().flat_map(|argument| match argument {
-                Argument::Value(value) => vec![value],
-                Argument::Range { from, to, .. } => vec![from, to],
-            });
-            index.iter().chain(arguments).collect()
-        }
-        ExprKind::Index { base, index } => vec![base, index],
-        ExprKind::Select { condition, then, otherwise, .. } => {
-            sides(condition).chain([then, otherwise]).collect()
-        }
     }
 }
 
 fn names(expression: &Expr, found: &mut BTreeSet<String>) {
     let mut pending = vec![expression];
     while let Some(expression) = pending.pop() {
-        if let ExprKind::Name(name) = &*expression.kind {
-            found.insert(name.clone());
-        }
-        pending.extend(parts(expression));
+        match &*expression.kind {
+            ExprKind::Name(name) => found.insert(name.clone()),
+            ExprKind::Call { function, .. } => found.insert(function.text.clone()),
+            _ => false,
+        };
+        pending.extend(expression.parts());
     }
 }

@@ -85,7 +85,7 @@ impl Scribe<'_> {
                 });
                 format!("{}({})", function.text, values.collect::<Vec<_>>().join(", "))
             }
-            ExprKind::Index { .. } | ExprKind::Select { .. } => String::new(),
+            ExprKind::Index { .. } | ExprKind::Array(_) | ExprKind::Select { .. } => String::new(),
         }
     }
 

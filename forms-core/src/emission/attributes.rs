@@ -9,13 +9,14 @@ pub const MANY_ARGUMENTS: usize = 7;
 /// no others.
 pub(super) fn attributes(program: &Program) -> String {
     let mut text = String::new();
-    if program.arguments.len() > MANY_ARGUMENTS {
+    let parameters = &program.signature.parameters;
+    if parameters.len() > MANY_ARGUMENTS {
         text.push_str(
             "#[allow(clippy::too_many_arguments, reason = \"one for each variable\")]
 ",
         );
     }
-    let mut names = std::iter::once(&program.name).chain(&program.arguments);
+    let mut names = std::iter::once(&program.name).chain(parameters.iter().map(|parameter| &parameter.name));
     let is_snake_case =
         |name: &String| !name.chars().any(char::is_uppercase) && !name.trim_matches('_').contains("__");
     if !names.all(is_snake_case) {

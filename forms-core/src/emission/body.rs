@@ -42,12 +42,14 @@ pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[Strin
 }
 
 /// Returns the prefix of temporaries: the shortest run of `t` for which no argument is named like a
-/// temporary.
+/// temporary. An argument can be an element of an array, `p[0]`.
 fn prefix(arguments: &[String]) -> String {
     let mut prefix = "t".to_string();
     let is_taken = |prefix: &str| {
-        let numbered =
-            |name: &String| name.strip_prefix(prefix).is_some_and(|rest| rest.parse::<u32>().is_ok());
+        let numbered = |text: &String| {
+            let name = text.split('[').next().unwrap_or_default();
+            name.strip_prefix(prefix).is_some_and(|rest| rest.parse::<u32>().is_ok())
+        };
         arguments.iter().any(numbered)
     };
     while is_taken(&prefix) {

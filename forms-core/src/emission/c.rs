@@ -1,15 +1,19 @@
-//! C11 and CUDA: one function per kernel over `float` or `double`.
+//! C and CUDA: one function per kernel over `float` or `double`, and one over arrays.
 //!
-//! Several outputs are written to an array. Products and sums are fused if the hardware has the
-//! instruction: always on CUDA devices, in C if `FP_FAST_FMA` is defined.
+//! Several outputs are written to an array, and so are the entries of arrays, matrices by rows: an
+//! array of rows cannot be passed as constant in C before C23. Products and sums are fused if the
+//! hardware has the instruction: always on CUDA devices, in C if `FP_FAST_FMA` is defined. C is a
+//! header for C99 and C++; helper functions have include guards of their own, so that several
+//! headers can be included. CUDA includes no header and uses no macro of one, as NVRTC requires.
 
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::literal;
+use super::parameters::{self, flat_element, numbers, storage};
 use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
 use super::{body, names};
-use crate::expression::{Operation, Relation};
+use crate::expression::{Operation, Parameter, Relation, Shape};
 use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
@@ -22,54 +26,108 @@ pub(super) enum Flavour {
 
 /// Language of the C family with one number type.
 pub(super) struct C {
-    flavour: Flavour,
+    pub(super) flavour: Flavour,
     precision: Precision,
 }
 
 /// Longest line of a signature.
 const WIDTH: usize = 100;
 
+/// Definition of C that emitted functions use: its name and its text.
+struct Helper {
+    name: &'static str,
+    /// Text with `NUMBER` for the number type, and `SUFFIX` for the suffix of its functions.
+    text: &'static str,
+}
+
 /// a b + c, rounded once if there is an instruction for it.
-const MULTIPLY_ADD: &str = "\
+const MULTIPLY_ADD: Helper = Helper {
+    name: "forms_multiply_add",
+    text: "\
 // a b + c, rounded once if the processor has a fused multiply-add.
-SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
+SPECIFIERS NUMBER forms_multiply_addSUFFIX(NUMBER a, NUMBER b, NUMBER c) {
 #ifdef FAST_FMA
     return fmaSUFFIX(a, b, c);
 #else
     return a * b + c;
 #endif
 }
-";
+",
+};
 
 /// a b + c on CUDA, whose devices always round it once.
-const FUSED_MULTIPLY_ADD: &str = "\
+const FUSED_MULTIPLY_ADD: Helper = Helper {
+    name: "forms_multiply_add",
+    text: "\
 // a b + c, rounded once.
-SPECIFIERS NUMBER forms_multiply_add(NUMBER a, NUMBER b, NUMBER c) {
+SPECIFIERS NUMBER forms_multiply_addSUFFIX(NUMBER a, NUMBER b, NUMBER c) {
     return fmaSUFFIX(a, b, c);
 }
-";
+",
+};
 
 /// a b − c d = fl(a b − p) + (p − c d) with p = fl(c d), after Kahan: both differences have one
 /// rounding.
-const DIFFERENCE_OF_PRODUCTS: &str = "\
+const DIFFERENCE_OF_PRODUCTS: Helper = Helper {
+    name: "forms_difference_of_products",
+    text: "\
 // a b - c d within 2 ulp, by the error of one product (Kahan).
-SPECIFIERS NUMBER forms_difference_of_products(NUMBER a, NUMBER b, NUMBER c, NUMBER d) {
+SPECIFIERS NUMBER forms_difference_of_productsSUFFIX(NUMBER a, NUMBER b, NUMBER c, NUMBER d) {
     const NUMBER product = c * d;
     const NUMBER error = fmaSUFFIX(-c, d, product);
     const NUMBER value = fmaSUFFIX(a, b, -product) + error;
     return isnan(value) ? a * b - product : value;
 }
-";
+",
+};
 
 /// x^(n/d): with n/d = p + r and p rounded, x^p x^r = x^p (1 + r log x) to well below an ulp.
-const POWER: &str = "\
+const POWER: Helper = Helper {
+    name: "forms_power",
+    text: "\
 // x^(n/d); needs x >= 0 if d > 1.
-SPECIFIERS NUMBER forms_power(NUMBER x, double n, double d) {
+SPECIFIERS NUMBER forms_powerSUFFIX(NUMBER x, double n, double d) {
+    const double base = x;
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;
-    const double value = pow(x, exponent);
-    return (NUMBER)(rest == 0.0 || x == 0 || isinf(x) ? value : value + value * (rest * log(x)));
+    const double value = pow(base, exponent);
+    const double power = rest == 0.0 || base == 0.0 || isinf(base) ? value : value + value * (rest * log(base));
+    return (NUMBER)power;
 }
+",
+};
+
+/// √(x² + y²) by the library, whose value is ∞ if one number is infinite and the other NaN.
+const HYPOT: Helper = Helper {
+    name: "forms_hypot",
+    text: "\
+// sqrt(x*x + y*y) without overflow of a square; NaN if x or y is NaN.
+SPECIFIERS NUMBER forms_hypotSUFFIX(NUMBER x, NUMBER y) {
+    return isnan(x) || isnan(y) ? x + y : hypotSUFFIX(x, y);
+}
+",
+};
+
+/// NaN on CUDA, from its bits.
+const NAN: Helper = Helper {
+    name: "forms_nan",
+    text: "\
+// NaN.
+SPECIFIERS NUMBER forms_nanSUFFIX() {
+    return FROM_BITS;
+}
+",
+};
+
+/// Keyword of C99 that C++ lacks.
+const RESTRICT: &str = "
+#ifndef FORMS_RESTRICT
+#ifdef __cplusplus
+#define FORMS_RESTRICT __restrict
+#else
+#define FORMS_RESTRICT restrict
+#endif
+#endif
 ";
 
 impl C {
@@ -77,7 +135,7 @@ impl C {
         C { flavour, precision }
     }
 
-    fn number_type(&self) -> &'static str {
+    pub(super) fn number_type(&self) -> &'static str {
         if self.precision == Precision::F32 { "float" } else { "double" }
     }
 
@@ -86,52 +144,97 @@ impl C {
         if self.precision == Precision::F32 { "f" } else { "" }
     }
 
-    /// Writes the includes and the helper functions that these programs need.
-    pub(super) fn head(&self, programs: &[&Program]) -> String {
+    /// Writes the beginning of the file, with the helper functions that these programs need. In C
+    /// the file has the include guard `guard`.
+    pub(super) fn head(&self, programs: &[&Program], guard: &str) -> String {
+        let mut source = match self.flavour {
+            Flavour::C => format!(
+                "#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stddef.h>\n{RESTRICT}"
+            ),
+            Flavour::Cuda => String::new(),
+        };
+        for helper in self.helpers(programs) {
+            source += &self.written(&helper);
+        }
+        source.trim_start().to_string()
+    }
+
+    /// Returns the end of the file, if it has one.
+    pub(super) fn foot(&self) -> &'static str {
+        if self.flavour == Flavour::C { "#endif\n" } else { "" }
+    }
+
+    /// Returns the helper functions that these programs need.
+    fn helpers(&self, programs: &[&Program]) -> Vec<Helper> {
+        let is_c = self.flavour == Flavour::C;
         let needs = |is_needed: fn(&Instruction) -> bool| {
             programs.iter().any(|program| program.instructions.iter().any(is_needed))
         };
-        let mut source = "#include <math.h>\n".to_string();
-        if needs(|instruction| matches!(instruction, Instruction::MultiplyAdd(..))) {
-            let is_c = self.flavour == Flavour::C;
-            source += &self.helper(if is_c { MULTIPLY_ADD } else { FUSED_MULTIPLY_ADD });
-        }
         let is_product = |instruction: &Instruction| {
             matches!(instruction, Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_))
         };
+        let has_nan = programs.iter().any(|program| !program.domain.is_empty())
+            || needs(|instruction| matches!(instruction, Instruction::Select { .. }));
+        let mut helpers = Vec::new();
+        if !is_c && has_nan {
+            helpers.push(NAN);
+        }
+        if needs(|instruction| matches!(instruction, Instruction::MultiplyAdd(..))) {
+            helpers.push(if is_c { MULTIPLY_ADD } else { FUSED_MULTIPLY_ADD });
+        }
         if needs(is_product) {
-            source += &self.helper(DIFFERENCE_OF_PRODUCTS);
+            helpers.push(DIFFERENCE_OF_PRODUCTS);
         }
         if needs(|instruction| matches!(instruction, Instruction::Power(..))) {
-            source += &self.helper(POWER);
+            helpers.push(POWER);
         }
-        source
+        if needs(|instruction| matches!(instruction, Instruction::Call(Operation::Hypot, _))) {
+            helpers.push(HYPOT);
+        }
+        helpers
     }
 
-    fn helper(&self, text: &str) -> String {
-        let specifiers =
-            if self.flavour == Flavour::C { "static inline" } else { "__host__ __device__ static inline" };
-        let fast = if self.precision == Precision::F32 { "FP_FAST_FMAF" } else { "FP_FAST_FMA" };
-        let text = text.replace("SPECIFIERS", specifiers).replace("NUMBER", self.number_type());
-        format!("\n{}", text.replace("SUFFIX", self.suffix()).replace("FAST_FMA", fast))
+    /// Writes a helper function; in C only if no other header has defined it.
+    fn written(&self, helper: &Helper) -> String {
+        let (fast, bits) = match self.precision {
+            Precision::F32 => ("FP_FAST_FMAF", "__int_as_float(0x7fc00000)"),
+            _ => ("FP_FAST_FMA", "__longlong_as_double(0x7ff8000000000000LL)"),
+        };
+        let text = helper.text.replace("SPECIFIERS", self.specifiers()).replace("NUMBER", self.number_type());
+        let text = text.replace("SUFFIX", self.suffix()).replace("FAST_FMA", fast).replace("FROM_BITS", bits);
+        if self.flavour == Flavour::Cuda {
+            return format!("\n{text}");
+        }
+        let guard = format!("{}{}", helper.name, self.suffix()).to_uppercase();
+        format!("\n#ifndef {guard}\n#define {guard}\n{text}#endif\n")
+    }
+
+    fn specifiers(&self) -> &'static str {
+        if self.flavour == Flavour::C { "static inline" } else { "__device__ inline" }
     }
 
     /// Writes the documented function of a kernel.
     pub(super) fn function(&self, program: &Program, docs: &KernelDocs) -> String {
-        let arguments = &program.arguments;
-        let mut source = documentation(program, docs, "//") + &self.signature(program, arguments) + " {\n";
-        for (place, name) in arguments.iter().enumerate() {
-            if !names::uses(program, place) {
-                source += &format!("    (void){name};\n");
+        let mut docs = docs.clone();
+        docs.docs.extend(storage(program));
+        let mut source = documentation(program, &docs, "//") + &self.signature(program) + " {\n";
+        let is_used = parameters::used(program, |place| names::uses(program, place));
+        for (parameter, is_used) in program.signature.parameters.iter().zip(is_used) {
+            if !is_used {
+                source += &format!("    (void){};\n", parameter.name);
             }
         }
-        source + &body::write(self, program, arguments) + "}\n"
+        source + &body::write(self, program, &numbers(program, flat_element)) + "}\n"
     }
 
-    fn signature(&self, program: &Program, arguments: &[String]) -> String {
+    fn signature(&self, program: &Program) -> String {
         let number = self.number_type();
-        let specifiers = if self.flavour == Flavour::C { "" } else { "__host__ __device__ inline " };
-        let mut parameters: Vec<String> = arguments.iter().map(|name| format!("{number} {name}")).collect();
+        let specifiers = self.specifiers();
+        let declared = |Parameter { name, shape }: &Parameter| match shape {
+            Shape::Number => format!("{number} {name}"),
+            _ => format!("const {number} {name}[{}]", shape.entries()),
+        };
+        let mut parameters: Vec<String> = program.signature.parameters.iter().map(declared).collect();
         let result = if let [_] = program.outputs[..] {
             number
         } else {
@@ -141,11 +244,12 @@ impl C {
         if parameters.is_empty() && self.flavour == Flavour::C {
             parameters.push("void".to_string());
         }
-        let head = format!("{specifiers}{result} {}(", program.name);
+        let head = format!("{specifiers} {result} {}(", program.name);
         let line = format!("{head}{})", parameters.join(", "));
         if line.len() <= WIDTH { line } else { format!("{head}\n    {})", parameters.join(",\n    ")) }
     }
 
+    /// Writes a call of a function with one version for each number type.
     fn call_of(&self, name: &str, operands: &[&Written]) -> Written {
         function(&format!("{name}{}", self.suffix()), operands)
     }
@@ -167,7 +271,7 @@ impl Dialect for C {
     fn power(&self, value: &Written, exponent: Ratio<i64>) -> Written {
         let [numerator, denominator] =
             [exponent.numer(), exponent.denom()].map(|part| Written::atom(format!("{part}.0")));
-        function("forms_power", &[value, &numerator, &denominator])
+        self.call_of("forms_power", &[value, &numerator, &denominator])
     }
 
     fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
@@ -177,20 +281,23 @@ impl Dialect for C {
     }
 
     fn difference_of_products(&self, factors: [&Written; 4]) -> Written {
-        function("forms_difference_of_products", &factors)
+        self.call_of("forms_difference_of_products", &factors)
     }
 
     fn sum_of_products(&self, [a, b, c, d]: [&Written; 4]) -> Written {
-        function("forms_difference_of_products", &[a, b, &negated(c), d])
+        self.call_of("forms_difference_of_products", &[a, b, &negated(c), d])
     }
 
     fn multiply_add(&self, sum: ProductSum, [a, b, c]: [&Written; 3]) -> Written {
         let [factor, other] = sum.signed(a.clone(), c.clone(), |value| negated(&value));
-        function("forms_multiply_add", &[&factor, b, &other])
+        self.call_of("forms_multiply_add", &[&factor, b, &other])
     }
 
     fn nan(&self) -> String {
-        "NAN".to_string()
+        match self.flavour {
+            Flavour::C => "NAN".to_string(),
+            Flavour::Cuda => format!("forms_nan{}()", self.suffix()),
+        }
     }
 
     fn declaration(&self, name: &str, value: &str) -> String {
@@ -222,10 +329,11 @@ impl Branches for C {
     }
 
     fn leave_unless(&self, comparison: &str, outputs: usize) -> String {
+        let nan = self.nan();
         let leave = match outputs {
-            1 => "        return NAN;\n".to_string(),
+            1 => format!("        return {nan};\n"),
             several => {
-                let assign = |place| format!("        outputs[{place}] = NAN;\n");
+                let assign = |place| format!("        outputs[{place}] = {nan};\n");
                 (0..several).map(assign).collect::<String>() + "        return;\n"
             }
         };

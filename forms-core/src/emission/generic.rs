@@ -9,10 +9,12 @@ use super::body;
 use super::dialect::{ChoiceFunction, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::number;
+use super::parameters::{nested_element, nested_type, numbers};
+use super::rust_results::{array_type, result_type, results_of_array};
 use super::target::Precision;
 use super::unordered::Unordered;
 use super::written::{Binding, Written, function, negated};
-use crate::expression::{Operation, Relation};
+use crate::expression::{Operation, Parameter, Relation, Shape};
 use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
@@ -61,26 +63,31 @@ pub(super) fn nested_formula(program: &Program) -> String {
 /// an accuracy, the function keeps its digits by higher precision.
 pub(super) fn double_double(program: &Program, docs: &KernelDocs, promised: bool) -> String {
     let number = "forms_math::DoubleDouble";
-    let parameters: Vec<String> = program.arguments.iter().map(|name| format!("{name}: {number}")).collect();
+    let parameters = program.signature.parameters.iter();
+    let parameters: Vec<String> = parameters
+        .map(|Parameter { name, shape }| format!("{name}: {}", nested_type(*shape, number, array_type)))
+        .collect();
     let (count, outputs) = (program.arguments.len(), program.outputs.len());
-    let (result, ending) = match outputs {
-        1 => (number.to_string(), "[0]"),
-        several => (format!("[{number}; {several}]"), ""),
-    };
+    let results = &program.signature.results;
     let formula = nested_formula(program);
     let value = if promised {
         format!("forms_math::escalate_double_double::<Formula, {count}, {outputs}>")
     } else {
         format!("<Formula as forms_math::Formula<{count}, {outputs}>>::value")
     };
+    let values = format!("{value}([{}])", numbers(program, nested_element).join(", "));
+    let body = match results.as_slice() {
+        [Shape::Number] => format!("    {values}[0]\n"),
+        results => results_of_array(results, &values),
+    };
     format!(
-        "{}{}{}fn {}(\n{}) -> {result} {{\n{formula}    {value}([{}]){ending}\n}}\n",
+        "{}{}{}fn {}(\n{}) -> {} {{\n{formula}{body}}}\n",
         documentation(program, docs, "///"),
         attributes(program),
         if program.public { "pub " } else { "" },
         program.name,
         parameters.iter().map(|parameter| format!("    {parameter},\n")).collect::<String>(),
-        program.arguments.join(", "),
+        result_type(results, number),
     )
 }
 

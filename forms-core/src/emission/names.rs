@@ -50,9 +50,9 @@ impl Reserved {
         static TABLE: OnceLock<[Reserved; 7]> = OnceLock::new();
         // names that begin with an underscore, or contain two, are reserved for the implementations
         // of C and C++
-        const OF_C: &[&str] = &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL"];
+        const OF_C: &[&str] = &["_", "forms_", "FORMS_", "M_", "FP_", "MATH_", "HUGE_VAL"];
         const OF_CUDA: &[&str] =
-            &["_", "forms_", "M_", "FP_", "MATH_", "HUGE_VAL", "cuda", "CUDA", "CU_", "cu_"];
+            &["_", "forms_", "FORMS_", "M_", "FP_", "MATH_", "HUGE_VAL", "cuda", "CUDA", "CU_", "cu_"];
         const OF_WGSL: &[&str] = &["__", "forms_"];
         let table = TABLE.get_or_init(|| {
             [
@@ -131,6 +131,32 @@ pub(super) fn of_kernels(target: Target, names: &[String]) -> Vec<String> {
     chosen(target, Role::Kernel, names)
 }
 
+/// Returns the names of the functions that compute kernels over arrays: `NAME_batch`, different from
+/// each other and from all kernels.
+pub(super) fn of_batches(target: Target, kernels: &[String]) -> Vec<String> {
+    let reserved = Reserved::of(target, Role::Kernel);
+    let mut taken: FxHashSet<String> = kernels.iter().cloned().collect();
+    let of_kernel = |kernel: &String| {
+        let mut free = reserved.nearest(&format!("{kernel}_batch"));
+        while reserved.words.contains(free.as_str()) || !taken.insert(free.clone()) {
+            free.push('_');
+        }
+        free
+    };
+    kernels.iter().map(of_kernel).collect()
+}
+
+/// Returns the name, or the name with underscores that makes it different from the others, and adds
+/// it to them.
+pub(super) fn fresh(name: &str, others: &mut Vec<String>) -> String {
+    let mut free = name.to_string();
+    while others.contains(&free) {
+        free.push('_');
+    }
+    others.push(free.clone());
+    free
+}
+
 /// Returns the same program with names of the target: its own name is given, the names of its
 /// arguments are chosen. Names that differ from the source are listed above the function.
 pub(super) fn renamed(
@@ -139,11 +165,12 @@ pub(super) fn renamed(
     target: Target,
     name: &str,
 ) -> (Program, KernelDocs) {
-    let arguments = chosen(target, Role::Argument, &program.arguments);
+    let own: Vec<String> =
+        program.signature.parameters.iter().map(|parameter| parameter.name.clone()).collect();
+    let arguments = chosen(target, Role::Argument, &own);
     let mut docs = docs.clone();
     let all = std::iter::once((program.name.as_str(), name));
-    let all =
-        all.chain(program.arguments.iter().zip(&arguments).map(|(old, new)| (old.as_str(), new.as_str())));
+    let all = all.chain(own.iter().zip(&arguments).map(|(old, new)| (old.as_str(), new.as_str())));
     let mut notes: Vec<String> = Vec::new();
     for (old, new) in all.filter(|(old, new)| old != new) {
         let note = format!("`{old}` is renamed to `{new}`");
@@ -156,7 +183,12 @@ pub(super) fn renamed(
         let reason = if notes.len() == 1 { "the name is" } else { "the names are" };
         docs.docs.push(format!("{}, because {reason} reserved in {}.", notes.join(", "), target.title()));
     }
-    (Program { name: name.to_string(), arguments, ..program.clone() }, docs)
+    let mut signature = program.signature.clone();
+    for (parameter, name) in signature.parameters.iter_mut().zip(arguments) {
+        parameter.name = name;
+    }
+    let arguments = signature.arguments();
+    (Program { name: name.to_string(), signature, arguments, ..program.clone() }, docs)
 }
 
 /// Whether a function uses an argument.
@@ -186,6 +218,16 @@ mod tests {
         );
         assert_eq!(kernels(Target::Wgsl, "fn __a _ sin length"), "fn_ k___a k__ sin_ length_");
         assert_eq!(kernels(Target::Cuda, "threadIdx cudaMalloc float4"), "threadIdx_ k_cudaMalloc float4_");
+    }
+
+    #[test]
+    fn a_batch_is_named_like_no_kernel_and_no_other_batch() {
+        let batches = |names: &str| {
+            let names: Vec<String> = names.split(' ').map(str::to_string).collect();
+            of_batches(Target::C, &names).join(" ")
+        };
+        assert_eq!(batches("f g"), "f_batch g_batch");
+        assert_eq!(batches("f f_batch f_batch_batch"), "f_batch_ f_batch_batch_ f_batch_batch_batch");
     }
 
     #[test]

@@ -1,13 +1,11 @@
 //! `within` promises in a target: kept by higher precision, kept by a bound of the rounding error,
 //! or not kept and reported.
 
+use super::features::check;
 use super::target::{Precision, Source, Target};
 use crate::expression::Rational;
 use crate::kernel::nearest_f64;
-use crate::rounding::Arithmetic;
-
-/// Number of boxes that the domain is split into for the bound.
-const BOXES: usize = 256;
+use crate::rounding::{Arithmetic, units};
 
 /// How the emitted value of a kernel with `within` relates to the exact one.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,32 +21,26 @@ pub(super) enum Promise {
 
 /// Decides how a promise is kept if a kernel is emitted in a precision of a target.
 pub(super) fn promise(source: &Source, within: &Rational, target: Target, precision: Precision) -> Promise {
-    if target == Target::Rust && precision != Precision::F32 {
+    if target == Target::Rust && precision == Precision::DoubleDouble {
         return Promise::ByPrecision;
     }
-    let bounds = source.program.error_bound_in(arithmetic(target, precision), BOXES);
-    let promise = match bounds {
-        Ok(bounds) => {
-            let arithmetic = arithmetic(target, precision);
-            let mut units =
-                bounds.iter().map(|bound| bound.relative.map(|relative| relative / arithmetic.unit));
-            let worst = units
-                .try_fold(0.0, |worst: f64, units| Some(worst.max(units.filter(|units| !units.is_nan())?)));
-            match worst {
-                Some(units) if units <= nearest_f64(within).next_down() => Promise::ByBound(units),
-                Some(units) => Promise::NotKept(format!(
-                    "the relative rounding error is bounded only by {units:.1}·{} on the domain",
-                    unit(precision)
-                )),
-                None => {
-                    let absolute = bounds.iter().map(|bound| bound.absolute).fold(0.0, f64::max);
-                    Promise::NotKept(format!(
-                        "the absolute rounding error is bounded by {absolute:.1e} on the domain; no relative bound \
-                         is known"
-                    ))
-                }
+    let arithmetic = arithmetic(target, precision);
+    let approximation = source.approximated.as_ref().map_or(0.0, |approximated| approximated.error);
+    let promise = match source.program.bounds_of_promise(arithmetic) {
+        Ok(bounds) => match units(&bounds, arithmetic, approximation) {
+            Some(units) if units <= nearest_f64(within).next_down() => Promise::ByBound(units),
+            Some(units) => Promise::NotKept(format!(
+                "the relative rounding error is bounded only by {units:.1}·{} on the domain",
+                unit(precision)
+            )),
+            None => {
+                let absolute = bounds.iter().map(|bound| bound.absolute).fold(0.0, f64::max);
+                Promise::NotKept(format!(
+                    "the absolute rounding error is bounded by {absolute:.1e} on the domain; no relative bound \
+                     is known"
+                ))
             }
-        }
+        },
         Err(reason) => Promise::NotKept(format!("no error bound is known, because {reason}")),
     };
     match promise {
@@ -58,7 +50,8 @@ pub(super) fn promise(source: &Source, within: &Rational, target: Target, precis
     }
 }
 
-fn arithmetic(target: Target, precision: Precision) -> Arithmetic {
+/// Returns the arithmetic of a target other than Rust.
+pub(super) fn arithmetic(target: Target, precision: Precision) -> Arithmetic {
     match (target, precision) {
         (Target::Wgsl, _) => Arithmetic::SHADER,
         (_, Precision::F32) => Arithmetic::SINGLE,
@@ -67,7 +60,7 @@ fn arithmetic(target: Target, precision: Precision) -> Arithmetic {
 }
 
 fn unit(precision: Precision) -> &'static str {
-    if precision == Precision::F32 { "2⁻²⁴" } else { "2⁻⁵³" }
+    if precision == Precision::F32 { Arithmetic::SINGLE.unit_name() } else { Arithmetic::DOUBLE.unit_name() }
 }
 
 impl Promise {
@@ -86,15 +79,19 @@ impl Promise {
             Promise::ByBound(units) => format!(
                 "Its relative error is at most {within}·{unit}: the bound of the rounding error is \
                  {units:.1}·{unit}{}.",
-                if target == Target::Wgsl { "" } else { assumption(precision) }
+                assumption(target, precision)
             ),
             Promise::NotKept(reason) => format!("`within {within}` is not guaranteed by the generated code: {reason}."),
         }
     }
 }
 
-/// Returns the assumption of a bound about the library of a target.
-fn assumption(precision: Precision) -> &'static str {
+/// Returns the assumption of a bound about the compiler and the library of a target, if the
+/// specification of its language does not state them.
+pub(super) fn assumption(target: Target, precision: Precision) -> &'static str {
+    if target == Target::Wgsl {
+        return "";
+    }
     if precision == Precision::F32 {
         ", if library functions are within 4 ulp and fast-math optimisation is off"
     } else {
@@ -102,22 +99,29 @@ fn assumption(precision: Precision) -> &'static str {
     }
 }
 
-/// Lists the promises that these kernels do not keep in a target, one per line.
+/// Returns the sentence about a promise that a bound keeps in `f64`, in the documentation of a
+/// function of Rust.
+pub fn promised_by_bound(within: &Rational, units: f64) -> String {
+    Promise::ByBound(units).sentence(within, Target::Rust, Precision::F64)
+}
+
+/// Lists the promises that these kernels do not keep in a target, one per line. Kernels that the
+/// target cannot express are skipped.
 ///
 /// ```
 /// use forms_core::{check::read_theory, compile::compile_kernel};
 /// use forms_core::emission::{KernelDocs, Precision, Source, Target, broken_promises};
 /// let (mut theory, _) = read_theory("kernel k(x) = (1 - cos(x))/x**2 within 2;");
 /// let kernel = theory.kernels[0].clone();
-/// let program = compile_kernel(&mut theory.pool, &kernel).unwrap().optimised;
-/// let within = kernel.within;
-/// let source = Source { program, docs: KernelDocs::default(), within };
+/// let generated = compile_kernel(&mut theory.pool, &kernel).unwrap();
+/// let source = Source { within: kernel.within, ..generated.into() };
 /// let lines = broken_promises(&[source], Target::C, Precision::F64);
 /// assert!(lines[0].starts_with("`k`: `within 2` is not guaranteed by the generated code"));
 /// ```
 pub fn broken_promises(kernels: &[Source], target: Target, precision: Precision) -> Vec<String> {
     let line = |source: &Source| {
         let within = source.within.as_ref()?;
+        check(&source.program, target, precision).ok()?;
         let promise = promise(source, within, target, precision);
         matches!(promise, Promise::NotKept(_))
             .then(|| format!("`{}`: {}", source.program.name(), promise.sentence(within, target, precision)))

@@ -6,18 +6,19 @@ use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::generic::{MATH, closure, nested_formula};
 use super::number::{number, receiver};
+use super::parameters::{self, nested_element, nested_type, numbers};
 use super::promise::Promise;
+use super::rust_results::{array_type, result_lines, result_type, results_of_array};
 use super::target::{Precision, Target};
 use super::written::{Binding, Written, function};
 use super::{body, names};
-use crate::expression::{Operation, Rational, Relation};
+use crate::expression::{Operation, Rational, Relation, Shape};
 use crate::kernel::{Constant, Instruction, Program, nearest_f64};
 use num_rational::Ratio;
 
 /// Longest line of a signature.
 const WIDTH: usize = 100;
-/// Longest array that stays on one line.
-const ARRAY: usize = 60;
+
 /// Emits a documented function. It needs the standard library only or, if that is not sufficient
 /// (see [`Program::needs_math`]), also the items that `forms_math` exports, found by the path
 /// `math`.
@@ -38,7 +39,7 @@ pub fn emit_rust_within(
 ) -> String {
     let (program, docs) = names::renamed(program, docs, Target::Rust, &program.name);
     let escalated = escalated(&program, math, formula, within, Precision::F64);
-    Rust { math, precision: Precision::F64 }.function(
+    Rust::of(&program, math, Precision::F64).function(
         &program,
         &promised(&docs, within),
         |_| true,
@@ -54,7 +55,7 @@ pub(super) fn escalating(
     precision: Precision,
 ) -> String {
     let body = nested_formula(program) + &escalated(program, MATH, "Formula", within, precision);
-    Rust { math: MATH, precision }.function(program, docs, |_| true, &body)
+    Rust::of(program, MATH, precision).function(program, docs, |_| true, &body)
 }
 
 fn promised(docs: &KernelDocs, within: &Rational) -> KernelDocs {
@@ -75,12 +76,9 @@ fn escalated(
     let escalate = if precision == Precision::F32 { "escalate_f32" } else { "escalate" };
     let values = format!(
         "{math}::{escalate}::<{formula}, {arguments}, {outputs}>([{}], {within:?})",
-        program.arguments.join(", ")
+        numbers(program, nested_element).join(", ")
     );
-    match outputs {
-        1 => format!("    let [value] = {values};\n    value\n"),
-        _ => format!("    {values}\n"),
-    }
+    results_of_array(&program.signature.results, &values)
 }
 
 /// Returns the largest `f64` that does not exceed a positive number.
@@ -92,9 +90,10 @@ fn below(number: &Rational) -> f64 {
 
 /// Emits the function of `f32`s or of `f64`s.
 pub(super) fn written(program: &Program, docs: &KernelDocs, math: &str, precision: Precision) -> String {
-    let dialect = Rust { math, precision };
+    let dialect = Rust::of(program, math, precision);
     let used = |place: usize| names::uses(program, place);
-    dialect.function(program, docs, used, &body::write(&dialect, program, &program.arguments))
+    let body = body::write(&dialect, program, &numbers(program, nested_element));
+    dialect.function(program, docs, used, &body)
 }
 
 impl Program {
@@ -114,9 +113,15 @@ impl Program {
 struct Rust<'a> {
     math: &'a str,
     precision: Precision,
+    /// Shapes of the results of the function.
+    results: &'a [Shape],
 }
 
-impl Rust<'_> {
+impl<'a> Rust<'a> {
+    fn of(program: &'a Program, math: &'a str, precision: Precision) -> Self {
+        Rust { math, precision, results: &program.signature.results }
+    }
+
     /// `forms_math::Real::erf(x)`
     fn real(&self, name: &str, operands: &[&Written]) -> Written {
         function(&format!("<{} as {}::Real>::{name}", self.number_type(), self.math), operands)
@@ -138,16 +143,18 @@ impl Rust<'_> {
 
     fn signature(&self, program: &Program, used: impl Fn(usize) -> bool) -> String {
         let number = self.number_type();
-        let mut names = program.arguments.clone();
-        for place in (0..names.len()).filter(|&place| !used(place)) {
-            names[place] = names::unused(&names[place], &names);
+        let parameters = &program.signature.parameters;
+        let mut names: Vec<String> = parameters.iter().map(|parameter| parameter.name.clone()).collect();
+        for (place, is_used) in parameters::used(program, used).into_iter().enumerate() {
+            if !is_used {
+                names[place] = names::unused(&names[place], &names);
+            }
         }
-        let arguments: Vec<String> = names.iter().map(|name| format!("{name}: {number}")).collect();
+        let types = parameters.iter().map(|parameter| nested_type(parameter.shape, number, array_type));
+        let arguments: Vec<String> =
+            names.iter().zip(types).map(|(name, number)| format!("{name}: {number}")).collect();
         let public = if program.public { "pub " } else { "" };
-        let result = match program.outputs.len() {
-            1 => number.to_string(),
-            several => format!("[{number}; {several}]"),
-        };
+        let result = result_type(self.results, number);
         let name = &program.name;
         let line = format!("{public}fn {name}({}) -> {result}", arguments.join(", "));
         if line.len() + 2 <= WIDTH {
@@ -206,7 +213,8 @@ impl Dialect for Rust<'_> {
 
     fn quadrature(&self, integrand: &Program, operands: &[&Written]) -> Written {
         let name = format!("<{} as {}::Real>::quadrature", self.number_type(), self.math);
-        closure(self, &name, integrand, operands, str::to_string)
+        let of_integrand = Rust { results: &[Shape::Number], ..*self };
+        closure(&of_integrand, &name, integrand, operands, str::to_string)
     }
 
     fn nan(&self) -> String {
@@ -218,12 +226,7 @@ impl Dialect for Rust<'_> {
     }
 
     fn results(&self, outputs: &[&str]) -> String {
-        let line = outputs.join(", ");
-        match outputs {
-            [single] => format!("    {single}\n"),
-            _ if line.len() <= ARRAY => format!("    [{line}]\n"),
-            _ => format!("    [\n        {},\n    ]\n", outputs.join(",\n        ")),
-        }
+        result_lines(self.results, outputs)
     }
 }
 
@@ -249,11 +252,8 @@ impl Branches for Rust<'_> {
         condition.to_string()
     }
 
-    fn leave_unless(&self, condition: &str, outputs: usize) -> String {
-        let nan = match outputs {
-            1 => self.nan(),
-            several => format!("[{}; {several}]", self.nan()),
-        };
+    fn leave_unless(&self, condition: &str, _: usize) -> String {
+        let nan = result_type(self.results, &self.nan());
         format!("    let inside = {condition};\n    if !inside {{\n        return {nan};\n    }}\n")
     }
 }

@@ -2,6 +2,7 @@
 
 use super::docs::KernelDocs;
 use crate::expression::Rational;
+use crate::generation::Generated;
 use crate::kernel::Program;
 use std::fmt;
 
@@ -10,11 +11,11 @@ use std::fmt;
 pub enum Target {
     /// Rust, with the standard library.
     Rust,
-    /// C11, with `math.h`.
+    /// A header of C99 and C++17, with `math.h`.
     C,
     /// The shading language of WebGPU, in single precision.
     Wgsl,
-    /// CUDA, functions for host and device.
+    /// CUDA, functions of the device without any header, as NVRTC compiles them.
     Cuda,
 }
 
@@ -107,6 +108,18 @@ pub enum EmitError {
     },
 }
 
+impl EmitError {
+    /// Returns what the user can do, as a sentence without a full stop.
+    pub fn help(&self) -> &'static str {
+        match self {
+            EmitError::Precision(_, Precision::DoubleDouble) => "the target `rust` supports it",
+            EmitError::Precision(..) => "the targets `rust`, `c` and `cuda` support it",
+            EmitError::Function { .. } => "the target `rust` has it",
+            EmitError::Number { .. } => "the targets `rust`, `c` and `cuda` hold it in the precision `f64`",
+        }
+    }
+}
+
 impl fmt::Display for EmitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -145,4 +158,25 @@ pub struct Source {
     /// exact value; in `f32` of 2⁻²⁴. Kept by higher precision in Rust, and elsewhere if a bound of
     /// the rounding error shows it.
     pub within: Option<Rational>,
+    /// The formula, if the program only approximates it.
+    pub approximated: Option<Approximated>,
+}
+
+/// Formula of a kernel whose form is an approximation.
+#[derive(Clone, Debug)]
+pub struct Approximated {
+    /// Program of the formula, for precisions in which the approximation is not good enough.
+    pub formula: Program,
+    /// Largest relative error of the approximation before rounding.
+    pub error: f64,
+}
+
+impl From<Generated> for Source {
+    /// Takes the programs and the approximation of a kernel, without documentation and promise.
+    fn from(generated: Generated) -> Self {
+        let Generated { written, optimised, approximation, .. } = generated;
+        let of_formula = Approximated { formula: written, error: approximation };
+        let approximated = (approximation > 0.0).then_some(of_formula);
+        Source { program: optimised, docs: KernelDocs::default(), within: None, approximated }
+    }
 }

@@ -1,16 +1,19 @@
-//! WGSL: one function per kernel over `f32`.
+//! WGSL: one function per kernel over `f32`, and an entry point that computes it over buffers.
 //!
 //! The language has no notation for NaN, and compilers may assume that NaN does not occur: outside
 //! the domain of a kernel its value is NaN if the device has NaN.
 
-use super::body;
 use super::c::unequal_as_less_or_greater;
 use super::dialect::{Branches, Choices, Dialect};
 use super::docs::{KernelDocs, documentation};
 use super::number::literal;
+use super::parameters::{nested_element, numbers};
+use super::shader_functions::{DEFINITIONS, Definition, definition};
+use super::shader_values::{nested, results, type_of};
 use super::target::Precision;
 use super::written::{Written, function, infix, negated};
-use crate::expression::{Operation, Relation};
+use super::{batch, body};
+use crate::expression::{Operation, Parameter, Relation, Shape};
 use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
 
@@ -35,13 +38,13 @@ fn forms_difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
 }
 ";
 
-/// Writes the helper functions that these programs need.
+/// Writes the buffers and the helper functions that these programs need.
 pub(super) fn head(programs: &[&Program]) -> String {
     let needs = |is_needed: fn(&Instruction) -> bool| {
         programs.iter().any(|program| program.instructions.iter().any(is_needed))
     };
     let has_domain = programs.iter().any(|program| !program.domain.is_empty());
-    let mut parts = Vec::new();
+    let mut parts = vec![batch::BUFFERS];
     if has_domain || needs(|instruction| matches!(instruction, Instruction::Select { .. })) {
         parts.push(NAN);
     }
@@ -51,21 +54,22 @@ pub(super) fn head(programs: &[&Program]) -> String {
     if needs(is_product) {
         parts.push(DIFFERENCE_OF_PRODUCTS);
     }
+    let is_called = |definition: &&Definition| programs.iter().any(|program| definition.is_called(program));
+    parts.extend(DEFINITIONS.iter().filter(is_called).map(|definition| definition.text));
     parts.join("\n")
 }
 
 /// Writes the documented function of a kernel.
 pub(super) fn function_of(program: &Program, docs: &KernelDocs) -> String {
-    let body = body::write(&Wgsl { outputs: program.outputs.len() }, program, &program.arguments);
-    format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program, &program.arguments))
+    let dialect = Wgsl { results: results(program) };
+    let body = body::write(&dialect, program, &numbers(program, nested_element));
+    format!("{}{} {{\n{body}}}\n", documentation(program, docs, "//"), signature(program))
 }
 
-fn signature(program: &Program, arguments: &[String]) -> String {
-    let parameters: Vec<String> = arguments.iter().map(|name| format!("{name}: f32")).collect();
-    let result = match program.outputs.len() {
-        1 => "f32".to_string(),
-        several => format!("array<f32, {several}>"),
-    };
+fn signature(program: &Program) -> String {
+    let typed = |Parameter { name, shape }: &Parameter| format!("{name}: {}", type_of(*shape));
+    let parameters: Vec<String> = program.signature.parameters.iter().map(typed).collect();
+    let result = type_of(results(program));
     let line = format!("fn {}({}) -> {result}", program.name, parameters.join(", "));
     if line.len() <= WIDTH {
         return line;
@@ -74,15 +78,13 @@ fn signature(program: &Program, arguments: &[String]) -> String {
 }
 
 struct Wgsl {
-    outputs: usize,
+    results: Shape,
 }
 
 impl Wgsl {
     fn returned(&self, outputs: &[&str]) -> String {
-        match outputs {
-            [single] => format!("return {single};"),
-            several => format!("return array<f32, {}>({});", self.outputs, several.join(", ")),
-        }
+        let outputs: Vec<String> = outputs.iter().map(|&output| output.to_owned()).collect();
+        format!("return {};", nested(self.results, &outputs))
     }
 }
 
@@ -116,7 +118,8 @@ impl Dialect for Wgsl {
 
     fn call(&self, operation: Operation, operands: &[&Written]) -> Written {
         let row = operation.row();
-        function(row.spelling.wgsl.unwrap_or(row.name), operands)
+        let defined = definition(operation).map(|definition| definition.name);
+        function(defined.or(row.spelling.wgsl).unwrap_or(row.name), operands)
     }
 
     fn difference_of_products(&self, factors: [&Written; 4]) -> Written {

@@ -54,6 +54,17 @@ impl Enclosure {
         Enclosure::exact(a, precision).hull(&Enclosure::exact(b, precision))
     }
 
+    /// Encloses a rational number in a narrow range, never exactly: arithmetic with ranges is faster
+    /// than exact arithmetic.
+    pub(crate) fn near(value: &Rational, precision: Precision) -> Self {
+        let range = Range::rational(value, precision.0);
+        if range.lower < range.upper {
+            Enclosure(Value::Range(range))
+        } else {
+            Enclosure(Value::Range(range.widened(&1.into())))
+        }
+    }
+
     /// Encloses a rational number, rounded outward if it has become long.
     pub(super) fn from_rational(value: Rational, precision: u32) -> Self {
         if value.numer().bits().max(value.denom().bits()) <= exact_bits(precision) {

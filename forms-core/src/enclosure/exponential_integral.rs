@@ -54,6 +54,11 @@ impl Enclosure {
         self.increasing(GUARD + lost_to_terms(square), |x| error_function(x, precision))
     }
 
+    /// erfc a = 1 − erf a
+    pub fn erfc(&self) -> Enclosure {
+        Enclosure::integer(1, self.precision()).sub(&self.erf())
+    }
+
     /// E₁(a) for a > 0
     pub fn expint1(&self) -> Result<Enclosure, Undecided> {
         if self.is_nonpositive() {

@@ -38,6 +38,9 @@ impl Enclosure {
             (Operation::Expint3, [a]) => a.expint3(),
             (Operation::Dilog, [a]) => a.dilog(),
             (Operation::Clausen, [a]) => Ok(a.clausen()),
+            (Operation::Erfc, [a]) => Ok(a.erfc()),
+            (Operation::Hypot, [x, y]) => Enclosure::hypot(x, y),
+            (Operation::Cbrt, [a]) => a.cbrt(),
             _ => Err(Undecided::Unknown),
         }
     }

@@ -61,6 +61,25 @@ impl Enclosure {
         Ok(below.nonnegative_power(exponent)?.neg().hull(&above.nonnegative_power(exponent)?))
     }
 
+    /// √(a² + b²)
+    pub fn hypot(a: &Enclosure, b: &Enclosure) -> Result<Enclosure, Undecided> {
+        let square = Ratio::from_integer(2);
+        a.power(square)?.add(&b.power(square)?).sqrt()
+    }
+
+    /// ∛a for every a
+    pub fn cbrt(&self) -> Result<Enclosure, Undecided> {
+        let third = Ratio::new(1, 3);
+        if self.is_nonnegative() {
+            return self.power(third);
+        }
+        if self.is_nonpositive() {
+            return Ok(self.neg().power(third)?.neg());
+        }
+        let (below, above) = self.halves_about_zero();
+        Ok(below.power(third)?.neg().hull(&above.power(third)?))
+    }
+
     /// [0, −lower] and [0, upper], for an enclosure with 0 inside
     fn halves_about_zero(&self) -> (Enclosure, Enclosure) {
         let range = self.to_range(self.precision().0);

@@ -9,7 +9,7 @@
 //! an end stays undecided.
 
 use super::bounds::{Enclosure, Precision, Undecided};
-use super::taylor::{Series, Taylor};
+use super::taylor::{Series, Taylor, linear};
 use crate::expression::{FunctionId, Pool, Quadrature, Rational, Symbol};
 use num_traits::{One, Signed, Zero};
 use rustc_hash::FxHashMap;
@@ -144,14 +144,7 @@ impl Integral<'_> {
         let Quadrature { integrand, variable, parameters } = self.quadrature;
         let mut values: FxHashMap<Symbol, Series> = FxHashMap::default();
         let zero = Enclosure::integer(0, self.precision);
-        let series = |first: Enclosure, second: &Enclosure| {
-            let mut series = vec![zero.clone(); order + 1];
-            series[0] = first;
-            if let Some(slope) = series.get_mut(1) {
-                *slope = second.clone();
-            }
-            series
-        };
+        let series = |first: Enclosure, second: &Enclosure| linear(first, second, order, self.precision);
         values.insert(*variable, series(self.from.add(&self.length.mul(&place)), &self.length));
         for (&symbol, value) in parameters.iter().zip(&self.parameters) {
             values.insert(symbol, series(value.clone(), &zero));

@@ -19,6 +19,16 @@ pub(super) type Series = Vec<Enclosure>;
 
 type Expanded = Result<Series, Undecided>;
 
+/// Returns the series x₀ + x₁ε up to an order.
+pub(super) fn linear(first: Enclosure, slope: &Enclosure, order: usize, precision: Precision) -> Series {
+    let mut series = vec![Enclosure::integer(0, precision); order + 1];
+    series[0] = first;
+    if let Some(second) = series.get_mut(1) {
+        *second = slope.clone();
+    }
+    series
+}
+
 /// Context of an expansion: n + 1 coefficients for each variable.
 pub(super) struct Taylor<'a> {
     pub(super) pool: &'a Pool,
@@ -64,6 +74,10 @@ impl Taylor<'_> {
             Node::Divide(a, b) => Ok(self.product(of(a), &self.power(of(b), Ratio::from_integer(-1))?)),
             Node::Power(a, exponent) => self.power(of(a), *exponent),
             Node::Apply(Operation::Atan2, arguments) => self.angle(of(&arguments[0]), of(&arguments[1])),
+            Node::Apply(Operation::Hypot, arguments) => {
+                let squares = [0, 1].map(|side| self.product(of(&arguments[side]), of(&arguments[side])));
+                self.power(&sum(&squares[0], &squares[1]), Ratio::new(1, 2))
+            }
             Node::Apply(operation, arguments) => self.function(*operation, of(&arguments[0])),
             Node::Select { left, relation, right, then, otherwise, .. } => {
                 match of(left)[0].decide(*relation, &of(right)[0]) {
@@ -210,7 +224,13 @@ impl Taylor<'_> {
             }
             Operation::Abs if x[0].is_positive() => Ok(x.clone()),
             Operation::Abs if x[0].is_negative() => Ok(self.scaled(x, -1, 1)),
-            Operation::Abs | Operation::Atan2 => Err(Undecided::Unknown),
+            Operation::Abs | Operation::Atan2 | Operation::Hypot => Err(Undecided::Unknown),
+            Operation::Cbrt if x[0].is_positive() => self.power(x, Ratio::new(1, 3)),
+            Operation::Cbrt if x[0].is_negative() => {
+                let root = self.power(&self.scaled(x, -1, 1), Ratio::new(1, 3))?;
+                Ok(self.scaled(&root, -1, 1))
+            }
+            Operation::Cbrt => Err(Undecided::Unknown),
             _ => {
                 let first = Enclosure::apply(operation, std::slice::from_ref(&x[0]))?;
                 self.integrated(first, x, &self.slope(operation, x)?)
@@ -233,6 +253,7 @@ impl Taylor<'_> {
                 let factor = self.constant(Enclosure::pi(self.precision).power(half)?);
                 Ok(self.scaled(&self.product(&bell, &factor), 2, 1))
             }
+            Operation::Erfc => Ok(self.scaled(&self.slope(Operation::Erf, x)?, -1, 1)),
             Operation::Expint1 => {
                 let decay = self.exponential(&self.scaled(x, -1, 1))?;
                 Ok(self.scaled(&self.quotient(&decay, x)?, -1, 1))

@@ -1,7 +1,9 @@
 //! Partial derivatives of structured expressions: the chain rule over the expression graph, each
 //! node differentiated once.
 
+use super::extremum::{Extremum, Operands};
 use super::node::{Expr, Node, Origin, Symbol};
+use super::operation::Operation;
 use super::pool::Pool;
 use num_rational::Ratio;
 
@@ -25,7 +27,10 @@ impl Pool {
         self.derivatives.reserve(parts.len());
         for node in parts {
             if !self.derivatives.contains_key(&(node, by)) {
-                let value = self.derivative_of_node(node, by);
+                let value = match self.as_extremum(node) {
+                    Some((which, operands)) => self.derivative_of_extremum(which, operands, by),
+                    None => self.derivative_of_node(node, by),
+                };
                 self.derivatives.insert((node, by), value);
             }
         }
@@ -135,6 +140,27 @@ impl Pool {
         let correction = self.multiply(quotient, db);
         let numerator = self.subtract(da, correction);
         self.divide(numerator, b)
+    }
+
+    /// min(a, b)′ = (a′ (1 − s) + b′ (1 + s))/2 with s = (a − b)/|a − b|: one factor is 0 and the
+    /// other is 2, so that no digit of the derivative that is selected is lost.
+    fn derivative_of_extremum(&mut self, which: Extremum, operands: Operands, by: Symbol) -> Expr {
+        let (zero, one, two) = (self.integer(0), self.integer(1), self.integer(2));
+        let [a, b] = operands.map(|operand| operand.unwrap_or(zero));
+        let [da, db] = [a, b].map(|q| self.derivatives.get(&(q, by)).copied().unwrap_or(zero));
+        if da == db {
+            return da;
+        }
+        let difference = match which {
+            Extremum::Least => self.subtract(a, b),
+            Extremum::Greatest => self.subtract(b, a),
+        };
+        let magnitude = self.apply(Operation::Abs, &[difference]);
+        let sign = self.divide(difference, magnitude);
+        let (of_a, of_b) = (self.subtract(one, sign), self.add(one, sign));
+        let (left, right) = (self.multiply(da, of_a), self.multiply(db, of_b));
+        let sum = self.add(left, right);
+        self.divide(sum, two)
     }
 
     /// (aʳ)′ = r aʳ⁻¹ a′

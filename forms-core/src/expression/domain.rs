@@ -70,6 +70,9 @@ impl Pool {
             | Operation::Expm1
             | Operation::Erf
             | Operation::Clausen
+            | Operation::Erfc
+            | Operation::Hypot
+            | Operation::Cbrt
             | Operation::Abs => None,
         }
     }

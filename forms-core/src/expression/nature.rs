@@ -23,7 +23,8 @@ fn nature_of_function(operation: Operation) -> Nature {
     match operation {
         Operation::Exp | Operation::Cosh => Nature::Positive,
         Operation::Expint1 | Operation::Expint2 | Operation::Expint3 => Nature::Positive,
-        Operation::Abs => Nature::NotNegative,
+        Operation::Erfc => Nature::Positive,
+        Operation::Abs | Operation::Hypot => Nature::NotNegative,
         _ => Nature::Open,
     }
 }

@@ -99,6 +99,12 @@ macro_rules! for_each_operation {
             Dilog = dilog(q) by dilog, NOWHERE, "\\operatorname{Li}_{2}", 60;
             /// Clausen's function Cl₂(q) = −∫₀ᵠ log|2 sin(t/2)| dt
             Clausen = clausen(q) by clausen, NOWHERE, "\\operatorname{Cl}_{2}", 60;
+            /// the complementary error function 1 − erf(q), accurate to the last places for large q
+            Erfc = erfc(q) by erfc, of_math_h("erfc", None), "\\operatorname{erfc}", 40;
+            /// √(x² + y²), without overflow of a square
+            Hypot = hypot(x, y) by hypot, of_math_h("forms_hypot", None), "\\operatorname{hypot}", 10;
+            /// the real cube root, ∛(−q) = −∛q
+            Cbrt = cbrt(q) by cbrt, of_math_h("cbrt", Some("cbrt")), "\\operatorname{cbrt}", 25;
         }
     };
 }

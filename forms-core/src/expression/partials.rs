@@ -170,3 +170,23 @@ fn clausen(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
     let logarithm = pool.apply(Operation::Log, &[magnitude]);
     vec![pool.negate(logarithm)]
 }
+
+/// erfc′ = −erf′
+fn erfc(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let derivative = erf(pool, q)[0];
+    vec![pool.negate(derivative)]
+}
+
+/// ∂hypot(x, y)/∂x = x/hypot(x, y), defined for (x, y) ≠ (0, 0)
+fn hypot(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let length = pool.apply(Operation::Hypot, q);
+    q.iter().map(|&side| pool.divide(side, length)).collect()
+}
+
+/// cbrt′ = 1/(3 cbrt²), defined for q ≠ 0
+fn cbrt(pool: &mut Pool, q: &[Expr]) -> Vec<Expr> {
+    let root = pool.apply(Operation::Cbrt, q);
+    let (one, three, square) = (pool.integer(1), pool.integer(3), pool.power(root, 2.into()));
+    let divisor = pool.multiply(three, square);
+    vec![pool.divide(one, divisor)]
+}

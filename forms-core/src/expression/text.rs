@@ -193,6 +193,11 @@ impl Pool {
     }
 }
 
+/// Returns a number in the language's own notation.
+pub(crate) fn number_text(value: &Rational) -> String {
+    write_number(value).text
+}
+
 fn write_number(value: &Rational) -> Written {
     let binding = match (value.is_negative(), value.denom().is_one()) {
         (true, _) => Binding::Negation,

@@ -214,7 +214,10 @@ impl<'a> Known<'a> {
 
     fn function(&mut self, operation: Operation, q: &[Expr], sign: Sign, depth: usize) -> bool {
         match operation {
-            Operation::Exp | Operation::Cosh => true,
+            Operation::Exp | Operation::Cosh | Operation::Erfc => true,
+            Operation::Hypot => {
+                sign == Sign::NotNegative || q.iter().any(|&side| self.has(side, Sign::NotZero, depth))
+            }
             Operation::Abs => sign == Sign::NotNegative || self.has(q[0], Sign::NotZero, depth),
             Operation::Acos => sign == Sign::NotNegative,
             Operation::Sin | Operation::Cos if sign == Sign::NotZero => self.half_angle(operation, q[0]),

@@ -161,15 +161,31 @@ fn exact_root(value: &Rational) -> Option<Rational> {
     (&root * &root == *value).then_some(root)
 }
 
+/// Returns the length of a right triangle's hypotenuse, or a cube root, if it is rational.
+fn exact_radical(pool: &Pool, operation: Operation, q: &[Expr]) -> Option<Rational> {
+    let numbers = q.iter().map(|&part| pool.as_number(part)).collect::<Option<Vec<_>>>()?;
+    match (operation, numbers.as_slice()) {
+        (Operation::Hypot, [x, y]) => exact_root(&(*x * *x + *y * *y)),
+        (Operation::Cbrt, [x]) => {
+            let root = Rational::new(x.numer().cbrt(), x.denom().cbrt());
+            (&root * &root * &root == **x).then_some(root)
+        }
+        _ => None,
+    }
+}
+
 /// Applies a function to numbers, with exact results at 0 and in other simple cases.
 fn apply(pool: &mut Pool, operation: Operation, q: &[Expr]) -> Expr {
-    use Operation::{Abs, Asin, Atan, Cos, Cosh, Erf, Exp, Expm1, Log1p, Sin, Sinh, Tan, Tanh};
+    use Operation::{Abs, Asin, Atan, Cos, Cosh, Erf, Erfc, Exp, Expm1, Log1p, Sin, Sinh, Tan, Tanh};
     if pool.is_zero(q[0]) {
         match operation {
             Sin | Tan | Asin | Atan | Sinh | Tanh | Expm1 | Log1p | Erf | Abs => return q[0],
-            Cos | Cosh | Exp => return pool.integer(1),
+            Cos | Cosh | Exp | Erfc => return pool.integer(1),
             _ => {}
         }
+    }
+    if let Some(root) = exact_radical(pool, operation, q) {
+        return pool.number(root);
     }
     if operation == Abs
         && let Some(value) = pool.as_number(q[0]).map(Signed::abs)

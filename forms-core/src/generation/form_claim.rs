@@ -6,7 +6,9 @@
 //!       ├─ equation ────────▶ equal wherever both have a value, output by output
 //!       └─ definedness ─────▶ it has a value wherever the formula has one
 //! ```
+//! The form of an approximation (`by F approx E`) has a claim of its own.
 
+use super::approximation_claim;
 use super::definedness::{self, Breach, Definedness};
 use super::fault::{Claim, Fault};
 use super::translation::{FORM, Translation, equality};
@@ -19,6 +21,9 @@ use crate::theory::Kernel;
 /// formula, wherever the formula has one on the kernel's domain. Special points are tested first: a
 /// form that differs only on a stratum is refuted there.
 pub(super) fn fault(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
+    if let Some(tolerance) = &kernel.approximation {
+        return approximation_claim::fault(pool, kernel, tolerance);
+    }
     if let Some(breach) = definedness::first_breach(pool, kernel, &kernel.computed) {
         return Some(broken(kernel, &breach));
     }

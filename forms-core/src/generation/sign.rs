@@ -82,8 +82,8 @@ fn exponent_of_less_one(pool: &Pool, sum: Expr) -> Option<Expr> {
 
 /// Whether f(−q) = −f(q) and f increases.
 pub(super) fn is_odd_and_increasing(operation: Operation) -> bool {
-    use Operation::{Asin, Atan, Erf, Sinh, Tanh};
-    matches!(operation, Sinh | Asin | Atan | Tanh | Erf)
+    use Operation::{Asin, Atan, Cbrt, Erf, Sinh, Tanh};
+    matches!(operation, Sinh | Asin | Atan | Tanh | Erf | Cbrt)
 }
 
 /// Whether f(0) = 0 and f increases, so that f has the sign of its argument.

@@ -91,10 +91,12 @@ impl fmt::Display for Translation {
 pub(super) fn validate(pool: &mut Pool, kernel: &Kernel, program: &Program) -> Translation {
     let raised = program.raise(pool, &kernel.arguments);
     let sides = |condition: &Condition| [condition.left, condition.right];
-    let written = kernel.domain.iter().flat_map(sides);
+    let written: Vec<Expr> = kernel.domain.iter().flat_map(sides).collect();
+    // a program compares where the formula has the smaller or larger of two numbers
+    let (written, formulas) =
+        (pool.with_compared_extrema(&written), pool.with_compared_extrema(&kernel.outputs));
     let domain: Vec<(Expr, Expr)> = raised.domain.iter().flat_map(sides).zip(written).collect();
-    let outputs: Vec<(Expr, Expr)> =
-        raised.outputs.iter().copied().zip(kernel.outputs.iter().copied()).collect();
+    let outputs: Vec<(Expr, Expr)> = raised.outputs.iter().copied().zip(formulas).collect();
     equality(pool, &domain, &[], EFFORT).and(equality(pool, &outputs, &kernel.domain, EFFORT))
 }
 

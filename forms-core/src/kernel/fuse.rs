@@ -8,6 +8,7 @@
 //! if the target has the instruction. Compensation is for forms that were chosen for their
 //! accuracy, since it doubles the cost.
 
+use super::constant::Constant;
 use super::numbering::without_unused;
 use super::program::{Instruction, ProductSum, Program, Value};
 use super::schedule::schedule;
@@ -64,6 +65,41 @@ fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Ins
     without_unused(&program.with_instructions(rewritten, |value| value))
 }
 
+/// What becomes of compensated products when instructions are split.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Compensated {
+    Kept,
+    Split,
+    /// Split, with 0 added in place of the correction.
+    Corrected,
+}
+
+fn push(instructions: &mut Vec<Instruction>, instruction: Instruction) -> Value {
+    instructions.push(instruction);
+    Value(instructions.len() as u32 - 1)
+}
+
+fn sum_or_difference(left: Value, right: Value, is_difference: bool) -> Instruction {
+    if is_difference { Instruction::Subtract(left, right) } else { Instruction::Add(left, right) }
+}
+
+/// Appends a b ± c d in separate operations.
+fn products(
+    instructions: &mut Vec<Instruction>,
+    [a, b, c, d]: [Value; 4],
+    is_difference: bool,
+    compensated: Compensated,
+) -> Value {
+    let left = push(instructions, Instruction::Multiply(a, b));
+    let right = push(instructions, Instruction::Multiply(c, d));
+    let value = push(instructions, sum_or_difference(left, right, is_difference));
+    if compensated != Compensated::Corrected {
+        return value;
+    }
+    let correction = push(instructions, Instruction::Constant(Constant::integer(0)));
+    push(instructions, Instruction::Add(value, correction))
+}
+
 impl Program {
     /// Returns the same kernel with compensated sums and differences of two products that may
     /// cancel, computed without loss.
@@ -74,43 +110,39 @@ impl Program {
     /// Returns the same kernel with fused and compensated instructions split into additions,
     /// subtractions and multiplications.
     pub(crate) fn unfused(&self) -> Program {
-        self.taken_apart(true)
+        self.taken_apart(Compensated::Split)
+    }
+
+    /// Returns the same kernel with the roundings of a target that may round the product of a fused
+    /// instruction: a compensated product is then a plain one, to which a rounded correction is
+    /// added.
+    pub(crate) fn with_rounded_corrections(&self) -> Program {
+        self.taken_apart(Compensated::Corrected)
     }
 
     /// Returns the same kernel with a separate rounding for each product that is not compensated.
     pub(crate) fn with_separate_roundings(&self) -> Program {
-        self.taken_apart(false)
+        self.taken_apart(Compensated::Kept)
     }
 
-    fn taken_apart(&self, compensated: bool) -> Program {
+    fn taken_apart(&self, compensated: Compensated) -> Program {
         let mut instructions: Vec<Instruction> = Vec::with_capacity(self.instructions.len());
         let mut values: Vec<Value> = Vec::with_capacity(self.instructions.len());
         for instruction in &self.instructions {
-            let mut push = |instruction: Instruction| {
-                instructions.push(instruction);
-                Value(instructions.len() as u32 - 1)
-            };
-            let value = match instruction.with_operands(|operand| values[operand.place()]) {
+            let instruction = instruction.with_operands(|operand| values[operand.place()]);
+            let value = match instruction {
                 Instruction::MultiplyAdd(sum, [a, b, c]) => {
-                    let product = push(Instruction::Multiply(a, b));
+                    let product = push(&mut instructions, Instruction::Multiply(a, b));
                     let [left, right] = sum.terms(product, c);
-                    push(if sum.is_difference() {
-                        Instruction::Subtract(left, right)
-                    } else {
-                        Instruction::Add(left, right)
-                    })
+                    push(&mut instructions, sum_or_difference(left, right, sum.is_difference()))
                 }
-                Instruction::DifferenceOfProducts([a, b, c, d]) if compensated => {
-                    let (left, right) =
-                        (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
-                    push(Instruction::Subtract(left, right))
+                Instruction::DifferenceOfProducts(factors) if compensated != Compensated::Kept => {
+                    products(&mut instructions, factors, true, compensated)
                 }
-                Instruction::SumOfProducts([a, b, c, d]) if compensated => {
-                    let (left, right) =
-                        (push(Instruction::Multiply(a, b)), push(Instruction::Multiply(c, d)));
-                    push(Instruction::Add(left, right))
+                Instruction::SumOfProducts(factors) if compensated != Compensated::Kept => {
+                    products(&mut instructions, factors, false, compensated)
                 }
-                other => push(other),
+                other => push(&mut instructions, other),
             };
             values.push(value);
         }

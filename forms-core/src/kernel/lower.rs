@@ -1,10 +1,14 @@
 //! Lowering: a structured expression becomes instructions, one for one, with its sharing preserved.
+//! Minima and maxima, which are written with an absolute value, become comparisons.
 
 use super::constant::Constant;
 use super::program::{Comparison, Instruction, Program, Value};
-use crate::expression::{Condition, Expr, FunctionId, Node, Pool, Symbol};
+use crate::expression::{
+    Condition, Expr, Extremum, FunctionId, Node, Pool, Rational, Relation, Signature, Symbol,
+};
 use num_rational::Ratio;
-use rustc_hash::FxHashMap;
+use num_traits::Zero;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 
 /// Largest number of nodes of a kernel. A larger one is an accident, most likely an expanded normal
@@ -20,7 +24,9 @@ pub struct KernelSource {
     pub docs: Vec<String>,
     /// Whether it is visible outside its module.
     pub public: bool,
-    /// Variables that it is a function of, in order.
+    /// Arguments and results as declared; `None` for a kernel of numbers only.
+    pub signature: Option<Signature>,
+    /// Variables that it is a function of, in order, arrays by their entries.
     pub arguments: Vec<Symbol>,
     /// Expressions that it computes.
     pub outputs: Vec<Expr>,
@@ -74,13 +80,20 @@ pub fn lower(pool: &Pool, source: &KernelSource) -> Result<Program, LowerError> 
         .flat_map(|condition| [condition.left, condition.right])
         .chain(source.outputs.iter().copied())
         .collect();
-    let order = pool.reachable(&roots);
+    let order = computed(pool, &roots);
     if order.len() > LARGEST {
         return Err(LowerError::TooLarge { nodes: order.len(), limit: LARGEST });
     }
     let mut values: FxHashMap<Expr, Value> = FxHashMap::default();
     let mut instructions = Vec::with_capacity(order.len());
     for expression in order {
+        if let Some((which, operands)) = pool.as_extremum(expression) {
+            let [a, b] = operands
+                .map(|operand| operand.map_or_else(|| zero(&mut instructions), |operand| values[&operand]));
+            values.insert(expression, Value(instructions.len() as u32));
+            instructions.push(comparison(which, a, b));
+            continue;
+        }
         let instruction = instruction(pool, source, expression, |operand| values[&operand])?;
         if let Instruction::Constant(constant) = &instruction
             && !constant.is_representable()
@@ -95,14 +108,52 @@ pub fn lower(pool: &Pool, source: &KernelSource) -> Result<Program, LowerError> 
         relation: condition.relation,
         right: values[&condition.right],
     });
+    let arguments: Vec<String> =
+        source.arguments.iter().map(|&symbol| pool.symbol_name(symbol).to_string()).collect();
+    let of_numbers = || Signature::of_numbers(&arguments, source.outputs.len());
     Ok(Program {
         name: source.name.clone(),
         public: source.public,
-        arguments: source.arguments.iter().map(|&symbol| pool.symbol_name(symbol).to_string()).collect(),
+        signature: source.signature.clone().unwrap_or_else(of_numbers),
+        arguments,
         outputs: source.outputs.iter().map(|output| values[output]).collect(),
         domain: domain.collect(),
         instructions,
     })
+}
+
+/// Returns the expressions that have to be computed, operands before results: a minimum or maximum
+/// is computed from its operands, without their sum and difference.
+fn computed(pool: &Pool, roots: &[Expr]) -> Vec<Expr> {
+    let mut wanted: FxHashSet<Expr> = roots.iter().copied().collect();
+    let mut order = pool.reachable(roots);
+    order.reverse();
+    order.retain(|&expression| {
+        let is_wanted = wanted.contains(&expression);
+        match pool.as_extremum(expression).filter(|_| is_wanted) {
+            Some((_, operands)) => wanted.extend(operands.into_iter().flatten()),
+            None if is_wanted => pool.node(expression).for_each_operand(|operand| {
+                wanted.insert(operand);
+            }),
+            None => {}
+        }
+        is_wanted
+    });
+    order.reverse();
+    order
+}
+
+/// Appends the number 0.
+fn zero(instructions: &mut Vec<Instruction>) -> Value {
+    instructions.push(Instruction::Constant(Constant::rational(Rational::zero())));
+    Value(instructions.len() as u32 - 1)
+}
+
+/// Selects the smaller or the larger of two values. Of equal values, which can be zeros of
+/// different signs, it is b for the smaller and a for the larger. If one is NaN, so is the result.
+fn comparison(which: Extremum, a: Value, b: Value) -> Instruction {
+    let (then, otherwise) = if which == Extremum::Least { (a, b) } else { (b, a) };
+    Instruction::Select { left: a, relation: Relation::Less, right: b, then, otherwise }
 }
 
 fn instruction(

@@ -5,7 +5,7 @@
 //! exact, functions are rows of the operation table.
 
 use super::constant::Constant;
-use crate::expression::{Operation, Relation};
+use crate::expression::{Operation, Relation, Signature};
 use num_rational::Ratio;
 
 /// Value of an instruction, identified by the instruction's index.
@@ -185,6 +185,7 @@ pub(super) fn holds(relation: Relation, left: f64, right: f64) -> Option<bool> {
 pub struct Program {
     pub(crate) name: String,
     pub(crate) public: bool,
+    pub(crate) signature: Signature,
     pub(crate) arguments: Vec<String>,
     pub(crate) instructions: Vec<Instruction>,
     pub(crate) outputs: Vec<Value>,
@@ -202,7 +203,13 @@ impl Program {
         self.public
     }
 
-    /// Returns the names of the arguments.
+    /// Returns the arguments and results as declared. The instructions know only the numbers in
+    /// them.
+    pub fn signature(&self) -> &Signature {
+        &self.signature
+    }
+
+    /// Returns the names of the arguments, arrays by their entries.
     pub fn arguments(&self) -> &[String] {
         &self.arguments
     }
@@ -281,6 +288,7 @@ impl Program {
         Program {
             name: self.name.clone(),
             public: self.public,
+            signature: self.signature.clone(),
             arguments: self.arguments.clone(),
             instructions,
             outputs: outputs.to_vec(),

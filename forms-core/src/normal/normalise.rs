@@ -263,7 +263,23 @@ impl Walk<'_> {
             Operation::Expint3 => self.tower.exponential_integral(3, &argument),
             Operation::Dilog => self.tower.dilogarithm(&argument),
             Operation::Clausen => self.tower.clausen(&argument),
+            Operation::Erfc => {
+                let error_function = self.tower.error_function(&argument)?;
+                self.tower.subtract(&Fraction::one(), &error_function)
+            }
+            Operation::Hypot => self.hypotenuse(argument, self.of(arguments[1])),
+            Operation::Cbrt => self.tower.cube_root(&argument),
         }
+    }
+
+    /// √(x² + y²)
+    fn hypotenuse(&mut self, x: Fraction, y: Fraction) -> Result<Fraction, Obstacle> {
+        let squares = [self.tower.multiply(&x, &x)?, self.tower.multiply(&y, &y)?];
+        let sum = self.tower.add(&squares[0], &squares[1])?;
+        if sum.is_zero() {
+            return Ok(sum);
+        }
+        Ok(self.tower.magnitude_power(&sum, Ratio::new(1, 2))?.0)
     }
 
     fn quotient(&mut self, a: &Fraction, b: &Fraction) -> Result<Fraction, Obstacle> {

@@ -27,6 +27,7 @@ pub(super) fn is_opaque(operation: Operation) -> bool {
             | Operation::Expint3
             | Operation::Dilog
             | Operation::Clausen
+            | Operation::Erfc
     )
 }
 

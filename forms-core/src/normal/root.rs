@@ -49,6 +49,20 @@ impl Tower {
         Ok((result, constraint))
     }
 
+    /// ∛q = ±∏ |gᵢ|^(eᵢ/3), with the sign of q. No factor changes the side of the fraction line, so that
+    /// this is right at the zeros of q too.
+    pub(super) fn cube_root(&mut self, q: &Fraction) -> Result<Fraction, Obstacle> {
+        if q.is_zero() {
+            return Ok(q.clone());
+        }
+        let SignConstraint { mut negative, odd, .. } = self.sign_constraint(q)?;
+        let root = self.magnitude_power(q, Ratio::new(1, 3))?.0;
+        for base in odd {
+            negative ^= self.base_is_negative(base, Ratio::one());
+        }
+        Ok(if negative { self.negate(&root) } else { root })
+    }
+
     /// Factors |q| over the basis, including its numeric factors.
     pub(super) fn factor_magnitude(&mut self, q: &Fraction) -> Result<Factored, Obstacle> {
         let factored = self.factor_radicand(q)?;

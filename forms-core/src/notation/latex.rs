@@ -3,7 +3,7 @@
 use super::name::latex_name;
 use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
-use crate::expression::{Expr, FunctionId, Node, Operation, Pool, Rational, Relation};
+use crate::expression::{Expr, Extremum, FunctionId, Node, Operation, Pool, Rational, Relation, Shape};
 use crate::theory::{Theory, Value};
 use num_rational::Ratio;
 use num_traits::{One, Signed};
@@ -52,6 +52,13 @@ pub fn latex(theory: &Theory, value: &Value) -> String {
     match value {
         Value::Zero => "0".to_string(),
         Value::Scalar(scalar) => latex_of_expression(&theory.pool, *scalar),
+        Value::Array(array) => {
+            let entries = array.entries.iter().map(|&entry| latex_of_expression(&theory.pool, entry));
+            let entries: Vec<String> = entries.collect();
+            let columns = if let Shape::Matrix(_, columns) = array.shape { columns } else { 1 };
+            let rows: Vec<String> = entries.chunks(columns).map(|row| row.join(" & ")).collect();
+            format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
+        }
         Value::Form(_) | Value::Field(_) => {
             let written = |term: Term| {
                 let write = |scalar| latex_of_expression(&theory.pool, scalar);
@@ -99,6 +106,9 @@ impl Writer<'_> {
     }
 
     fn write(&self, expression: Expr) -> Written {
+        if let Some((which, operands)) = self.pool.as_extremum(expression) {
+            return self.extremum(which, operands);
+        }
         let (latex, binding) = match self.pool.node(expression) {
             Node::Number(value) => number(value),
             Node::Pi => ("\\pi".to_string(), Binding::Atom),
@@ -171,6 +181,13 @@ impl Writer<'_> {
             Operation::Abs => (format!("\\left|{list}\\right|"), Binding::Atom),
             _ => (format!("{}{exponent}\\left({list}\\right)", operation.row().latex), Binding::Power),
         }
+    }
+
+    /// min(a, b), max(a, b)
+    fn extremum(&self, which: Extremum, operands: [Option<Expr>; 2]) -> Written {
+        let name = if which == Extremum::Least { "min" } else { "max" };
+        let [a, b] = operands.map(|q| q.map_or_else(|| "0".to_owned(), |q| self.of(q, Binding::Sum)));
+        Written { latex: format!("\\{name}\\left({a}, {b}\\right)"), binding: Binding::Power }
     }
 
     /// f, f(a, b), ∂²f/∂x∂y, (∂f/∂x)(a, b)

@@ -3,7 +3,7 @@
 use super::{latex, latex_of_name, latex_of_relation, simplify, simplify_expression, text};
 use crate::calculus::Coordinate;
 use crate::expression::{Condition, Expr, Symbol};
-use crate::theory::{Named, Statement, Theory, Value};
+use crate::theory::{Array, Named, Statement, Theory, Value};
 
 /// Writes the object with this name in the language; for a statement, both of its sides. `None` if
 /// nothing has that name.
@@ -42,10 +42,8 @@ impl Writer<'_> {
                 let components = self.theory.maps[number].components.clone();
                 self.tuple(&components)
             }
-            Named::Kernel(number) => match self.theory.kernels[number].outputs.clone().as_slice() {
-                [single] => self.scalar(*single),
-                several => self.tuple(several),
-            },
+            Named::Kernel(number) => self.kernel(number),
+            Named::Definition(number) => self.definition(number),
             Named::Function(function) => {
                 let arguments = self.theory.pool.function(function).arguments.clone();
                 let arguments: Vec<String> =
@@ -56,9 +54,35 @@ impl Writer<'_> {
             Named::Coordinate(_)
             | Named::Parameter(_)
             | Named::Metric(_)
+            | Named::Array(_)
             | Named::Pending
             | Named::Poisoned => self.name(name),
         })
+    }
+
+    /// Writes the results of a kernel: a single one as it is, several in brackets.
+    fn kernel(&mut self, number: usize) -> String {
+        let kernel = &self.theory.kernels[number];
+        let (shapes, mut outputs) = (kernel.signature.results.clone(), kernel.outputs.clone());
+        let parts: Vec<String> = shapes
+            .into_iter()
+            .map(|shape| {
+                let entries = outputs.drain(..shape.entries()).collect();
+                self.value(&Array::value(shape, entries))
+            })
+            .collect();
+        match parts.as_slice() {
+            [single] => single.clone(),
+            several if self.is_text => format!("({})", several.join(", ")),
+            several => format!("\\left({}\\right)", several.join(", ")),
+        }
+    }
+
+    /// Writes the arguments of a definition: `ease(t)`.
+    fn definition(&self, number: usize) -> String {
+        let definition = &self.theory.definitions[number];
+        let arguments: Vec<String> = definition.arguments.iter().map(|name| self.name(name)).collect();
+        format!("{}({})", self.name(&definition.name.text), arguments.join(", "))
     }
 
     fn name(&self, name: &str) -> String {

@@ -3,7 +3,7 @@
 use crate::calculus::Structured;
 use crate::decide::simplified_where;
 use crate::expression::{Condition, Expr, Pool};
-use crate::theory::{Theory, Value};
+use crate::theory::{Array, Theory, Value};
 
 /// Returns the expression in its simplest known form where the conditions hold: its normal form if
 /// that exists and is shorter than the expression as written, or else the expression as written.
@@ -25,5 +25,9 @@ pub fn simplify(theory: &mut Theory, conditions: &[Condition], value: &Value) ->
         Value::Scalar(scalar) => Value::Scalar(simple(ring, scalar)),
         Value::Form(form) => Value::Form(form.map(ring, simple)),
         Value::Field(field) => Value::Field(field.map(ring, simple)),
+        Value::Array(Array { shape, entries }) => {
+            let entries = entries.iter().map(|entry| simple(ring, entry)).collect();
+            Value::Array(Array { shape: *shape, entries })
+        }
     }
 }

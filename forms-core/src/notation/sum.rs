@@ -11,10 +11,10 @@ pub(super) struct Term {
     pub(super) coordinates: Vec<Coordinate>,
 }
 
-/// Returns the terms of a form or a field in their order; a scalar has none.
+/// Returns the terms of a form or a field in their order; a scalar or an array has none.
 pub(super) fn terms(value: &Value) -> Vec<Term> {
     match value {
-        Value::Zero | Value::Scalar(_) => vec![],
+        Value::Zero | Value::Scalar(_) | Value::Array(_) => vec![],
         Value::Form(form) => form
             .terms()
             .iter()

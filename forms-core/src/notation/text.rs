@@ -2,11 +2,14 @@
 
 use super::sum::{Coefficient, Term, joined, terms};
 use crate::calculus::Coordinate;
+use crate::expression::Shape;
 use crate::theory::{Theory, Value};
 
-/// Writes the results of a kernel in the language: a single one as it is, several in brackets.
-pub fn results(formulas: &[String]) -> String {
-    match formulas {
+/// Writes the results of a kernel in the language, given the formula of each number in them: a
+/// single result as it is, several in brackets, an array in square brackets.
+pub fn results(formulas: &[String], shapes: &[Shape]) -> String {
+    let parts = Shape::split(shapes, formulas, |parts| format!("[{}]", parts.join(", ")));
+    match parts.as_slice() {
         [single] => single.clone(),
         several => format!("({})", several.join(", ")),
     }
@@ -23,6 +26,9 @@ pub fn text(theory: &Theory, value: &Value) -> String {
     match value {
         Value::Zero => "0".to_string(),
         Value::Scalar(scalar) => theory.pool.text(*scalar),
+        Value::Array(array) => {
+            array.shape.nested(&theory.pool.texts(&array.entries), |parts| format!("[{}]", parts.join(", ")))
+        }
         Value::Form(_) | Value::Field(_) => {
             let written = |term: Term| {
                 let write = |scalar| theory.pool.text(scalar);

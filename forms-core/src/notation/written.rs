@@ -56,7 +56,8 @@ impl Writer<'_> {
             }
             ExprKind::Binary(operator, _, left, right) => self.binary(*operator, left, right),
             ExprKind::Call { function, index, arguments } => self.call(function, index.as_ref(), arguments),
-            ExprKind::Index { base, index } => self.index(base, index),
+            ExprKind::Index { base, indices } => self.index(base, indices),
+            ExprKind::Array(entries) => atom(self.array(entries)),
             ExprKind::Select { condition: when, then, otherwise, .. } => {
                 let when = latex_of_condition(self.theory, when);
                 let [then, otherwise] = [then, otherwise].map(|branch| self.of(branch, Binding::Sum));
@@ -112,14 +113,30 @@ impl Writer<'_> {
         prefix(format!("{base}^{{{exponent}}}"))
     }
 
-    fn index(&self, base: &Expr, index: &Expr) -> Written {
+    fn index(&self, base: &Expr, indices: &[Expr]) -> Written {
+        let below = self.list(indices, ", ");
         if let ExprKind::Name(name) = &*base.kind
             && name == "volume"
         {
-            return atom(format!("\\mathrm{{vol}}_{{{}}}", self.of(index, Binding::Sum)));
+            return atom(format!("\\mathrm{{vol}}_{{{below}}}"));
         }
         let base = bracketed(&self.of(base, Binding::Sum));
-        atom(format!("{base}_{{{}}}", self.of(index, Binding::Sum)))
+        atom(format!("{base}_{{{below}}}"))
+    }
+
+    /// Writes a vector as a column, and a matrix by its rows.
+    fn array(&self, entries: &[Expr]) -> String {
+        let row = |entry: &Expr| match &*entry.kind {
+            ExprKind::Array(row) => self.list(row, " & "),
+            _ => self.of(entry, Binding::Sum),
+        };
+        let rows: Vec<String> = entries.iter().map(row).collect();
+        format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ "))
+    }
+
+    fn list(&self, expressions: &[Expr], between: &str) -> String {
+        let written: Vec<String> = expressions.iter().map(|part| self.of(part, Binding::Sum)).collect();
+        written.join(between)
     }
 
     fn call(&self, function: &Name, index: Option<&Expr>, arguments: &[Argument]) -> Written {
@@ -190,6 +207,9 @@ impl Writer<'_> {
             Some(Operation::Exp) => prefix(format!("e^{{{list}}}")),
             Some(Operation::Abs) => atom(format!("\\left|{list}\\right|")),
             Some(operation) => prefix(format!("{}{exponent}{}", operation.row().latex, bracketed(&list))),
+            None if ["min", "max", "sec", "csc", "cot"].contains(&name) => {
+                prefix(format!("\\{name}{exponent}{}", bracketed(&list)))
+            }
             None => atom(format!("{}{}", latex_name(name), bracketed(&list))),
         }
     }

@@ -4,7 +4,7 @@
 use super::evaluation::{Evaluated, Evaluator};
 use crate::calculus::{Form, wedge};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Expr, Operation};
+use crate::expression::{Expr, Operation, Pool};
 use crate::syntax::ast::{self, Binary};
 use crate::theory::Value;
 use num_rational::Ratio;
@@ -23,6 +23,7 @@ impl Evaluator<'_> {
             Value::Scalar(a) => Value::Scalar(self.theory.pool.negate(a)),
             Value::Form(w) => Value::Form(w.negate(&mut self.ring())),
             Value::Field(x) => Value::Field(x.negate(&mut self.ring())),
+            Value::Array(array) => self.mapped(array, Pool::negate),
         }
     }
 
@@ -39,6 +40,9 @@ impl Evaluator<'_> {
         let right_value = self.value(right)?;
         match operator {
             Binary::Add => self.sum(left, right_value, place),
+            Binary::Subtract if is_array(&left) || is_array(&right_value) => {
+                self.entrywise("`-` needs sides of one shape", place, (left, right_value), Pool::subtract)
+            }
             Binary::Subtract => {
                 let negated = self.negated(right_value);
                 self.sum(left, negated, place)
@@ -54,6 +58,9 @@ impl Evaluator<'_> {
         match (left, right) {
             (Value::Zero, other) | (other, Value::Zero) => Ok(other),
             (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(self.theory.pool.add(a, b))),
+            (a, b) if is_array(&a) || is_array(&b) => {
+                self.entrywise("`+` needs sides of one shape", place, (a, b), Pool::add)
+            }
             (Value::Form(a), Value::Form(b)) if a.degree() == b.degree() => {
                 Ok(Value::Form(a.add(&mut self.ring(), &b)))
             }
@@ -74,6 +81,13 @@ impl Evaluator<'_> {
             (Value::Scalar(a), Value::Field(x)) | (Value::Field(x), Value::Scalar(a)) => {
                 Ok(Value::Field(x.scale(&mut self.ring(), &a)))
             }
+            (Value::Scalar(a), Value::Array(array)) => {
+                Ok(self.mapped(array, |pool, entry| pool.multiply(a, entry)))
+            }
+            (Value::Array(array), Value::Scalar(b)) => {
+                Ok(self.mapped(array, |pool, entry| pool.multiply(entry, b)))
+            }
+            (Value::Array(a), Value::Array(b)) => self.matrix_product(&a, &b, place),
             (Value::Form(_), Value::Form(_)) => {
                 Err(Diagnostic::new(place, "`*` multiplies by scalars, and both sides are forms")
                     .with_help("use ^, the wedge product"))
@@ -89,6 +103,7 @@ impl Evaluator<'_> {
             Value::Scalar(_) => Value::Scalar(self.zero()),
             Value::Form(form) => Value::Form(Form::zero(form.degree())),
             Value::Field(_) => Value::Field(crate::calculus::Field::zero()),
+            Value::Array(array) => self.zeros(array.shape),
         }
     }
 
@@ -106,8 +121,14 @@ impl Evaluator<'_> {
                 .with_help("only scalars divide; take a coefficient with `w[dx]` first"));
             }
             other => {
-                return Err(Diagnostic::new(right_span, format!("cannot divide by {}", other.kind()))
-                    .with_help("only scalars divide; take a coefficient with `w[dx]` first"));
+                let help = match other {
+                    Value::Array(_) => {
+                        "only scalars divide; take an entry with `p[0]`, or the length `norm(p)`"
+                    }
+                    _ => "only scalars divide; take a coefficient with `w[dx]` first",
+                };
+                let message = format!("cannot divide by {}", other.kind());
+                return Err(Diagnostic::new(right_span, message).with_help(help));
             }
         };
         let nonzero = self.theory.pool.quotient_domain(divisor);
@@ -121,6 +142,7 @@ impl Evaluator<'_> {
             Value::Field(x) => {
                 Value::Field(x.map(&mut self.ring(), |ring, value| ring.pool.divide(*value, divisor)))
             }
+            Value::Array(array) => self.mapped(array, |pool, entry| pool.divide(entry, divisor)),
         })
     }
 
@@ -144,6 +166,11 @@ impl Evaluator<'_> {
                 "`^` is the wedge product of forms, and one side is a vector field",
             )
             .with_help("use * to multiply a field by a scalar")),
+            (a, b) if is_array(&a) || is_array(&b) => {
+                let array = if is_array(&a) { a } else { b };
+                let message = format!("`^` is the wedge product of forms, and one side is {}", array.kind());
+                Err(Diagnostic::new(place, message).with_help("use * for products with arrays"))
+            }
             (a, b) => self.product(a, b, place),
         }
     }
@@ -196,6 +223,10 @@ impl Evaluator<'_> {
         let product = self.theory.pool.multiply(exponent, logarithm);
         self.theory.pool.apply(Operation::Exp, &[product])
     }
+}
+
+fn is_array(value: &Value) -> bool {
+    matches!(value, Value::Array(_))
 }
 
 /// Returns the error for two operands whose types do not match.

@@ -66,7 +66,7 @@ impl Evaluator<'_> {
             Value::Zero => return Ok(None),
             Value::Scalar(f) => Form::scalar(&self.ring(), f),
             Value::Form(form) => form,
-            Value::Field(_) => return Err(Diagnostic::new(span, "expected a form")),
+            Value::Field(_) | Value::Array(_) => return Err(Diagnostic::new(span, "expected a form")),
         };
         if form.degree() as usize + 1 != dimension {
             let message = format!(

@@ -1,6 +1,7 @@
 //! Function calls: the functions of the op table, the operators of exterior calculus, and unknown
 //! functions.
 
+use super::arguments::{CALLED, called_argument, exactly, plain_arguments, wrong_count};
 use super::evaluation::{Evaluated, Evaluator};
 use super::scope::Scope;
 use crate::calculus::{
@@ -8,9 +9,9 @@ use crate::calculus::{
     pairing, pullback,
 };
 use crate::diagnostic::{Diagnostic, Span, counted};
-use crate::expression::{Expr, Operation, Substitution, Symbol};
+use crate::expression::{Expr, Extremum, Node, Operation, Substitution, Symbol};
 use crate::syntax::ast::{self, Argument, ExprKind, Name};
-use crate::syntax::words::METRIC_OPERATIONS;
+use crate::syntax::words::{COMMON_FUNCTIONS, METRIC_OPERATIONS};
 use crate::theory::names::unusable;
 use crate::theory::{Map, Named, Value, describe};
 use num_rational::Ratio;
@@ -33,7 +34,15 @@ impl Evaluator<'_> {
         if name == "boundary_integral" {
             return self.boundary_integral(arguments, span);
         }
+        if matches!(name, "sum" | "product") && self.is_free(name) {
+            return self.repeated(name, arguments, span);
+        }
         let plain = plain_arguments(arguments)?;
+        if let ("norm", None, [argument]) = (name, index, plain.as_slice())
+            && let Value::Array(array) = self.value(argument)?
+        {
+            return Ok(self.euclidean_norm(&array.entries));
+        }
         if METRIC_OPERATIONS.contains(&name) {
             return self.metric_operation(function, index, &plain, span);
         }
@@ -48,11 +57,28 @@ impl Evaluator<'_> {
             ("pullback", _) => self.pull(&plain, span),
             ("diff", _) => self.partial_derivative(&plain, span),
             ("sqrt", _) => self.square_root(&plain, span),
+            ("dot", _) if self.is_free(name) => self.dot(&plain, span),
+            ("cross", _) if self.is_free(name) => self.cross(&plain, span),
+            ("transpose", _) if self.is_free(name) => self.transpose(&plain, span),
+            _ if COMMON_FUNCTIONS.contains(&name) && !self.is_free(name) => {
+                self.composed(function, &plain, span)
+            }
+            ("min", _) => self.extremum(Extremum::Least, &plain, span),
+            ("max", _) => self.extremum(Extremum::Greatest, &plain, span),
+            ("copysign", _) => self.copied_sign(&plain, span),
+            ("sec", _) => self.reciprocal_of(Operation::Cos, name, &plain, span),
+            ("csc", _) => self.reciprocal_of(Operation::Sin, name, &plain, span),
+            ("cot", _) => self.cotangent(&plain, span),
             _ => match Operation::named(name) {
                 Some(operation) => self.operation(operation, &plain, span),
                 None => self.composed(function, &plain, span),
             },
         }
+    }
+
+    /// Whether the file gives a name no meaning of its own, so that it is that of a function.
+    fn is_free(&self, name: &str) -> bool {
+        self.theory.named(name).is_none() && self.bindings.get(name).is_none()
     }
 
     /// Evaluates `d(w)`, with derivatives along all coordinates, or `d[R3](w)`, along the
@@ -73,8 +99,9 @@ impl Evaluator<'_> {
             Value::Zero => return Ok(Value::Zero),
             Value::Scalar(f) => Form::scalar(&self.ring(), f),
             Value::Form(form) => form,
-            Value::Field(_) => {
-                return Err(Diagnostic::new(argument.span, "`d` takes a form, and this is a vector field"));
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("`d` takes a form, and this is {}", other.kind());
+                return Err(Diagnostic::new(argument.span, message));
             }
         };
         Ok(Value::Form(exterior_derivative(&mut self.ring(), &form, &along)))
@@ -120,8 +147,10 @@ impl Evaluator<'_> {
             Value::Zero => Ok(Value::Zero),
             Value::Scalar(_) => Ok(Value::Scalar(zero)),
             Value::Form(w) => Ok(Value::from_form(interior(&mut self.ring(), &x, &w), zero)),
-            Value::Field(_) => Err(Diagnostic::new(form.span, "expected a form, found a vector field")
-                .with_help("the field comes first: interior(X, w)")),
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("expected a form, found {}", other.kind());
+                Err(Diagnostic::new(form.span, message).with_help("the field comes first: interior(X, w)"))
+            }
         }
     }
 
@@ -136,6 +165,10 @@ impl Evaluator<'_> {
                 let components: Vec<Expr> = x.components().map(|component| *component.1).collect();
                 let along = self.theory.coordinates_in(&components);
                 Ok(Value::Form(lie_of_form(&mut self.ring(), &x, &w, &along)))
+            }
+            Value::Array(array) => {
+                let message = format!("expected a scalar, form or field, found {}", array.shape);
+                Err(Diagnostic::new(argument.span, message))
             }
         }
     }
@@ -201,10 +234,10 @@ impl Evaluator<'_> {
                 let prepared = Pullback::new(&mut ring, &components, &source);
                 Ok(Value::Form(pullback(&mut ring, &prepared, &composed, |_, value| *value)))
             }
-            Value::Field(_) => Err(Diagnostic::new(
-                argument.span,
-                "`pullback` takes a scalar or a form, and this is a vector field",
-            )),
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("`pullback` takes a scalar or a form, and this is {}", other.kind());
+                Err(Diagnostic::new(argument.span, message))
+            }
         }
     }
 
@@ -277,6 +310,9 @@ impl Evaluator<'_> {
         let ExprKind::Name(text) = &*expression.kind else {
             return Err(Diagnostic::new(expression.span, "expected the name of a coordinate or param"));
         };
+        if let Some(value) = self.bindings.get(text) {
+            return self.bound_variable(text, value, expression.span);
+        }
         match self.theory.named(text) {
             Some(Named::Parameter(symbol)) => Ok(*symbol),
             _ => {
@@ -284,6 +320,17 @@ impl Evaluator<'_> {
                 Ok(self.theory.coordinates[self.coordinate(&name)?.0 as usize])
             }
         }
+    }
+
+    /// Returns the variable that is the value of a bound name.
+    fn bound_variable(&self, name: &str, value: &Value, place: Span) -> Evaluated<Symbol> {
+        if let Value::Scalar(scalar) = value
+            && let Node::Symbol(symbol) = self.theory.pool.node(*scalar)
+        {
+            return Ok(*symbol);
+        }
+        let message = format!("expected a coordinate or param, but `{name}` has a value here");
+        Err(Diagnostic::new(place, message))
     }
 
     fn square_root(&mut self, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
@@ -303,25 +350,26 @@ impl Evaluator<'_> {
         Ok(Value::Scalar(self.theory.pool.apply(operation, &values)))
     }
 
-    /// Evaluates `L(a, b)` for an unknown function `L`.
+    /// Evaluates `L(a, b)` for an unknown function, a definition or a kernel.
     fn composed(&mut self, function: &Name, arguments: &[&ast::Expr], span: Span) -> Evaluated<Value> {
+        if self.bindings.get(&function.text).is_some() {
+            return Err(called_argument(function));
+        }
         let number = match self.theory.named(&function.text) {
             Some(Named::Function(number)) => *number,
+            Some(&Named::Definition(number)) => return self.defined_value(number, arguments, span),
+            Some(&Named::Kernel(number)) => return self.kernel_value(number, function, arguments, span),
             Some(named @ (Named::Pending | Named::Poisoned)) => {
                 return Err(unusable(named, &function.text, function.span));
             }
             Some(other) => {
-                let help = match other {
-                    Named::Kernel(_) => "write the formula that both use as a `let` above them",
-                    _ => "write `*` for a product",
-                };
                 return Err(Diagnostic::new(
                     function.span,
                     format!("`{}` is {} and takes no arguments", function.text, describe(other)),
                 )
-                .with_help(help));
+                .with_help("write `*` for a product"));
             }
-            None => return Err(self.theory.names.unknown(&function.text, function.span, "`fn`")),
+            None => return Err(self.theory.names.unknown(&function.text, function.span, CALLED)),
         };
         let wanted = self.theory.pool.function(number).arguments.len();
         if arguments.len() != wanted {
@@ -330,29 +378,4 @@ impl Evaluator<'_> {
         let values = arguments.iter().map(|argument| self.scalar(argument)).collect::<Evaluated<Vec<_>>>()?;
         Ok(self.function_value(number, &values))
     }
-}
-
-fn plain_arguments(arguments: &[Argument]) -> Evaluated<Vec<&ast::Expr>> {
-    arguments
-        .iter()
-        .map(|argument| match argument {
-            Argument::Value(value) => Ok(value),
-            Argument::Range { variable, .. } => Err(Diagnostic::new(
-                variable.span,
-                "a range `u = a..b` belongs to `integral`, `quadrature` and `boundary_integral` only",
-            )),
-        })
-        .collect()
-}
-
-pub(super) fn exactly<'e, const N: usize>(
-    arguments: &[&'e ast::Expr],
-    name: &str,
-    span: Span,
-) -> Evaluated<[&'e ast::Expr; N]> {
-    <[&ast::Expr; N]>::try_from(arguments).map_err(|_| wrong_count(name, N, arguments.len(), span))
-}
-
-fn wrong_count(name: &str, wanted: usize, found: usize, span: Span) -> Diagnostic {
-    Diagnostic::new(span, format!("`{name}` takes {}, found {found}", counted(wanted, "argument")))
 }

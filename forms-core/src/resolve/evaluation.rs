@@ -1,5 +1,6 @@
 //! Evaluation of expressions: names, numbers, operators along their left spine, coefficients.
 
+use super::bindings::Bindings;
 use super::declarations::Declarations;
 use super::scope::Scope;
 use crate::calculus::{Blade, Coordinate, Field, Form, Structured};
@@ -29,8 +30,11 @@ pub(super) struct Evaluator<'a> {
     /// Whether a kernel is being evaluated: there, integrals without a closed form are computed
     /// numerically.
     pub(super) in_kernel: bool,
-    /// Value of each expression in the source, recorded on request.
+    /// Value of each expression in the source, recorded on request. An expression that is evaluated
+    /// several times, in a definition with arguments or in a sum, has no entry.
     pub(super) trace: Option<Trace>,
+    /// Names bound by the definition or sum being evaluated.
+    pub(super) bindings: Bindings,
 }
 
 /// Value of each expression of a source, by its place.
@@ -45,6 +49,7 @@ impl<'a> Evaluator<'a> {
             given: Vec::new(),
             in_kernel: false,
             trace: None,
+            bindings: Bindings::default(),
         }
     }
 
@@ -74,7 +79,7 @@ impl<'a> Evaluator<'a> {
             value = self.binary(operator, place, (value, left_span), right)?;
             self.check_size(place)?;
         }
-        if let Some(trace) = &mut self.trace {
+        if let Some(trace) = self.trace.as_mut().filter(|_| !self.bindings.are_in_body()) {
             trace.insert(expression.span, value.clone());
         }
         Ok(value)
@@ -107,7 +112,8 @@ impl<'a> Evaluator<'a> {
                 self.check_size(expression.span)?;
                 Ok(value)
             }
-            ExprKind::Index { base, index } => self.coefficient(base, index),
+            ExprKind::Index { base, indices } => self.indexed(base, indices),
+            ExprKind::Array(entries) => self.array(entries),
             ExprKind::Select { condition, then, otherwise, jump } => {
                 let seam = if *jump { Seam::Jumps } else { Seam::Agrees };
                 self.select(condition, then, otherwise, seam)
@@ -122,6 +128,9 @@ impl<'a> Evaluator<'a> {
     fn name(&mut self, text: &str, span: Span) -> Evaluated<Value> {
         if text == "pi" {
             return Ok(Value::Scalar(self.theory.pool.pi()));
+        }
+        if let Some(value) = self.bindings.get(text) {
+            return Ok(value.clone());
         }
         let Some(named) = self.theory.names.get(text).cloned() else {
             return Err(self.unknown(text, span));
@@ -146,9 +155,13 @@ impl<'a> Evaluator<'a> {
                 object.used.iter().for_each(|symbol| self.scope.touch(*symbol));
                 Ok(object.value)
             }
+            Named::Array(number) => Ok(Value::Array(self.theory.arrays[number].clone())),
             named @ (Named::Pending | Named::Poisoned) => Err(unusable(&named, text, span)),
             other => {
-                Err(Diagnostic::new(span, format!("`{text}` is {} and has no value here", describe(&other))))
+                let message = format!("`{text}` is {} and has no value here", describe(&other));
+                let is_called = matches!(other, Named::Kernel(_) | Named::Definition(_));
+                let help = is_called.then(|| format!("write its arguments in brackets: `{text}(…)`"));
+                Err(Diagnostic { help, ..Diagnostic::new(span, message) })
             }
         }
     }
@@ -230,16 +243,23 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// Evaluates `w[dx^dy]` or `X[x]`.
-    fn coefficient(&mut self, base: &ast::Expr, index: &ast::Expr) -> Evaluated<Value> {
-        if let ExprKind::Name(name) = &*base.kind
-            && name == "volume"
-        {
-            return self.volume(index);
+    /// Evaluates `w[dx^dy]`, `X[x]` or `p[0]`.
+    fn indexed(&mut self, base: &ast::Expr, indices: &[ast::Expr]) -> Evaluated<Value> {
+        let is_volume = matches!(&*base.kind, ExprKind::Name(name) if name == "volume");
+        let value = if is_volume { Value::Zero } else { self.value(base)? };
+        match (value, indices) {
+            (Value::Array(array), _) => self.entry(&array, indices),
+            (_, [index]) if is_volume => self.volume(index),
+            (value, [index]) => self.coefficient(value, base.span, index),
+            (_, [_, second, ..]) => Err(Diagnostic::new(second.span, "only a matrix takes two indices")),
+            (_, []) => Ok(Value::Zero),
         }
-        let value = self.value(base)?;
+    }
+
+    /// Returns a coefficient of a form or a component of a field.
+    fn coefficient(&mut self, value: Value, place: Span, index: &ast::Expr) -> Evaluated<Value> {
         match value {
-            Value::Zero => Ok(Value::Zero),
+            Value::Zero | Value::Array(_) => Ok(Value::Zero),
             Value::Field(field) => {
                 let ExprKind::Name(text) = &*index.kind else {
                     return Err(Diagnostic::new(index.span, "expected a coordinate, as in `X[x]`"));
@@ -251,12 +271,10 @@ impl<'a> Evaluator<'a> {
             Value::Form(form) => self.form_coefficient(&form, index),
             Value::Scalar(_) => {
                 let help = match &*index.kind {
-                    ExprKind::Number(_) => {
-                        "an argument is one number: `p0` and `p1` instead of `p[0]` and `p[1]`"
-                    }
+                    ExprKind::Number(_) => "an array is declared with its entries: `kernel f(p[3]) = …`",
                     _ => "`w[dx^dy]` takes a coefficient of a form, `X[x]` a component of a field",
                 };
-                Err(Diagnostic::new(base.span, "a scalar has no coefficients").with_help(help))
+                Err(Diagnostic::new(place, "a scalar has no coefficients").with_help(help))
             }
         }
     }
@@ -312,13 +330,13 @@ impl<'a> Evaluator<'a> {
         seam: Seam,
     ) -> Evaluated<Value> {
         let conditions = self.conditions(condition)?;
-        let then = self.scalar(then)?;
-        let otherwise = self.scalar(otherwise)?;
-        let mut value = then;
-        for Condition { left, relation, right } in conditions.into_iter().rev() {
-            value = self.theory.pool.select((left, relation, right), value, otherwise, seam);
-        }
-        Ok(Value::Scalar(value))
+        let place = otherwise.span;
+        let branches = (self.numbers(then)?, self.numbers(otherwise)?);
+        self.entrywise("`if` needs branches of one shape", place, branches, |pool, then, otherwise| {
+            conditions.iter().rev().fold(then, |value, &Condition { left, relation, right }| {
+                pool.select((left, relation, right), value, otherwise, seam)
+            })
+        })
     }
 
     /// Splits a chain of relations into single relations.

@@ -48,6 +48,12 @@ impl Evaluator<'_> {
             return Err(Diagnostic::new(span, message));
         };
         // the variable can be a new, local name
+        if self.bindings.are_in_body() && self.is_local(&variable.text) {
+            let symbol = self.theory.pool.declare_symbol(&variable.text, SymbolKind::Local);
+            let value = Value::Scalar(self.theory.pool.symbol(symbol));
+            return self
+                .with_bound(&variable.text, value, |evaluator| evaluator.quadrature_over(integrand, range));
+        }
         let is_new = self.theory.named(&variable.text).is_none();
         if is_new {
             let symbol = self.theory.pool.declare_symbol(&variable.text, SymbolKind::Local);
@@ -58,6 +64,16 @@ impl Evaluator<'_> {
             self.theory.names.remove(&variable.text);
         }
         value
+    }
+
+    /// Whether a name in the body of a definition or sum is new in it, although the kernel that is
+    /// being read can have an argument of the same name.
+    fn is_local(&self, name: &str) -> bool {
+        match self.theory.named(name) {
+            None => true,
+            Some(Named::Parameter(symbol)) => self.theory.pool.symbol_kind(*symbol) == SymbolKind::Local,
+            Some(_) => self.bindings.get(name).is_some(),
+        }
     }
 
     fn quadrature_over(&mut self, integrand: &ast::Expr, range: &Argument) -> Evaluated<Value> {
@@ -236,8 +252,9 @@ impl Evaluator<'_> {
             Value::Zero => return Ok(self.zero()),
             Value::Scalar(value) => return Ok(value),
             Value::Form(form) => form,
-            Value::Field(_) => {
-                return Err(Diagnostic::new(span, "expected a scalar or a form, found a vector field"));
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("expected a scalar or a form, found {}", other.kind());
+                return Err(Diagnostic::new(span, message));
             }
         };
         if form.degree() as usize != ranges.len() {

@@ -1,5 +1,6 @@
 //! Items of a file, in order: each declares a name or makes a claim.
 
+use super::cycles::{Cycles, cycles};
 use super::declarations::Declarations;
 use super::evaluation::{Evaluated, Evaluator, Trace};
 use crate::calculus::{Coordinate, MAXIMUM_COORDINATES};
@@ -31,12 +32,15 @@ pub(super) struct Resolver {
     pub(super) errors: Vec<Diagnostic>,
     /// Names of the statements so far.
     pub(super) statement_names: FxHashSet<String>,
+    /// Definitions and kernels on cycles of calls.
+    pub(super) cycles: Cycles,
     /// Values of all expressions so far, recorded on request.
     trace: Option<Trace>,
 }
 
 impl Resolver {
     fn file(&mut self, file: &ast::File) {
+        self.cycles = cycles(file);
         for item in &file.items {
             steps::limited(steps::STATEMENT, || self.item(item));
         }
@@ -63,6 +67,7 @@ impl Resolver {
                 self.function(name, arguments, conditions)
             }
             ItemKind::Let { name, value, .. } => self.object(name, value, |_, _| Ok(())),
+            ItemKind::Definition { name, arguments, value } => self.definition(name, arguments, value),
             ItemKind::Form { name, degree, chart, value, .. } => {
                 self.form(name, *degree, chart.as_ref(), value)
             }
@@ -71,7 +76,7 @@ impl Resolver {
             ItemKind::Metric { name, chart, value } => self.metric(name, chart.as_ref(), value),
             ItemKind::Statement { .. } => self.statement(item),
             ItemKind::Kernel { .. } => self.kernel(item),
-            ItemKind::Gradient { .. } => self.gradient(item),
+            ItemKind::Derivatives { .. } => self.derivatives(item),
             ItemKind::Warp(warp) => self.warp(item, warp),
         };
         if let Err(error) = result {
@@ -285,6 +290,10 @@ impl Resolver {
                 Value::Field(_) => {
                     return Err(Diagnostic::new(expression.span, "expected a form, found a vector field")
                         .with_help("declare it with `field`"));
+                }
+                Value::Array(array) => {
+                    let message = format!("expected a form, found {}", array.shape);
+                    return Err(Diagnostic::new(expression.span, message).with_help("declare it with `let`"));
                 }
             };
             if let Some((wanted, span)) = degree

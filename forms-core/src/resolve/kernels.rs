@@ -1,62 +1,100 @@
-//! Kernels, and gradients of kernels declared earlier.
+//! Kernels: their arguments, formulas, domains and effects.
+//!
+//! An array among the arguments or results is the list of its entries by rows; its shape is in the
+//! kernel's signature.
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
 use crate::decide::is_implied;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, Node, Rational, Symbol, SymbolKind};
+use crate::expression::{Condition, Expr, Node, Parameter, Rational, Shape, Signature, Symbol, SymbolKind};
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
 use crate::theory::names::unusable;
-use crate::theory::{Effect, Kernel, KernelUnits, Named, Value, describe};
+use crate::theory::{Array, Effect, Kernel, KernelUnits, Named, Value, describe};
 use num_traits::Signed;
+use std::collections::BTreeSet;
+
+/// Formulas of a kernel as evaluated.
+struct Body {
+    results: Results,
+    computed: Vec<Expr>,
+    mentioned: BTreeSet<String>,
+    defined: Vec<Condition>,
+    domain: Vec<Condition>,
+    approximation: Option<Rational>,
+    within: Option<Rational>,
+    effects: Vec<Effect>,
+}
+
+/// Results of a kernel: their shapes, and all numbers in them.
+#[derive(Clone, Default)]
+pub(super) struct Results {
+    pub(super) shapes: Vec<Shape>,
+    pub(super) numbers: Vec<Expr>,
+}
 
 impl Resolver {
     pub(super) fn kernel(&mut self, item: &Item) -> Evaluated<()> {
-        let ItemKind::Kernel { name, arguments, outputs, computed, conditions, within, effects, .. } =
-            &item.kind
-        else {
-            return Ok(());
-        };
+        let ItemKind::Kernel { name, arguments, .. } = &item.kind else { return Ok(()) };
         self.theory.names.declare(name, Named::Pending)?;
+        self.check_recursion(name)?;
         let mut locals = Vec::new();
-        let result = self.kernel_arguments(arguments, &mut locals).and_then(|symbols| {
-            let ((values, mentioned, narrowing), ..) = self.evaluate(|evaluator| {
-                let values = evaluator.kernel_outputs(outputs, &symbols)?;
-                let scope = &evaluator.scope;
-                Ok((values, scope.mentioned().clone(), scope.narrowing().clone()))
-            })?;
-            let ((computed, of_form), ..) = self.evaluate(|evaluator| {
-                let values = evaluator.kernel_outputs(computed, &symbols)?;
-                Ok((values, evaluator.scope.narrowing().clone()))
-            })?;
-            check_count(&values, &computed, name, item.span)?;
-            let domain = self.kernel_domain(conditions, &symbols)?;
-            self.check_integrals(name, narrowing.into_iter().chain(of_form), &domain)?;
-            let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
-            let effects = self.kernel_effects(effects, &symbols)?;
-            Ok((symbols, (values, computed), (mentioned, domain), (within, effects)))
+        let result = self.kernel_arguments(arguments, &mut locals).and_then(|(parameters, symbols)| {
+            let body = self.kernel_body(item, &symbols)?;
+            Ok((parameters, symbols, body))
         });
         self.forget(locals);
-        let (arguments, (outputs, computed), (mentioned, domain), (within, effects)) = result?;
+        let (parameters, arguments, body) = result?;
+        let Body { results: Results { shapes, numbers: outputs }, computed, mentioned, .. } = body;
         let formula = self.theory.pool.texts(&outputs);
         self.theory.kernels.push(Kernel {
             name: name.text.clone(),
             docs: item.docs.clone(),
             public: item.public,
             span: item.span,
+            signature: Signature { parameters, results: shapes },
             arguments,
             outputs,
             computed,
-            domain,
-            within,
-            effects,
+            approximation: body.approximation,
+            domain: body.domain,
+            within: body.within,
+            effects: body.effects,
             formula,
             units: KernelUnits::default(),
             statements: Vec::new(),
             mentioned,
+            defined: body.defined,
         });
         self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
         Ok(())
+    }
+
+    /// Evaluates everything after the head of a kernel.
+    fn kernel_body(&mut self, item: &Item, symbols: &[Symbol]) -> Evaluated<Body> {
+        let ItemKind::Kernel { name, outputs, computed, approximation, conditions, within, effects, .. } =
+            &item.kind
+        else {
+            return Err(Diagnostic::new(item.span, "expected a kernel"));
+        };
+        let ((results, mentioned, narrowing), defined, _) = self.evaluate(|evaluator| {
+            let results = evaluator.kernel_results(outputs, symbols)?;
+            let scope = &evaluator.scope;
+            Ok((results, scope.mentioned().clone(), scope.narrowing().clone()))
+        })?;
+        let ((computed, of_form), ..) = self.evaluate(|evaluator| {
+            let results = evaluator.kernel_results(computed, symbols)?;
+            Ok((results, evaluator.scope.narrowing().clone()))
+        })?;
+        check_count(&results.numbers, &computed.numbers, name, item.span)?;
+        check_shapes(&results, &computed, name, item.span)?;
+        let domain = self.kernel_domain(conditions, symbols)?;
+        self.check_integrals(name, narrowing.into_iter().chain(of_form), &domain)?;
+        let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
+        let approximation = approximation.as_ref().map(|given| self.tolerance(given)).transpose()?;
+        let effects = self.kernel_effects(effects, symbols)?;
+        let computed = computed.numbers;
+        Ok(Body { results, computed, approximation, mentioned, defined, domain, within, effects })
     }
 
     /// Rejects a kernel if the value of an integral in it is only valid under a condition that the
@@ -79,56 +117,6 @@ impl Resolver {
         Ok(())
     }
 
-    /// Resolves `kernel g = grad(f; u, v);`: the partial derivatives of each output of f, on the
-    /// domain of f. The form given by `by` is differentiated as well, unless it is piecewise.
-    pub(super) fn gradient(&mut self, item: &Item) -> Evaluated<()> {
-        let ItemKind::Gradient { name, of, by } = &item.kind else { return Ok(()) };
-        self.theory.names.declare(name, Named::Pending)?;
-        let kernel = match self.theory.named(&of.text) {
-            Some(Named::Kernel(number)) => self.theory.kernels[*number].clone(),
-            Some(named @ (Named::Pending | Named::Poisoned)) => {
-                return Err(unusable(named, &of.text, of.span));
-            }
-            Some(other) => {
-                let message = format!("expected a kernel, but `{}` is {}", of.text, describe(other));
-                return Err(Diagnostic::new(of.span, message));
-            }
-            None => return Err(self.theory.names.unknown(&of.text, of.span, "`kernel`")),
-        };
-        let pool = &mut self.theory.pool;
-        let mut variables = Vec::new();
-        for variable in by {
-            let argument = kernel.arguments.iter().find(|&&symbol| pool.symbol_name(symbol) == variable.text);
-            let message = || format!("`{}` is not an argument of `{}`", variable.text, of.text);
-            variables.push(*argument.ok_or_else(|| Diagnostic::new(variable.span, message()))?);
-        }
-        let mut derivatives = |values: &[Expr]| -> Vec<Expr> {
-            let pairs = values.iter().flat_map(|&value| variables.iter().map(move |&by| (value, by)));
-            pairs.map(|(value, by)| pool.derivative(value, by)).collect()
-        };
-        let (outputs, mut computed) = (derivatives(&kernel.outputs), derivatives(&kernel.computed));
-        // a piece that holds at a single point does not determine the derivative there
-        let is_piecewise = |part: &Expr| matches!(pool.node(*part), Node::Select { .. });
-        if pool.reachable(&computed).iter().any(is_piecewise) {
-            computed.clear();
-        }
-        let formula = self.theory.pool.texts(&outputs);
-        let (name_text, docs) = (name.text.clone(), item.docs.clone());
-        let of_this = Kernel { name: name_text, docs, public: item.public, span: item.span, ..kernel };
-        self.theory.kernels.push(Kernel {
-            outputs,
-            computed,
-            within: None,
-            effects: Vec::new(),
-            formula,
-            units: KernelUnits::default(),
-            statements: Vec::new(),
-            ..of_this
-        });
-        self.theory.names.set(name, Named::Kernel(self.theory.kernels.len() - 1));
-        Ok(())
-    }
-
     /// Removes the names that were local to an item.
     pub(super) fn forget(&mut self, locals: Vec<String>) {
         locals.iter().for_each(|local| self.theory.names.remove(local));
@@ -144,36 +132,86 @@ impl Resolver {
         }
     }
 
+    /// Evaluates the number after `approx`.
+    fn tolerance(&mut self, given: &ast::Expr) -> Evaluated<Rational> {
+        let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(given))?;
+        let half = Rational::new(1.into(), 2.into());
+        match self.theory.pool.as_number(value).filter(|number| number.is_positive() && **number < half) {
+            Some(number) => Ok(number.clone()),
+            None => Err(Diagnostic::new(given.span, "expected a rational number above 0 and below 1/2")
+                .with_help("`approx 1e-17` allows a form to differ from its formula by 1e-17 of its value")),
+        }
+    }
+
+    /// Declares the arguments of a kernel; returns them as declared, and the variable of each number
+    /// among them.
     pub(super) fn kernel_arguments(
         &mut self,
         arguments: &[Declared],
         locals: &mut Vec<String>,
-    ) -> Evaluated<Vec<Symbol>> {
-        let mut symbols = Vec::new();
-        for Declared { name, .. } in arguments {
-            let symbol = match self.theory.named(&name.text) {
-                Some(Named::Coordinate(coordinate)) => self.theory.coordinates[coordinate.0 as usize],
-                Some(Named::Parameter(symbol)) => *symbol,
-                Some(named @ (Named::Pending | Named::Poisoned)) => {
-                    return Err(unusable(named, &name.text, name.span));
-                }
-                Some(other) => {
-                    let message = format!("`{}` is {} and cannot be an argument", name.text, describe(other));
-                    return Err(Diagnostic::new(name.span, message)
-                        .with_help("an argument is a coordinate, a param or a new name"));
-                }
-                None => {
-                    let symbol = self.theory.pool.declare_symbol(&name.text, SymbolKind::Local);
-                    self.theory.names.declare(name, Named::Parameter(symbol))?;
-                    locals.push(name.text.clone());
-                    symbol
-                }
+    ) -> Evaluated<(Vec<Parameter>, Vec<Symbol>)> {
+        let (mut parameters, mut symbols): (Vec<Parameter>, Vec<Symbol>) = (Vec::new(), Vec::new());
+        for Declared { name, extents, .. } in arguments {
+            let shape = Shape::of(extents).unwrap_or_default();
+            let own = match shape {
+                Shape::Number => vec![self.kernel_argument(name, locals)?],
+                _ => self.array_argument(name, shape, locals)?,
             };
-            if symbols.contains(&symbol) {
+            if own.iter().any(|symbol| symbols.contains(symbol)) {
                 return Err(Diagnostic::new(name.span, "this argument occurs twice"));
             }
-            symbols.push(symbol);
+            let parameter = Parameter { name: name.text.clone(), shape };
+            check_entry_names(&parameters, &parameter, name)?;
+            parameters.push(parameter);
+            symbols.extend(own);
         }
+        Ok((parameters, symbols))
+    }
+
+    fn kernel_argument(&mut self, name: &Name, locals: &mut Vec<String>) -> Evaluated<Symbol> {
+        match self.theory.named(&name.text) {
+            Some(Named::Coordinate(coordinate)) => Ok(self.theory.coordinates[coordinate.0 as usize]),
+            Some(Named::Parameter(symbol)) => Ok(*symbol),
+            Some(Named::Array(_)) => Err(Diagnostic::new(name.span, "this argument occurs twice")),
+            Some(named @ (Named::Pending | Named::Poisoned)) => Err(unusable(named, &name.text, name.span)),
+            Some(other) => {
+                let message = format!("`{}` is {} and cannot be an argument", name.text, describe(other));
+                Err(Diagnostic::new(name.span, message)
+                    .with_help("an argument is a coordinate, a param or a new name"))
+            }
+            None => {
+                let symbol = self.theory.pool.declare_symbol(&name.text, SymbolKind::Local);
+                self.theory.names.declare(name, Named::Parameter(symbol))?;
+                locals.push(name.text.clone());
+                Ok(symbol)
+            }
+        }
+    }
+
+    /// Declares an array; returns the variable of each of its entries.
+    fn array_argument(
+        &mut self,
+        name: &Name,
+        shape: Shape,
+        locals: &mut Vec<String>,
+    ) -> Evaluated<Vec<Symbol>> {
+        match self.theory.named(&name.text) {
+            None => {}
+            Some(named @ (Named::Pending | Named::Poisoned)) => {
+                return Err(unusable(named, &name.text, name.span));
+            }
+            Some(other) => {
+                let message = format!("`{}` is {} and cannot be an array", name.text, describe(other));
+                return Err(Diagnostic::new(name.span, message).with_help("an array has a new name"));
+            }
+        }
+        let pool = &mut self.theory.pool;
+        let names = shape.names(&name.text).into_iter();
+        let symbols: Vec<Symbol> = names.map(|name| pool.declare_symbol(name, SymbolKind::Local)).collect();
+        let entries = symbols.iter().map(|&symbol| pool.symbol(symbol)).collect();
+        self.theory.names.declare(name, Named::Array(self.theory.arrays.len()))?;
+        self.theory.arrays.push(Array { shape, entries });
+        locals.push(name.text.clone());
         Ok(symbols)
     }
 
@@ -213,6 +251,12 @@ impl Resolver {
                 return Err(Diagnostic::new(name.span, format!("the effect `{}` occurs twice", name.text)));
             }
             let named = |symbol: &&Symbol| self.theory.pool.symbol_name(**symbol) == variable.text;
+            if matches!(self.theory.named(&variable.text), Some(Named::Array(_))) {
+                let message =
+                    format!("`{}` is an array, and an effect is switched off by a number", variable.text);
+                let help = format!("name an entry: `{}_0`", variable.text);
+                return Err(Diagnostic::new(variable.span, message).with_help(help));
+            }
             let Some(&symbol) = arguments.iter().find(named) else {
                 let message = format!("`{}` is not an argument of the kernel", variable.text);
                 return Err(Diagnostic::new(variable.span, message).with_help(
@@ -239,19 +283,37 @@ impl Resolver {
 }
 
 impl Evaluator<'_> {
+    /// Evaluates expressions that must be scalars.
     pub(super) fn kernel_outputs(
         &mut self,
         outputs: &[ast::Expr],
         arguments: &[Symbol],
     ) -> Evaluated<Vec<Expr>> {
-        self.in_kernel = true;
-        let values = outputs.iter().map(|output| self.kernel_output(output, arguments)).collect();
-        self.in_kernel = false;
-        values
+        let Results { shapes, numbers } = self.kernel_results(outputs, arguments)?;
+        match outputs.iter().zip(shapes).find(|(_, shape)| *shape != Shape::Number) {
+            None => Ok(numbers),
+            Some((output, shape)) => {
+                Err(Diagnostic::new(output.span, format!("expected a scalar, found {shape}")))
+            }
+        }
     }
 
-    fn kernel_output(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<Expr> {
-        let value = match self.value(output)? {
+    /// Evaluates the results of a kernel.
+    fn kernel_results(&mut self, outputs: &[ast::Expr], arguments: &[Symbol]) -> Evaluated<Results> {
+        self.in_kernel = true;
+        let mut results = Results::default();
+        let evaluated = outputs.iter().try_for_each(|output| {
+            let (shape, numbers) = self.kernel_result(output, arguments)?;
+            results.shapes.push(shape);
+            results.numbers.extend(numbers);
+            Ok(())
+        });
+        self.in_kernel = false;
+        evaluated.map(|()| results)
+    }
+
+    fn kernel_result(&mut self, output: &ast::Expr, arguments: &[Symbol]) -> Evaluated<(Shape, Vec<Expr>)> {
+        let (shape, values) = match self.value(output)? {
             Value::Form(form) => {
                 return Err(Diagnostic::new(
                     output.span,
@@ -266,11 +328,12 @@ impl Evaluator<'_> {
                 )
                 .with_help("take a component, as in `X[x]`"));
             }
-            Value::Zero => self.zero(),
-            Value::Scalar(value) => value,
+            Value::Zero => (Shape::Number, vec![self.zero()]),
+            Value::Scalar(value) => (Shape::Number, vec![value]),
+            Value::Array(Array { shape, entries }) => (shape, entries),
         };
-        self.check_free(&[value], arguments, output.span)?;
-        Ok(value)
+        self.check_free(&values, arguments, output.span)?;
+        Ok((shape, values))
     }
 
     /// Checks that expressions depend on the kernel's arguments only.
@@ -307,4 +370,29 @@ pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span
     }
     let (wanted, found) = (outputs.len(), computed.len());
     Err(Diagnostic::new(span, format!("`{}` has {wanted} outputs, but `by` gives {found}", name.text)))
+}
+
+/// Checks that the form given by `by` has the shapes of the formula.
+fn check_shapes(outputs: &Results, computed: &Results, name: &Name, span: Span) -> Evaluated<()> {
+    match outputs.shapes.iter().zip(&computed.shapes).find(|(wanted, found)| wanted != found) {
+        None => Ok(()),
+        Some((wanted, found)) => {
+            let message = format!("the result of `{}` is {wanted}, but `by` gives {found}", name.text);
+            Err(Diagnostic::new(span, message))
+        }
+    }
+}
+
+/// Checks that the numbers of an argument have other names than those of the arguments before it.
+fn check_entry_names(earlier: &[Parameter], parameter: &Parameter, name: &Name) -> Evaluated<()> {
+    let own = parameter.shape.names(&parameter.name);
+    for other in earlier {
+        let names = other.shape.names(&other.name);
+        if let Some(shared) = own.iter().find(|own| names.contains(own)) {
+            let array = if other.shape == Shape::Number { parameter } else { other };
+            let message = format!("`{shared}` is also the name of an entry of the array `{}`", array.name);
+            return Err(Diagnostic::new(name.span, message).with_help("rename one of the two"));
+        }
+    }
+    Ok(())
 }

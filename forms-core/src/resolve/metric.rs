@@ -1,6 +1,6 @@
 //! Metrics: their declaration, and the operations that take a metric.
 
-use super::call::exactly;
+use super::arguments::exactly;
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
 use super::quadratic::Entries;
@@ -259,6 +259,11 @@ impl Evaluator<'_> {
             }
             Value::Field(x) => inner_of_fields(&mut self.ring(), metric, &x, &x),
             Value::Form(w) => inner_of_forms(&mut self.ring(), metric, &w, &w),
+            Value::Array(array) => {
+                let message = format!("expected a scalar, form or field, found {}", array.shape);
+                return Err(Diagnostic::new(argument.span, message)
+                    .with_help("`norm(p)` is the Euclidean length of a vector"));
+            }
         };
         let domain = self.theory.pool.power_domain(square, Ratio::new(1, 2));
         self.require(domain);
@@ -273,14 +278,17 @@ impl Evaluator<'_> {
             Value::Zero => Ok(Form::zero(0)),
             Value::Scalar(f) => Ok(Form::scalar(&self.ring(), f)),
             Value::Form(form) => Ok(form),
-            Value::Field(_) => Err(Diagnostic::new(argument.span, "expected a form, found a vector field")
-                .with_help("`flat[g](X)` converts a field to a 1-form")),
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("expected a form, found {}", other.kind());
+                Err(Diagnostic::new(argument.span, message)
+                    .with_help("`flat[g](X)` converts a field to a 1-form"))
+            }
         }
     }
 
     fn check_value_on(&self, chart: usize, value: &Value, span: Span) -> Evaluated<()> {
         match value {
-            Value::Zero | Value::Scalar(_) => Ok(()),
+            Value::Zero | Value::Scalar(_) | Value::Array(_) => Ok(()),
             Value::Form(form) => {
                 let coordinates = form.terms().iter().flat_map(|term| term.0.coordinates()).collect();
                 self.check_directions(chart, coordinates, "d", span)

@@ -4,7 +4,7 @@
 //! Integrating L_X = d i_X + i_X d along the dilations x ↦ tx gives K d + d K = 1 on forms of
 //! degree k ≥ 1.
 
-use super::call::exactly;
+use super::arguments::exactly;
 use super::evaluation::{Evaluated, Evaluator};
 use crate::calculus::{Coordinate, Field, Form, interior};
 use crate::diagnostic::{Diagnostic, Span};
@@ -29,11 +29,9 @@ impl Evaluator<'_> {
         let form = match value? {
             Value::Zero | Value::Scalar(_) => return Ok(Value::Zero),
             Value::Form(form) => form,
-            Value::Field(_) => {
-                return Err(Diagnostic::new(
-                    argument.span,
-                    "`potential` takes a form, and this is a vector field",
-                ));
+            other @ (Value::Field(_) | Value::Array(_)) => {
+                let message = format!("`potential` takes a form, and this is {}", other.kind());
+                return Err(Diagnostic::new(argument.span, message));
             }
         };
         let coordinates = match index {

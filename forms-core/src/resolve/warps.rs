@@ -20,7 +20,7 @@ use super::kernels::check_count;
 use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::{Diagnostic, counted};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
-use crate::expression::{Condition, Expr, Pool, Rational, Relation, Seam, Symbol};
+use crate::expression::{Condition, Expr, Pool, Rational, Relation, Seam, Signature, Symbol};
 use crate::random::SplitMix;
 use crate::syntax::ast::{self, Declared, Item, Name};
 use crate::theory::{Chart, Kernel, KernelUnits, Map, Named, Value, Warp};
@@ -53,7 +53,7 @@ impl Resolver {
     fn warp_with_locals(&mut self, item: &Item, warp: &ast::Warp, locals: &mut Vec<String>) -> Evaluated<()> {
         self.theory.names.declare(&warp.name, Named::Pending)?;
         let (target, _, _) = self.evaluate(|evaluator| evaluator.chart(&warp.target))?;
-        let parameters = self.kernel_arguments(&warp.parameters, locals)?;
+        let (_, parameters) = self.kernel_arguments(&warp.parameters, locals)?;
         let uniforms = self.uniforms(&warp.uniforms, locals)?;
         if uniforms.is_empty() {
             return Err(Diagnostic::new(warp.name.span, "a warp needs at least one uniform random number")
@@ -253,14 +253,18 @@ impl Resolver {
         }
         docs.push(sentence.to_owned());
         let formula = pool.texts(&outputs);
+        let names: Vec<String> =
+            arguments.iter().map(|&argument| pool.symbol_name(argument).to_owned()).collect();
         self.theory.kernels.push(Kernel {
             name: name.text,
             docs,
             public: item.public,
             span: item.span,
+            signature: Signature::of_numbers(&names, outputs.len()),
             arguments,
             outputs,
             computed,
+            approximation: None,
             domain,
             within,
             effects: Vec::new(),
@@ -268,6 +272,7 @@ impl Resolver {
             units: KernelUnits::default(),
             statements: Vec::new(),
             mentioned: BTreeSet::from([warp.name.text.clone()]),
+            defined: Vec::new(),
         });
         Ok(())
     }

@@ -16,15 +16,33 @@ pub struct Arithmetic {
     root: f64,
     /// Relative error of functions and powers; infinite where the target states no usable bound.
     function: f64,
+    /// Relative errors of the functions that have another one.
+    functions: &'static [(Operation, f64)],
     /// Relative error of a b − c d computed without cancellation.
     products: f64,
     /// Absolute error of a value near the smallest positive numbers.
     underflow: f64,
     /// Absolute error of a sum there: sums are exact unless subnormal numbers are flushed to zero.
     underflow_of_sum: f64,
+    /// Whether a b + c is rounded once wherever the target has an instruction for it. Otherwise the
+    /// correction of a compensated product can be 0, and adding it is one more rounding.
+    pub(super) is_fused: bool,
     /// Largest finite number.
     pub(super) largest: f64,
 }
+
+/// Functions that WGSL lacks, with the relative errors of the functions that emission defines for
+/// them: each of their operations has the largest error that WGSL allows.
+const SHADER_FUNCTIONS: [(Operation, f64); 4] = [
+    (Operation::Expm1, 14.0 * SINGLE),
+    (Operation::Log1p, 32.0 * SINGLE),
+    (Operation::Erf, 10.0 * SINGLE),
+    (Operation::Hypot, 24.0 * SINGLE),
+];
+
+/// The function of `f64` that libraries compute less accurately than the others: within 5 ulp, as
+/// stated for CUDA.
+const DOUBLE_FUNCTIONS: [(Operation, f64); 1] = [(Operation::Erfc, 10.0 * DOUBLE)];
 
 const DOUBLE: f64 = f64::EPSILON / 2.0;
 const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
@@ -37,10 +55,12 @@ impl Arithmetic {
         quotient: DOUBLE,
         root: DOUBLE,
         function: 4.0 * DOUBLE,
+        functions: &DOUBLE_FUNCTIONS,
         products: 4.0 * DOUBLE,
         // half the smallest positive number, rounded up
         underflow: f64::from_bits(1),
         underflow_of_sum: 0.0,
+        is_fused: true,
         largest: f64::MAX,
     };
 
@@ -51,15 +71,17 @@ impl Arithmetic {
         quotient: SINGLE,
         root: SINGLE,
         function: 8.0 * SINGLE,
+        functions: &[],
         products: 4.0 * SINGLE,
         underflow: f32::from_bits(1) as f64,
         underflow_of_sum: 0.0,
+        is_fused: true,
         largest: f32::MAX as f64,
     };
 
     /// `f32` of WGSL: sums and products can be rounded in either direction, quotients are accurate
-    /// to 2.5 ulp, roots to 5 ulp; subnormal numbers can be flushed to zero. The errors of its
-    /// functions are stated as absolute errors.
+    /// to 2.5 ulp, roots to 5 ulp; subnormal numbers can be flushed to zero; `fma` can round its
+    /// product. The errors of its own functions are stated as absolute errors.
     ///
     /// Source: WebGPU Shading Language, §15.7.4 Floating Point Accuracy.
     pub const SHADER: Arithmetic = Arithmetic {
@@ -67,11 +89,23 @@ impl Arithmetic {
         quotient: 5.0 * SINGLE,
         root: 10.0 * SINGLE,
         function: f64::INFINITY,
+        functions: &SHADER_FUNCTIONS,
+        is_fused: false,
         products: 8.0 * SINGLE,
         underflow: f32::MIN_POSITIVE as f64,
         underflow_of_sum: f32::MIN_POSITIVE as f64,
         ..Arithmetic::SINGLE
     };
+
+    /// Returns the name of the number format.
+    pub(crate) fn format(&self) -> &'static str {
+        if self.unit == SINGLE { "f32" } else { "f64" }
+    }
+
+    /// Returns the unit roundoff as text.
+    pub(crate) fn unit_name(&self) -> &'static str {
+        if self.unit == SINGLE { "2⁻²⁴" } else { "2⁻⁵³" }
+    }
 
     /// Returns the relative and the absolute perturbation that rounding adds to the value of an
     /// instruction.
@@ -102,11 +136,18 @@ impl Arithmetic {
             Instruction::DifferenceOfProducts(_) | Instruction::SumOfProducts(_) => {
                 (self.products, self.underflow)
             }
-            Instruction::Power(..) | Instruction::Call(..) => (self.function, self.underflow),
+            Instruction::Power(..) => (self.function, self.underflow),
+            Instruction::Call(operation, _) => (self.function_error(*operation), self.underflow),
             // the truncation error of the quadrature rule is estimated at run time, not bounded
             // here
             Instruction::Quadrature { .. } => (f64::INFINITY, f64::INFINITY),
         }
+    }
+
+    /// Returns the relative error bound of a function; infinite where the target states none.
+    pub fn function_error(&self, operation: Operation) -> f64 {
+        let own = self.functions.iter().find(|(function, _)| *function == operation);
+        own.map_or(self.function, |&(_, error)| error)
     }
 
     /// Whether the constant is exactly representable in this arithmetic.

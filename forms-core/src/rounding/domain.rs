@@ -2,7 +2,7 @@
 
 use super::Unbounded;
 use super::interval::Interval;
-use crate::expression::Relation;
+use crate::expression::{Operation, Relation};
 use crate::kernel::{Comparison, Instruction, Program, Value};
 
 /// Range of each argument.
@@ -26,18 +26,31 @@ pub(super) fn domain(program: &Program) -> Result<Box, Unbounded> {
     Ok(found)
 }
 
-/// Narrows the range of an argument by a condition between this argument and a number.
+/// Narrows the range of an argument by a condition between this argument, or its absolute value, and
+/// a number.
 fn narrow(program: &Program, condition: &Comparison, found: &mut Box) {
     let instruction = |value: Value| &program.instructions()[value.place()];
-    let (place, relation, number) = match (instruction(condition.left), instruction(condition.right)) {
-        (Instruction::Argument(place), Instruction::Constant(number)) => (*place, condition.relation, number),
-        (Instruction::Constant(number), Instruction::Argument(place)) => {
-            (*place, condition.relation.mirrored(), number)
-        }
+    let (side, relation, number) = match (instruction(condition.left), instruction(condition.right)) {
+        (side, Instruction::Constant(number)) => (side, condition.relation, number),
+        (Instruction::Constant(number), side) => (side, condition.relation.mirrored(), number),
         _ => return,
     };
     let number = number.to_f64();
-    let range = &mut found[place as usize];
+    match side {
+        Instruction::Argument(place) => narrow_by(&mut found[*place as usize], relation, number),
+        Instruction::Call(Operation::Abs, operands) => {
+            let is_upper = matches!(relation, Relation::Less | Relation::LessEqual);
+            if let (Instruction::Argument(place), true) = (instruction(operands[0]), is_upper) {
+                let range = &mut found[*place as usize];
+                narrow_by(range, relation, number);
+                narrow_by(range, relation.mirrored(), -number);
+            }
+        }
+        _ => {}
+    }
+}
+
+fn narrow_by(range: &mut Interval, relation: Relation, number: f64) {
     match relation {
         Relation::Less => range.upper = range.upper.min(number.next_down()),
         Relation::LessEqual => range.upper = range.upper.min(number),

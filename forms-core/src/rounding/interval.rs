@@ -201,16 +201,24 @@ impl Interval {
             | Operation::Asin
             | Operation::Atan
             | Operation::Erf
-            | Operation::Dilog => x.increasing(value),
-            Operation::Acos | Operation::Expint1 | Operation::Expint2 | Operation::Expint3 => {
-                x.decreasing(value)
-            }
+            | Operation::Dilog
+            | Operation::Cbrt => x.increasing(value),
+            Operation::Acos
+            | Operation::Erfc
+            | Operation::Expint1
+            | Operation::Expint2
+            | Operation::Expint3 => x.decreasing(value),
             Operation::Abs => x.absolute(),
             Operation::Cosh => x.absolute().increasing(value),
             Operation::Cos => x.wave(),
             Operation::Sin => x.subtract(Interval::rounded(FRAC_PI_2, FRAC_PI_2)).wave(),
             Operation::Tan => x.tangent(),
             Operation::Atan2 => atan2(x, operands[1]),
+            Operation::Hypot => {
+                let (x, y) = (x.absolute(), operands[1].absolute());
+                let length = |x: f64, y: f64| operation.apply(&[x, y]);
+                Interval::of_function(length(x.lower, y.lower), length(x.upper, y.upper))
+            }
             // |Cl₂| ≤ Cl₂(π/3) = 1.01494…
             Operation::Clausen => Interval::between(-1.015, 1.015),
         }

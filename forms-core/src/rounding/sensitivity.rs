@@ -8,11 +8,20 @@ use forms_math::Guardable;
 use rustc_hash::FxHashMap;
 
 /// Program with the partial derivatives of the functions it calls.
+///
+/// What no box changes is computed once. A number is an exact quotient times a power of π: rounding
+/// it takes longer than all other work on a box.
 pub(super) struct Analysis<'a> {
     program: &'a Program,
     arithmetic: Arithmetic,
-    partials: FxHashMap<Operation, Program>,
+    numbers: Numbers,
+    /// Relative and absolute perturbation of each instruction's value.
+    roundings: Vec<(f64, f64)>,
+    partials: FxHashMap<Operation, (Program, Numbers)>,
 }
+
+/// Ranges of the numbers of a program, by their places; `None` at all other instructions.
+type Numbers = Vec<Option<Interval>>;
 
 /// Error bounds of one output on a box.
 #[derive(Clone, Copy, Debug)]
@@ -33,18 +42,22 @@ impl<'a> Analysis<'a> {
         let mut partials = FxHashMap::default();
         for instruction in program.instructions() {
             if let Instruction::Call(operation, _) = instruction {
-                partials.entry(*operation).or_insert_with(|| partials_of(*operation));
+                partials.entry(*operation).or_insert_with(|| {
+                    let partials = partials_of(*operation);
+                    let numbers = numbers(&partials);
+                    (partials, numbers)
+                });
             }
         }
-        Analysis { program, arithmetic, partials }
+        let places = 0..program.instructions().len();
+        let roundings = places.map(|place| arithmetic.rounding(program, place)).collect();
+        Analysis { program, numbers: numbers(program), roundings, arithmetic, partials }
     }
 
     /// Bounds the errors on a box; `None` if no point of the box is in the kernel's domain.
     pub(super) fn error(&self, arguments: &[Interval]) -> Option<BoxError> {
-        let arithmetic = &self.arithmetic;
-        let ranges = ranges(self.program, arguments, arithmetic.largest, |program, place| {
-            arithmetic.rounding(program, place)
-        });
+        let rounding = |place: usize| self.roundings[place];
+        let ranges = ranges(self.program, &self.numbers, arguments, self.arithmetic.largest, rounding);
         let of = |value: Value| ranges[value.place()];
         let fails = |condition: &crate::kernel::Comparison| {
             of(condition.left).decide(condition.relation, of(condition.right)) == Some(false)
@@ -80,7 +93,11 @@ impl<'a> Analysis<'a> {
         let range = ranges[output.place()];
         let [mut rounded, mut underflown, mut relative] = [0.0_f64; 3];
         for place in 0..ranges.len() {
-            let (rounding, underflow) = self.arithmetic.rounding(self.program, place);
+            // what is not on the branch that is taken has no influence, however large it is
+            if sensitivities[place].is_none() && conditions[place].is_none() {
+                continue;
+            }
+            let (rounding, underflow) = self.roundings[place];
             let sensitivity = sensitivities[place].map_or(0.0, Interval::magnitude);
             let condition = conditions[place].map_or(0.0, Interval::magnitude);
             if rounding > 0.0 {
@@ -127,6 +144,10 @@ impl<'a> Analysis<'a> {
             Instruction::Sqrt(a) => vec![(*a, Interval::point(0.5))],
             Instruction::Power(a, exponent) => vec![(*a, quotient(*exponent.numer(), *exponent.denom()))],
             Instruction::Add(a, b) => vec![(*a, of(*a).share(of(*b))), (*b, of(*b).share(of(*a)))],
+            // the derivatives, 0 or 1, are also the shares
+            Instruction::Select { left, right, .. } if self.is_exact(*left) && self.is_exact(*right) => {
+                self.derivatives(place, ranges)
+            }
             Instruction::Subtract(a, b) => {
                 let (a_range, b_range) = (of(*a), of(*b).negate());
                 vec![(*a, a_range.share(b_range)), (*b, b_range.share(a_range))]
@@ -136,6 +157,24 @@ impl<'a> Analysis<'a> {
                 derivatives.map(|(a, by)| (a, by.multiply(of(a)).divide(ranges[place]))).collect()
             }
         }
+    }
+
+    /// Whether a value is computed without rounding from arguments and numbers.
+    fn is_exact(&self, value: Value) -> bool {
+        match &self.program.instructions()[value.place()] {
+            Instruction::Argument(_) | Instruction::Constant(_) => {
+                self.roundings[value.place()] == (0.0, 0.0)
+            }
+            Instruction::Negate(operand) => self.is_exact(*operand),
+            Instruction::Call(Operation::Abs, operands) => self.is_exact(operands[0]),
+            _ => false,
+        }
+    }
+
+    /// Returns the derivatives of a value that is one of two others.
+    fn either(&self, one: Value, other: Value) -> Vec<(Value, Interval)> {
+        let share = Interval { lower: 0.0, upper: 1.0 };
+        vec![(one, share), (other, share)]
     }
 
     /// Returns the range of ∂output/∂vᵢ for each instruction's value; `None` where the output does
@@ -173,8 +212,8 @@ impl<'a> Analysis<'a> {
             }
             Instruction::Call(operation, operands) => {
                 let arguments: Vec<Interval> = operands.iter().map(|&operand| of(operand)).collect();
-                let program = &self.partials[operation];
-                let values = ranges_of_exact(program, &arguments);
+                let (program, numbers) = &self.partials[operation];
+                let values = ranges_of_exact(program, numbers, &arguments);
                 let derivatives = program.outputs().iter().map(|output| values[output.place()]);
                 operands.iter().copied().zip(derivatives).collect()
             }
@@ -185,6 +224,8 @@ impl<'a> Analysis<'a> {
                 match of(*left).decide(*relation, of(*right)) {
                     Some(true) => vec![(*then, one)],
                     Some(false) => vec![(*otherwise, one)],
+                    // the branch is the one of exact arithmetic, whichever it is
+                    None if self.is_exact(*left) && self.is_exact(*right) => self.either(*then, *otherwise),
                     None => vec![(*left, Interval::EVERYTHING)],
                 }
             }
@@ -245,18 +286,28 @@ fn partials_of(operation: Operation) -> Program {
     lower(&pool, &source).expect("the derivatives of a function are functions of its arguments")
 }
 
+/// Returns the ranges of the numbers of a program.
+fn numbers(program: &Program) -> Numbers {
+    let number = |instruction: &Instruction| match instruction {
+        Instruction::Constant(constant) => Some(constant_range(constant)),
+        _ => None,
+    };
+    program.instructions().iter().map(number).collect()
+}
+
 /// Returns the range of each value, widened by its rounding.
 fn ranges(
     program: &Program,
+    numbers: &[Option<Interval>],
     arguments: &[Interval],
     largest: f64,
-    rounding: impl Fn(&Program, usize) -> (f64, f64),
+    rounding: impl Fn(usize) -> (f64, f64),
 ) -> Vec<Interval> {
     let mut ranges: Vec<Interval> = Vec::with_capacity(program.instructions().len());
     for (place, instruction) in program.instructions().iter().enumerate() {
         let of = |value: &Value| ranges[value.place()];
         let exact = match instruction {
-            Instruction::Constant(constant) => constant_range(constant),
+            Instruction::Constant(_) => numbers[place].unwrap_or(Interval::EVERYTHING),
             Instruction::Argument(place) => arguments[*place as usize],
             Instruction::Add(a, b) => of(a).add(of(b)),
             Instruction::Subtract(a, b) => of(a).subtract(of(b)),
@@ -284,7 +335,7 @@ fn ranges(
                 }
             }
         };
-        let (relative, absolute) = rounding(program, place);
+        let (relative, absolute) = rounding(place);
         let is_kept = relative == 0.0 && absolute == 0.0;
         let range = if is_kept { exact } else { exact.perturbed(relative, absolute) };
         // a value that overflows can be anything
@@ -295,8 +346,8 @@ fn ranges(
 
 /// Returns the ranges without rounding, for derivatives, which are bounded but never computed in
 /// floating point.
-fn ranges_of_exact(program: &Program, arguments: &[Interval]) -> Vec<Interval> {
-    ranges(program, arguments, f64::INFINITY, |_, _| (0.0, 0.0))
+fn ranges_of_exact(program: &Program, numbers: &[Option<Interval>], arguments: &[Interval]) -> Vec<Interval> {
+    ranges(program, numbers, arguments, f64::INFINITY, |_| (0.0, 0.0))
 }
 
 fn constant_range(constant: &crate::kernel::Constant) -> Interval {

@@ -13,7 +13,7 @@ use super::rules::VERSION;
 use super::search::{Form, Found};
 use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Expr, Pool, Rational, Symbol, TABLE};
+use crate::expression::{Expr, Pool, Shape, Symbol, TABLE, number_text};
 use crate::notation::results;
 use crate::theory::{Kernel, Theory};
 use rustc_hash::FxHashMap;
@@ -92,7 +92,17 @@ fn is_open(form: &Form) -> bool {
 
 fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
     let arguments: Vec<&str> = kernel.arguments.iter().map(|&argument| pool.symbol_name(argument)).collect();
-    let formula = results(&pool.texts(&form.outputs));
+    // an entry is a kernel of numbers: arrays are written by their entries
+    let shapes = vec![Shape::Number; form.outputs.len()];
+    let written = |outputs: &[Expr]| results(&pool.texts(outputs), &shapes);
+    // an approximation is written beside the formula that it is close to
+    let formula = match &form.approximation {
+        Some(tolerance) => {
+            let [formula, form] = [&kernel.outputs, &form.outputs].map(|outputs| written(outputs));
+            format!("{formula}\n    by {form}\n    approx {}", number_text(tolerance))
+        }
+        None => written(&form.outputs),
+    };
     let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
     let promise = if is_open(form) { format!("\n    within {WITHIN}") } else { String::new() };
     let _ = write!(
@@ -128,12 +138,12 @@ impl Choices {
             if theory.kernels[place].has_form() {
                 continue;
             }
-            if let Some((form, within)) = self.form_of(&mut theory.pool, &theory.kernels[place]) {
+            if let Some((form, entry)) = self.form_of(&mut theory.pool, &theory.kernels[place]) {
                 let kernel = &mut theory.kernels[place];
                 if form != kernel.outputs {
                     kernel.computed = form;
                 }
-                kernel.within = within;
+                (kernel.within, kernel.approximation) = (entry.within.clone(), entry.approximation.clone());
                 applied += 1;
             }
         }
@@ -157,14 +167,14 @@ impl Choices {
     }
 
     /// Returns the form that an entry gives for a kernel, as expressions of the kernel's pool, and
-    /// the bound that it promises.
-    fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, Option<Rational>)> {
+    /// the entry.
+    fn form_of(&self, pool: &mut Pool, kernel: &Kernel) -> Option<(Vec<Expr>, &Kernel)> {
         let entry = self.theory.kernels.iter().find(|entry| fits(entry, pool, kernel))?;
         let symbols = entry.arguments.iter().zip(&kernel.arguments);
         let variables: FxHashMap<Symbol, Expr> =
             symbols.map(|(&entry, &own)| (entry, pool.symbol(own))).collect();
-        let form = pool.import(&self.theory.pool, &entry.outputs, &variables)?;
-        Some((form, entry.within.clone()))
+        let form = if entry.computed.is_empty() { &entry.outputs } else { &entry.computed };
+        Some((pool.import(&self.theory.pool, form, &variables)?, entry))
     }
 }
 

@@ -1,7 +1,7 @@
 //! Proof that a form has the value of the formula wherever the formula is defined and the kernel's
 //! conditions hold, and that its pieces agree where they meet. Generation repeats the same proof.
 
-use crate::expression::{Expr, Node, Pool, Seam};
+use crate::expression::{Expr, Node, Pool, Rational, Seam};
 use crate::generation::{form_faults, guarded};
 use crate::theory::Kernel;
 use rustc_hash::FxHashMap;
@@ -9,14 +9,14 @@ use rustc_hash::FxHashMap;
 /// Returns the form if it is proved, or else the form with the formula used wherever the form is
 /// not proved to have a value; `None` if neither is proved.
 pub(super) fn provable(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
-    if proved(pool, kernel, form) {
+    if proved(pool, kernel, form, None) {
         return Some(form.to_vec());
     }
     // a form that has the formula's value everywhere agrees at its seams wherever the formula does,
     // so it can be proved without a claim there
     let guarded = guarded(pool, kernel, form)?;
     let jumping = with_jumps(pool, &guarded);
-    [guarded, jumping].into_iter().find(|other| other != form && proved(pool, kernel, other))
+    [guarded, jumping].into_iter().find(|other| other != form && proved(pool, kernel, other, None))
 }
 
 /// Returns the form with no claim of agreement at its seams.
@@ -36,10 +36,12 @@ fn with_jumps(pool: &mut Pool, form: &[Expr]) -> Vec<Expr> {
     form.iter().map(|output| images[output]).collect()
 }
 
-/// Whether a form is proved to have the value of the kernel's formula.
-pub(super) fn proved(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+/// Whether a form is proved to have the value of the kernel's formula, or to be within a tolerance of
+/// it.
+pub(super) fn proved(pool: &mut Pool, kernel: &Kernel, form: &[Expr], tolerance: Option<&Rational>) -> bool {
     let computed = if form == kernel.outputs { Vec::new() } else { form.to_vec() };
     let mut kernel = kernel.clone();
     kernel.computed = computed;
+    kernel.approximation = tolerance.cloned();
     form_faults(pool, &kernel).is_empty()
 }

@@ -15,6 +15,7 @@ mod trigonometric;
 
 pub(crate) use direct::by_rules;
 
+use crate::approximation::about_singularities;
 use crate::decide::{contradiction, simplified_where};
 use crate::expression::{Condition, Expr, Node, Operation, Pool, Rational};
 use num_rational::Ratio;
@@ -36,6 +37,11 @@ pub(super) struct Rewriting<'a> {
     simple: FxHashMap<Expr, Expr>,
 }
 
+/// Largest relative error of an approximation: a tenth of the rounding error of a value.
+pub(super) fn tolerance() -> Rational {
+    Rational::new(1.into(), 100_000_000_000_000_000_i64.into())
+}
+
 /// Rewriting rule: returns the possible replacements of an expression.
 type Rule = fn(&mut Rewriting<'_>, Expr) -> Vec<Expr>;
 
@@ -51,6 +57,7 @@ const RULES: &[Rule] = &[
     radical::of_quotients_and_products,
     fractions::over_one_denominator,
     fractions::without_a_common_factor,
+    fractions::term_by_term,
     fractions::reordered,
     fractions::power_of_a_quotient,
     exponential::less_one,
@@ -87,6 +94,12 @@ impl<'a> Rewriting<'a> {
             }
         }
         found
+    }
+
+    /// Returns replacements that are proved to be close to an expression, but not equal to it:
+    /// series near removable singularities, as `if abs(x) < 1 { 1/6 - x**2/120 + … } else { … }`.
+    pub(super) fn approximations(&mut self, expression: Expr) -> Vec<Expr> {
+        about_singularities(self.pool, expression, &tolerance())
     }
 
     /// Returns the normal form of the expression if it is shorter, otherwise the expression.
@@ -299,6 +312,7 @@ mod tests {
             ("acos(x)", "2*atan2(sqrt(1 - x), sqrt(1 + x))"),
             ("sin(x)**2/x**2", "(sin(x)/x)**2"),
             ("sqrt(a**2 + x**2)", "a*sqrt(1 + x/a*(x/a))"),
+            ("(x - sin(x))/x**3", "(1 - sin(x)/x)/x**2"),
         ] {
             let found = proposed(formula);
             assert!(found.iter().any(|text| text == expected), "{formula}: {found:#?}");

@@ -3,10 +3,10 @@
 use super::locate::lossy;
 use super::proof::{provable, proved};
 use super::regimes::{cuts, joined, mean};
-use super::rules::Rewriting;
+use super::rules::{Rewriting, tolerance};
 use super::validation::Validation;
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
-use crate::expression::{Expr, Pool};
+use crate::expression::{Expr, Pool, Rational};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -54,6 +54,8 @@ const LARGEST_GROWTH: usize = 6;
 pub struct Form {
     /// Expression that computes each output.
     pub outputs: Vec<Expr>,
+    /// Largest relative error before rounding, if the form is an approximation.
+    pub approximation: Option<Rational>,
     /// Mean loss in bits in `f64`, with equal weight for every regime.
     pub loss: f64,
     /// Mean loss in each regime.
@@ -91,6 +93,8 @@ struct Candidate {
     losses: Vec<f64>,
     loss: f64,
     cost: u32,
+    /// Whether it contains a series, which is only close to what it replaces.
+    is_close: bool,
     expanded: bool,
 }
 
@@ -99,7 +103,7 @@ struct Candidate {
 pub fn search(pool: &mut Pool, kernel: &Kernel, budget: Budget) -> Option<Found> {
     let samples = sample(pool, kernel, Width::Double, &Regime::ALL, budget.samples, 0);
     let mut search = Search::new(pool, kernel, &samples, budget)?;
-    search.add(kernel.outputs.clone());
+    search.add(kernel.outputs.clone(), false);
     for _ in 0..budget.expansions {
         let Some(next) = search.next() else { break };
         search.expand(next);
@@ -117,6 +121,10 @@ struct Search<'a> {
     weights: Vec<f64>,
     candidates: Vec<Candidate>,
     seen: FxHashSet<Vec<Expr>>,
+    /// What the rules propose for an expression, found once: equal expressions, and close ones.
+    proposals: FxHashMap<Expr, [Vec<Expr>; 2]>,
+    /// Parts of the formula as written, for which approximations are tried.
+    parts: FxHashSet<Expr>,
     largest: usize,
 }
 
@@ -131,7 +139,8 @@ impl<'a> Search<'a> {
             .iter()
             .flat_map(|regime| std::iter::repeat_n(share(regime), regime.samples.len()))
             .collect();
-        let largest = LARGEST_GROWTH * pool.reachable(&kernel.outputs).len().max(8);
+        let parts: FxHashSet<Expr> = pool.reachable(&kernel.outputs).into_iter().collect();
+        let largest = LARGEST_GROWTH * parts.len().max(8);
         Some(Search {
             pool,
             kernel,
@@ -141,12 +150,14 @@ impl<'a> Search<'a> {
             weights,
             candidates: Vec::new(),
             seen: FxHashSet::default(),
+            proposals: FxHashMap::default(),
+            parts,
             largest,
         })
     }
 
     /// Scores a form and adds it to the candidates, unless it is known or too large.
-    fn add(&mut self, outputs: Vec<Expr>) {
+    fn add(&mut self, outputs: Vec<Expr>, is_close: bool) {
         if !self.seen.insert(outputs.clone()) || self.pool.reachable(&outputs).len() > self.largest {
             return;
         }
@@ -158,7 +169,8 @@ impl<'a> Search<'a> {
             .map(|sample| bits_lost(Width::Double, sample, &interpreter.values(&sample.arguments)))
             .collect();
         let loss = mean(&losses, &self.weights);
-        self.candidates.push(Candidate { outputs, losses, loss, cost: program.cost(), expanded: false });
+        let cost = program.cost();
+        self.candidates.push(Candidate { outputs, losses, loss, cost, is_close, expanded: false });
     }
 
     /// Returns the form to expand next: the best of those not yet expanded, judged in turn over all
@@ -188,7 +200,7 @@ impl<'a> Search<'a> {
     /// Expands a form: adds the forms that the rules produce from its lossy operations.
     fn expand(&mut self, place: usize) {
         self.candidates[place].expanded = true;
-        let outputs = self.candidates[place].outputs.clone();
+        let (outputs, is_close) = (self.candidates[place].outputs.clone(), self.candidates[place].is_close);
         let losses = &self.candidates[place].losses;
         let mut worst: Vec<usize> = (0..losses.len()).filter(|&at| losses[at] > 0.5).collect();
         worst.sort_by(|&a, &b| losses[b].total_cmp(&losses[a]));
@@ -202,41 +214,54 @@ impl<'a> Search<'a> {
             lossy(self.pool, &self.kernel.arguments, &outputs, &hard, self.budget.places)
         };
         let mut rewriting = Rewriting::new(self.pool, &self.kernel.domain);
-        let proposals: Vec<(Expr, Expr)> = targets
-            .into_iter()
-            .flat_map(|target| {
-                let images = rewriting.alternatives(target);
-                images.into_iter().map(move |image| (target, image))
-            })
-            .collect();
-        for (target, image) in proposals {
+        let known = &mut self.proposals;
+        let mut proposals: Vec<(Expr, Expr, bool)> = Vec::new();
+        for target in targets {
+            let is_part = self.parts.contains(&target);
+            let found = |rewriting: &mut Rewriting| {
+                let close = if is_part { rewriting.approximations(target) } else { Vec::new() };
+                [rewriting.alternatives(target), close]
+            };
+            let [equal, close] = known.entry(target).or_insert_with(|| found(&mut rewriting));
+            proposals.extend(equal.iter().map(|&image| (target, image, is_close)));
+            proposals.extend(close.iter().map(|&image| (target, image, true)));
+        }
+        for (target, image, is_close) in proposals {
             let parts: FxHashMap<Expr, Expr> = [(target, image)].into_iter().collect();
             let form = outputs.iter().map(|&output| self.pool.replace(output, &parts)).collect();
-            self.add(form);
+            self.add(form, is_close);
         }
     }
 
     /// Returns the Pareto front of the proved forms and of their combination by regimes.
     fn finish(mut self) -> Option<Found> {
-        let written = self.form(&self.candidates.first()?.outputs.clone())?;
+        let written = self.form(&self.candidates.first()?.outputs.clone(), false)?;
         let mut proved: Vec<usize> = Vec::new();
         for place in self.finalists() {
             let outputs = self.candidates[place].outputs.clone();
-            let form = if place == 0 { Some(outputs) } else { provable(self.pool, self.kernel, &outputs) };
-            if let Some(place) = form.and_then(|form| self.place_of(form))
+            let form = if place == 0 {
+                Some(outputs)
+            } else if self.candidates[place].is_close {
+                self::proved(self.pool, self.kernel, &outputs, Some(&tolerance())).then_some(outputs)
+            } else {
+                provable(self.pool, self.kernel, &outputs)
+            };
+            if let Some(place) = form.and_then(|form| self.place_of(form, self.candidates[place].is_close))
                 && !proved.contains(&place)
             {
                 proved.push(place);
             }
         }
         let mut forms: Vec<Form> = Vec::new();
+        let is_close = proved.iter().any(|&place| self.candidates[place].is_close);
         if let Some(outputs) = self.joined(&proved)
-            && self::proved(self.pool, self.kernel, &outputs)
+            && self::proved(self.pool, self.kernel, &outputs, is_close.then(tolerance).as_ref())
         {
-            forms.extend(self.form(&outputs));
+            forms.extend(self.form(&outputs, is_close));
         }
         for place in proved {
-            forms.extend(self.form(&self.candidates[place].outputs.clone()));
+            let Candidate { outputs, is_close, .. } = &self.candidates[place];
+            forms.extend(self.form(&outputs.clone(), *is_close));
         }
         let validation = Validation::new(self.pool, self.kernel);
         forms.retain(|form| {
@@ -310,21 +335,22 @@ impl<'a> Search<'a> {
     }
 
     /// Returns the index of a form among the candidates; the form is added if it is missing.
-    fn place_of(&mut self, outputs: Vec<Expr>) -> Option<usize> {
+    fn place_of(&mut self, outputs: Vec<Expr>, is_close: bool) -> Option<usize> {
         let known = self.candidates.iter().position(|known| known.outputs == outputs);
         known.or_else(|| {
             self.largest = usize::MAX;
-            self.add(outputs.clone());
+            self.add(outputs.clone(), is_close);
             self.candidates.iter().position(|known| known.outputs == outputs)
         })
     }
 
-    fn form(&mut self, outputs: &[Expr]) -> Option<Form> {
-        let place = self.place_of(outputs.to_vec())?;
+    fn form(&mut self, outputs: &[Expr], is_close: bool) -> Option<Form> {
+        let place = self.place_of(outputs.to_vec(), is_close)?;
         let known = &self.candidates[place];
         let regimes = self.samples.iter().enumerate();
         let regimes = regimes.map(|(place, regime)| (regime.regime, self.regime_loss(known, place)));
         Some(Form {
+            approximation: known.is_close.then(tolerance),
             outputs: known.outputs.clone(),
             loss: known.loss,
             regimes: regimes.collect(),

@@ -33,11 +33,13 @@ pub struct Name {
     pub span: Span,
 }
 
-/// Declared variable with an optional unit: `x`, `x: m`.
+/// Declared variable with an optional unit: `x`, `x: m`, and in a kernel `p[3]: m`.
 #[derive(Clone, Debug)]
 pub struct Declared {
     /// Its name.
     pub name: Name,
+    /// Extents of an array, or empty for a number.
+    pub extents: Vec<usize>,
     /// Its unit, as written.
     pub unit: Option<Expr>,
 }
@@ -56,6 +58,8 @@ pub enum ItemKind {
     Function { name: Name, arguments: Vec<Name>, unit: Option<Expr>, conditions: Vec<Condition> },
     /// `let r: m = …;`
     Let { name: Name, unit: Option<Expr>, value: Expr },
+    /// `let ease(t) = …;`
+    Definition { name: Name, arguments: Vec<Name>, value: Expr },
     /// `form beta: 2, sr on R3 = …;`
     Form { name: Name, degree: Option<(u32, Span)>, unit: Option<Expr>, chart: Option<Name>, value: Expr },
     /// `field X on R3 = …;`
@@ -77,15 +81,43 @@ pub enum ItemKind {
         /// Form given by `by`, equal to the formula and computed instead of it; empty if there is
         /// none.
         computed: Vec<Expr>,
+        /// Tolerance given by `approx` for this form.
+        approximation: Option<Expr>,
         conditions: Vec<Condition>,
         /// Bound given by `within`.
         within: Option<Expr>,
         effects: Vec<Effect>,
     },
-    /// `kernel g = grad(f; u, v);`
-    Gradient { name: Name, of: Name, by: Vec<Name> },
+    /// `kernel g = grad(f; u, v);`, `kernel j = jacobian(f; u, v);` …
+    Derivatives { name: Name, which: Derivatives, of: Name, by: Vec<Name> },
     /// `warp name(p; u, v) = (x, y, z) onto C density E of w inverse (…) where …;`
     Warp(Box<Warp>),
+}
+
+/// Kernel made of the derivatives of another kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Derivatives {
+    /// `grad`: one list of all derivatives.
+    Gradient,
+    /// `jacobian`: a row of derivatives for each number of the result.
+    Jacobian,
+    /// `value_and_jacobian`: the result, then its Jacobian matrix.
+    ValueAndJacobian,
+}
+
+impl Derivatives {
+    /// All of them.
+    pub const ALL: [Derivatives; 3] =
+        [Derivatives::Gradient, Derivatives::Jacobian, Derivatives::ValueAndJacobian];
+
+    /// Returns the word after `=`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Derivatives::Gradient => "grad",
+            Derivatives::Jacobian => "jacobian",
+            Derivatives::ValueAndJacobian => "value_and_jacobian",
+        }
+    }
 }
 
 /// Map from the unit square, or from the unit interval, with the density of the images of uniformly
@@ -167,6 +199,36 @@ pub struct Expr {
     pub span: Span,
 }
 
+impl Expr {
+    /// Returns its direct parts, in the order in which they are evaluated.
+    pub fn parts(&self) -> Vec<&Expr> {
+        match &*self.kind {
+            ExprKind::Number(_) | ExprKind::Name(_) | ExprKind::Basis(_) => vec![],
+            ExprKind::Negate(inner) => vec![inner],
+            ExprKind::Binary(_, _, left, right) => vec![left, right],
+            ExprKind::Call { index, arguments, .. } => {
+                let arguments = arguments.iter().flat_map(|argument| match argument {
+                    Argument::Value(value) => vec![value],
+                    Argument::Range { from, to, .. } => vec![from, to],
+                });
+                index.iter().chain(arguments).collect()
+            }
+            ExprKind::Index { base, indices } => std::iter::once(base).chain(indices).collect(),
+            ExprKind::Array(entries) => entries.iter().collect(),
+            ExprKind::Select { condition, then, otherwise, .. } => {
+                condition.sides().chain([then, otherwise]).collect()
+            }
+        }
+    }
+}
+
+impl Condition {
+    /// Returns its sides, from left to right.
+    pub fn sides(&self) -> impl Iterator<Item = &Expr> {
+        std::iter::once(&self.first).chain(self.rest.iter().map(|(_, side)| side))
+    }
+}
+
 /// Binary operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binary {
@@ -200,8 +262,10 @@ pub enum ExprKind {
     Binary(Binary, Span, Expr, Expr),
     /// `f(a, b)`, `d[R3](w)`, `integral(w, u = 0..1)`.
     Call { function: Name, index: Option<Expr>, arguments: Vec<Argument> },
-    /// `w[dx^dy]`, `X[x]`, `volume[g]`.
-    Index { base: Expr, index: Expr },
+    /// `w[dx^dy]`, `X[x]`, `volume[g]`, `p[0]`, `R[1, 2]`.
+    Index { base: Expr, indices: Vec<Expr> },
+    /// `[a, b, c]`, and nested by rows `[[a, b], [c, d]]`.
+    Array(Vec<Expr>),
     /// `if u > 0 { u } else { 0 }`; `jump` allows the two branches to differ at the seam.
     Select { condition: Condition, then: Expr, otherwise: Expr, jump: bool },
 }

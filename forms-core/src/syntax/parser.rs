@@ -3,7 +3,7 @@
 //! ```text
 //! items ── kernels ──┐
 //!   │                ├─▶ conditions ─▶ expressions ─▶ calls
-//!   └────────────────┘
+//!   └──── declared ──┘
 //! cursor: the next token, and errors about it     recovery: where to continue after an error
 //! ```
 //! An error ends its item and the parser continues with the next one, so each item reports its own
@@ -13,6 +13,7 @@
 mod calls;
 mod conditions;
 mod cursor;
+mod declared;
 mod expressions;
 mod items;
 mod kernels;

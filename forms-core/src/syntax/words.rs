@@ -22,7 +22,15 @@ pub const ITEMS: &[&str] =
 pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effects"];
 
 /// Contextual keywords: they have a meaning where an item expects them, and can be names elsewhere.
-pub const CONTEXTUAL: &[&str] = &["by", "within", "onto", "density", "of", "inverse"];
+pub const CONTEXTUAL: &[&str] =
+    &["by", "approx", "within", "onto", "density", "of", "inverse", "jacobian", "value_and_jacobian"];
+
+/// Functions of arrays, and repetition: a file can give these names another meaning.
+pub const ARRAY_FUNCTIONS: &[&str] = &["dot", "cross", "transpose", "sum", "product"];
+
+/// Functions with common names: a file can give these names another meaning.
+pub const COMMON_FUNCTIONS: &[&str] =
+    &["min", "max", "copysign", "hypot", "cbrt", "erfc", "sec", "csc", "cot"];
 
 /// Functions that take a metric in square brackets.
 pub const METRIC_OPERATIONS: &[&str] =
@@ -85,6 +93,11 @@ const RUST: &[&str] = &[
     "await", "dyn", "abstract", "become", "box", "do", "final", "gen", "macro", "override", "priv", "try",
     "typeof", "unsized", "virtual", "yield", "_",
 ];
+
+/// Whether a word is a function of the language, in files that give it no other meaning.
+pub(crate) fn is_function(text: &str) -> bool {
+    [FUNCTIONS, ARRAY_FUNCTIONS, COMMON_FUNCTIONS].iter().any(|list| list.contains(&text))
+}
 
 /// Whether Rust reserves a word.
 pub(crate) fn is_rust_keyword(text: &str) -> bool {

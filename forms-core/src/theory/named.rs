@@ -24,6 +24,10 @@ pub enum Named {
     Metric(usize),
     /// Kernel, by its index.
     Kernel(usize),
+    /// Definition with arguments, by its index.
+    Definition(usize),
+    /// Array that is an argument of the kernel being read, by its index.
+    Array(usize),
     /// Name whose declaration is being read and which cannot be used yet.
     Pending,
     /// Name whose declaration failed.
@@ -42,6 +46,8 @@ pub(crate) fn describe(named: &Named) -> &'static str {
         Named::Map(_) => "a map",
         Named::Metric(_) => "a metric",
         Named::Kernel(_) => "a kernel",
+        Named::Definition(_) => "a definition with arguments",
+        Named::Array(_) => "an array",
         Named::Pending | Named::Poisoned => "something with an error in it",
     }
 }

@@ -4,7 +4,7 @@ use super::named::{Named, describe};
 use super::other_languages;
 use crate::diagnostic::{Diagnostic, Kind, Span};
 use crate::syntax::ast::Name;
-use crate::syntax::words::FUNCTIONS;
+use crate::syntax::words::{COMMON_FUNCTIONS, FUNCTIONS};
 use rustc_hash::FxHashMap;
 
 /// Maximum length of a name that is compared with others: the cost is the product of the lengths.
@@ -77,7 +77,7 @@ impl Names {
     /// Returns the error for an undeclared name. Its help suggests the nearest known name, or the
     /// items that can declare the name.
     pub(crate) fn unknown(&self, text: &str, span: Span, items: &str) -> Diagnostic {
-        if FUNCTIONS.contains(&text) {
+        if FUNCTIONS.contains(&text) || COMMON_FUNCTIONS.contains(&text) {
             return Diagnostic::new(
                 span,
                 format!("`{text}` is a function and has no value without arguments"),
@@ -109,7 +109,7 @@ impl Names {
         self.table
             .keys()
             .map(String::as_str)
-            .chain(FUNCTIONS.iter().copied())
+            .chain(FUNCTIONS.iter().chain(COMMON_FUNCTIONS).copied())
             .filter(|known| known.len() <= LONGEST_COMPARED)
             .map(|known| (edit_distance(text, known), known))
             .filter(|&(distance, known)| is_near(distance, known))

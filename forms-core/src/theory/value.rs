@@ -1,7 +1,8 @@
-//! Values of the language: scalars, forms, fields, and the literal zero of any type.
+//! Values of the language: scalars, forms, fields, arrays of scalars, and the literal zero of any
+//! type.
 
 use crate::calculus::{Blade, Field, Form};
-use crate::expression::Expr;
+use crate::expression::{Expr, Shape};
 
 /// Value of an expression of the language.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,6 +15,27 @@ pub enum Value {
     Form(Form<Expr>),
     /// Vector field.
     Field(Field<Expr>),
+    /// Vector or matrix of scalars.
+    Array(Array),
+}
+
+/// Vector or matrix of scalars.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Array {
+    /// Its shape, not that of a number.
+    pub shape: Shape,
+    /// Its entries by rows, as many as the shape has.
+    pub entries: Vec<Expr>,
+}
+
+impl Array {
+    /// Returns an array, or the scalar for the shape of a number.
+    pub(crate) fn value(shape: Shape, entries: Vec<Expr>) -> Value {
+        match (shape, entries.as_slice()) {
+            (Shape::Number, [scalar]) => Value::Scalar(*scalar),
+            _ => Value::Array(Array { shape, entries }),
+        }
+    }
 }
 
 impl Value {
@@ -32,6 +54,7 @@ impl Value {
             Value::Scalar(_) => "a scalar".into(),
             Value::Form(form) => format!("a {}-form", form.degree()),
             Value::Field(_) => "a vector field".into(),
+            Value::Array(array) => array.shape.to_string(),
         }
     }
 
@@ -42,6 +65,7 @@ impl Value {
             Value::Scalar(value) => vec![*value],
             Value::Form(form) => form.terms().iter().map(|term| term.1).collect(),
             Value::Field(field) => field.components().map(|component| *component.1).collect(),
+            Value::Array(array) => array.entries.clone(),
         }
     }
 }

@@ -6,10 +6,14 @@ use super::unit::Unit;
 use crate::diagnostic::Span;
 use crate::expression::Operation;
 use crate::syntax::ast::{Argument, Expr, Name};
-use crate::syntax::words::METRIC_OPERATIONS;
-use crate::theory::Value;
+use crate::syntax::words::{COMMON_FUNCTIONS, METRIC_OPERATIONS};
+use crate::theory::{Named, Value};
 use num_bigint::BigInt;
 use num_rational::BigRational;
+use std::sync::Arc;
+
+/// Largest number of bodies of definitions that are inferred in one source.
+const MOST_BODIES: usize = 100_000;
 
 impl Inference<'_> {
     pub(super) fn call(
@@ -23,6 +27,7 @@ impl Inference<'_> {
         match name {
             "integral" | "quadrature" => return self.integral(arguments),
             "boundary_integral" => return self.boundary_integral(arguments),
+            "sum" | "product" if self.theory.named(name).is_none() => return self.repeated(name, arguments),
             _ => {}
         }
         let values: Vec<&Expr> = arguments
@@ -43,11 +48,72 @@ impl Inference<'_> {
             ("sqrt", [radicand]) => {
                 self.quantity(radicand).power(&BigRational::new(BigInt::from(1), BigInt::from(2)))
             }
+            ("norm" | "transpose", [array]) if index.is_none() => self.quantity(array),
+            ("dot" | "cross", [_, _]) if self.theory.named(name).is_none() => self.product(&values),
             _ if METRIC_OPERATIONS.contains(&name) => self.metric_operation(name, index, &values),
+            _ if COMMON_FUNCTIONS.contains(&name) && self.theory.named(name).is_some() => {
+                self.composed(name, &values, span)
+            }
+            ("min" | "max" | "hypot", [first, second]) => self.extremum(name, [first, second], span),
+            ("copysign", [size, sign]) => {
+                self.quantity(sign);
+                self.quantity(size)
+            }
+            ("sec" | "csc" | "cot", [angle]) => {
+                let quantity = self.quantity(angle);
+                self.pure(&quantity, angle.span, &format!("`{name}` takes a number"));
+                Quantity::one()
+            }
             _ => match Operation::named(name) {
                 Some(operation) => self.operation(operation, &values, span),
-                None => self.composed(name, &values),
+                None => self.composed(name, &values, span),
             },
+        }
+    }
+
+    /// Infers the unit of a call of a definition: that of its expression with the quantities of the
+    /// values for its arguments.
+    fn defined(&mut self, number: usize, values: &[&Expr], span: Span) -> Quantity {
+        let definition = Arc::clone(&self.theory.definitions[number]);
+        self.bodies += 1;
+        if self.bodies > MOST_BODIES {
+            return Quantity::Unstated;
+        }
+        let quantities: Vec<Quantity> = values.iter().map(|value| self.quantity(value)).collect();
+        let errors = self.errors.len();
+        let bound = definition.arguments.iter().cloned().zip(quantities).collect();
+        let quantity = self.with_names(bound, &definition.value);
+        for error in &mut self.errors[errors..] {
+            error.related.get_or_insert_with(|| (span, format!("the call of `{}`", definition.name.text)));
+        }
+        quantity
+    }
+
+    /// Infers an expression in which some names have other quantities.
+    fn with_names(&mut self, bound: Vec<(String, Quantity)>, expression: &Expr) -> Quantity {
+        let replaced: Vec<(String, Option<Quantity>)> = bound
+            .into_iter()
+            .map(|(name, quantity)| (name.clone(), self.names.insert(name, quantity)))
+            .collect();
+        let quantity = self.quantity(expression);
+        for (name, outside) in replaced.into_iter().rev() {
+            match outside {
+                Some(outside) => self.names.insert(name, outside),
+                None => self.names.remove(&name),
+            };
+        }
+        quantity
+    }
+
+    /// Infers `sum(q, k = 0..3)` or `product(q, k = 0..3)`; the index is a number.
+    fn repeated(&mut self, name: &str, arguments: &[Argument]) -> Quantity {
+        let [Argument::Value(term), Argument::Range { variable, .. }] = arguments else {
+            return Quantity::Unstated;
+        };
+        let term = self.with_names(vec![(variable.text.clone(), Quantity::Number)], term);
+        match term {
+            Quantity::Stated(unit) if name == "product" && unit != Unit::one() => Quantity::Unstated,
+            term => term,
         }
     }
 
@@ -107,6 +173,7 @@ impl Inference<'_> {
         let [first, rest @ ..] = quantities.as_slice() else { return Quantity::Unstated };
         match (operation, rest) {
             (Operation::Abs, []) => return first.clone(),
+            (Operation::Cbrt, []) => return first.clone().power(&BigRational::new(1.into(), 3.into())),
             (Operation::Atan2, [second]) => {
                 let message = "the arguments of `atan2` have different units";
                 self.alike((first.clone(), "the first"), (second.clone(), "the second"), span, message);
@@ -129,8 +196,24 @@ impl Inference<'_> {
         }
     }
 
+    /// Infers the unit of the smaller or larger of two quantities, which have one unit.
+    fn extremum(&mut self, name: &str, values: [&Expr; 2], span: Span) -> Quantity {
+        let [first, second] = values.map(|value| self.quantity(value));
+        let message = format!("the arguments of `{name}` have different units");
+        self.alike((first.clone(), "the first"), (second.clone(), "the second"), span, &message);
+        match first {
+            Quantity::Number | Quantity::Zero => second,
+            first => first,
+        }
+    }
+
     /// Infers the unit of `L(a, b)`; each argument must be in the unit of its variable.
-    fn composed(&mut self, function: &str, arguments: &[&Expr]) -> Quantity {
+    fn composed(&mut self, function: &str, arguments: &[&Expr], span: Span) -> Quantity {
+        match self.theory.named(function) {
+            Some(&Named::Definition(number)) => return self.defined(number, arguments, span),
+            Some(Named::Kernel(_)) => return self.kernel_value(function, arguments),
+            _ => {}
+        }
         let variables = self.arguments.get(function).cloned().unwrap_or_default();
         for (variable, argument) in variables.iter().zip(arguments) {
             let declared = self.names.get(variable).cloned().unwrap_or(Quantity::Unstated);

@@ -34,7 +34,9 @@ impl Inference<'_> {
                 self.statement(item.span, name, (left, right), conditions);
             }
             ItemKind::Kernel { .. } => self.kernel(&item.kind),
-            ItemKind::Gradient { name, of, by } => self.gradient(name, of, by),
+            // a definition has the units of the values in the place of its arguments
+            ItemKind::Definition { .. } => {}
+            ItemKind::Derivatives { name, which, of, by } => self.derivatives(name, *which, of, by),
             ItemKind::Warp(warp) => self.warp(item, warp),
         }
     }
@@ -74,7 +76,7 @@ impl Inference<'_> {
     }
 
     /// Declares a coordinate, param or argument. A name that was declared before keeps its unit.
-    pub(super) fn variable(&mut self, Declared { name, unit }: &Declared) {
+    pub(super) fn variable(&mut self, Declared { name, unit, .. }: &Declared) {
         let stated = self.stated(unit.as_ref());
         let place = unit.as_ref().map_or(name.span, |unit| unit.span);
         match self.names.get(&name.text) {

@@ -35,6 +35,8 @@ pub(super) struct Inference<'a> {
     /// Quantities of the arguments and outputs of each kernel.
     pub(super) signatures: FxHashMap<String, Signature>,
     pub(super) meaningless: Vec<Span>,
+    /// Number of bodies of definitions inferred so far.
+    pub(super) bodies: usize,
 }
 
 impl<'a> Inference<'a> {
@@ -48,6 +50,7 @@ impl<'a> Inference<'a> {
             kernels: Vec::new(),
             signatures: FxHashMap::default(),
             meaningless: Vec::new(),
+            bodies: 0,
         }
     }
 
@@ -86,7 +89,14 @@ impl<'a> Inference<'a> {
             ExprKind::Call { function, index, arguments } => {
                 self.call(function, index.as_ref(), arguments, expression.span)
             }
-            ExprKind::Index { base, index } => self.coefficient(base, index),
+            ExprKind::Index { base, indices } => match indices.as_slice() {
+                [index] if self.is_of_basis(index) => self.coefficient(base, index),
+                _ => self.quantity(base),
+            },
+            ExprKind::Array(entries) => {
+                let entries = entries.iter().map(|entry| self.quantity(entry)).collect();
+                self.common(entries)
+            }
             ExprKind::Select { condition, then, otherwise, .. } => {
                 self.condition(condition);
                 let (then, otherwise_quantity) = (self.quantity(then), self.quantity(otherwise));
@@ -161,6 +171,25 @@ impl<'a> Inference<'a> {
                 if numbers { Quantity::Number } else { Quantity::one() }
             }
         }
+    }
+
+    /// Whether an index names coordinates, differentials or a metric, and not a place in an array.
+    fn is_of_basis(&self, index: &Expr) -> bool {
+        let mut leftmost = index;
+        while let ExprKind::Binary(_, _, left, _) = &*leftmost.kind {
+            leftmost = left;
+        }
+        let ExprKind::Name(name) = &*leftmost.kind else { return false };
+        let named = self.theory.named(name);
+        matches!(named, Some(Named::Coordinate(_) | Named::Differential(_) | Named::Metric(_)))
+    }
+
+    /// Returns the quantity of an array: that of all its entries, if they have one unit.
+    pub(super) fn common(&self, entries: Vec<Quantity>) -> Quantity {
+        let mut entries = entries.into_iter();
+        let first = entries.next().unwrap_or(Quantity::Unstated);
+        let common = entries.try_fold(first, Quantity::alike);
+        common.unwrap_or(Quantity::Unstated)
     }
 
     /// Infers a coefficient: the unit of `w[dx^dy]` is divided by the units of dx and dy, the unit

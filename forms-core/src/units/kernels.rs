@@ -1,9 +1,10 @@
-//! Units of the arguments and results of kernels, gradients of kernels and warps.
+//! Units of the arguments and results of kernels, derivatives of kernels and warps.
 
 use super::inference::{Inference, Signature};
 use super::quantity::Quantity;
 use crate::diagnostic::{Diagnostic, counted};
-use crate::syntax::ast::{Declared, Expr, Item, ItemKind, Name, Warp};
+use crate::expression::Shape;
+use crate::syntax::ast::{Declared, Derivatives, Expr, Item, ItemKind, Name, Warp};
 use crate::theory::{KernelUnits, Named};
 
 impl Inference<'_> {
@@ -35,8 +36,18 @@ impl Inference<'_> {
         self.conditions(conditions);
         effects.iter().for_each(|effect| self.effect(effect));
         let arguments = self.known(arguments);
-        self.sign(&name.text, Signature { arguments, outputs: results });
+        let outputs = self.of_numbers(name, results);
+        self.sign(&name.text, Signature { arguments, outputs });
         self.names = outside;
+    }
+
+    /// Returns the quantity of each number in the results of a kernel, given one for each result:
+    /// the entries of an array have one unit.
+    fn of_numbers(&self, kernel: &Name, results: Vec<Quantity>) -> Vec<Quantity> {
+        let Some(Named::Kernel(number)) = self.theory.named(&kernel.text) else { return results };
+        let shapes = &self.theory.kernels[*number].signature.results;
+        let pairs = results.into_iter().zip(shapes);
+        pairs.flat_map(|(quantity, shape)| vec![quantity; shape.entries()]).collect()
     }
 
     /// Checks that the number of units, if any are stated, equals the number of results.
@@ -49,18 +60,55 @@ impl Inference<'_> {
         self.errors.push(Diagnostic::new(place, format!("`{}` has {results} and {units}", name.text)));
     }
 
-    /// Infers the units of a gradient: the unit of the output divided by the unit of the variable.
-    pub(super) fn gradient(&mut self, name: &Name, of: &Name, by: &[Name]) {
+    /// Infers the units of derivatives: the unit of the output divided by the unit of the variable.
+    pub(super) fn derivatives(&mut self, name: &Name, which: Derivatives, of: &Name, by: &[Name]) {
         let Some(Signature { arguments, outputs }) = self.signatures.get(&of.text).cloned() else { return };
-        let quantity = |variable: &Name| {
-            let known = arguments.iter().find(|(argument, _)| *argument == variable.text);
-            known.map_or(Quantity::Unstated, |known| known.1.clone())
+        let quantities = |variable: &Name| {
+            let names = self.numbers_of(of, variable);
+            let quantity = |name: &String| {
+                let known = arguments.iter().find(|(argument, _)| argument == name);
+                known.map_or(Quantity::Unstated, |known| known.1.clone())
+            };
+            names.iter().map(quantity).collect::<Vec<_>>()
         };
-        let variables: Vec<Quantity> = by.iter().map(quantity).collect();
+        let variables: Vec<Quantity> = by.iter().flat_map(quantities).collect();
         let quotients =
             |output: &Quantity| variables.iter().map(|by| output.clone().over(by)).collect::<Vec<_>>();
-        let outputs = outputs.iter().flat_map(quotients).collect();
+        let derivatives: Vec<Quantity> = outputs.iter().flat_map(quotients).collect();
+        let outputs = match which {
+            Derivatives::ValueAndJacobian => [outputs, derivatives].concat(),
+            Derivatives::Gradient | Derivatives::Jacobian => derivatives,
+        };
         self.sign(&name.text, Signature { arguments, outputs });
+    }
+
+    /// Returns the names of the numbers in an argument of a kernel.
+    fn numbers_of(&self, kernel: &Name, argument: &Name) -> Vec<String> {
+        let own = vec![argument.text.clone()];
+        let Some(Named::Kernel(number)) = self.theory.named(&kernel.text) else { return own };
+        let parameters = &self.theory.kernels[*number].signature.parameters;
+        let parameter = parameters.iter().find(|parameter| parameter.name == argument.text);
+        parameter.map_or(own, |parameter| parameter.shape.names(&parameter.name))
+    }
+
+    /// Infers the unit of a call of a kernel; each argument must be in the unit of its parameter.
+    pub(super) fn kernel_value(&mut self, kernel: &str, values: &[&Expr]) -> Quantity {
+        let (Some(signature), Some(Named::Kernel(number))) =
+            (self.signatures.get(kernel).cloned(), self.theory.named(kernel))
+        else {
+            return Quantity::Unstated;
+        };
+        let parameters = self.theory.kernels[*number].signature.parameters.clone();
+        let mut first = 0;
+        for (parameter, value) in parameters.iter().zip(values) {
+            let declared = signature.arguments.get(first).map_or(Quantity::Unstated, |known| known.1.clone());
+            first += parameter.shape.entries();
+            let quantity = self.quantity(value);
+            let message = format!("`{kernel}` takes a different unit for `{}`", parameter.name);
+            let name = format!("`{}`", parameter.name);
+            self.alike((declared, &name), (quantity, "the argument"), value.span, &message);
+        }
+        self.common(signature.outputs)
     }
 
     /// Infers the units of a warp: of its map, its claims, and its kernels.
@@ -102,7 +150,11 @@ impl Inference<'_> {
 
     fn known(&self, declared: &[Declared]) -> Vec<(String, Quantity)> {
         let quantity = |name: &str| self.names.get(name).cloned().unwrap_or(Quantity::Unstated);
-        declared.iter().map(|Declared { name, .. }| (name.text.clone(), quantity(&name.text))).collect()
+        let numbers = |Declared { name, extents, .. }: &Declared| {
+            let names = Shape::of(extents).unwrap_or_default().names(&name.text);
+            names.into_iter().map(|number| (number, quantity(&name.text))).collect::<Vec<_>>()
+        };
+        declared.iter().flat_map(numbers).collect()
     }
 
     /// Records the signature of a kernel, and its units for display.

@@ -37,7 +37,7 @@ impl Inference<'_> {
         let inner = match self.trace.get(&argument.span) {
             Some(Value::Field(_)) => 2,
             Some(Value::Form(form)) => -2 * i64::from(form.degree()),
-            Some(Value::Scalar(_) | Value::Zero) => 0,
+            Some(Value::Scalar(_) | Value::Zero | Value::Array(_)) => 0,
             None => return Quantity::Unstated,
         };
         let twice_exponent = match name {

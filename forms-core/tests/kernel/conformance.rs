@@ -7,19 +7,19 @@
 //!                            ├─ guarded numbers · lanes ──────────────────────────┼─▶ errors ≤ tolerances
 //!                            └─ Rust, C, CUDA as C++: emitted, compiled, run ─────┘
 //! ```
-//! WGSL is validated with the table here, and run with kernels where there is a device.
+//! WGSL is validated with the table here, and run with kernels by an interpreter and where there is a
+//! device.
 
 mod back_end;
 mod compiled;
 mod table;
 mod truth;
 
-use crate::targets::{accepted, compiles, folder, has_functions, validated};
+use crate::targets::{accepted, compiles, folder, has_functions, sources, validated};
 use back_end::{BackEnd, DOUBLE_DOUBLE, WIDE};
 use compiled::{Values, of_c, of_rust, text};
-use forms_core::emission::{Precision, Target};
+use forms_core::emission::{Precision, Target, emit};
 use forms_core::expression::Operation;
-use forms_core::kernel::Instruction;
 use forms_math::{DoubleDouble, Guarded, Lane32, Lane64, Real, Scalar, Wide};
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -36,19 +36,10 @@ fn arguments(row: &[f64], format: Format) -> Vec<f64> {
 
 /// Returns the entries that a target can express.
 fn of_target(entries: &[Entry], target: Target) -> Vec<&Entry> {
-    let has = |instruction: &Instruction| match instruction {
-        Instruction::Call(operation, _) => {
-            let spelling = operation.row().spelling;
-            match target {
-                Target::C => spelling.c.is_some(),
-                Target::Cuda => spelling.cuda.is_some(),
-                Target::Wgsl => spelling.wgsl.is_some(),
-                _ => true,
-            }
-        }
-        _ => true,
-    };
-    entries.iter().filter(|entry| entry.program.instructions().iter().all(has)).collect()
+    let precision = target.usual_precision();
+    let has =
+        |entry: &&Entry| emit(&sources(std::slice::from_ref(&entry.program)), target, precision).is_ok();
+    entries.iter().filter(has).collect()
 }
 
 /// Computes all entries in a number type.
@@ -224,6 +215,17 @@ fn cuda_is_sound_for_its_compiler() {
         let text = text(&of_target(&entries, Target::Cuda), Target::Cuda, precision);
         std::fs::write(&file, text).expect("a file in the build's folder");
         accepted("nvcc", &["-c", "-o", "/dev/null"], &file, &[]);
+    }
+}
+
+#[test]
+fn cuda_compiles_without_headers() {
+    let entries = entries();
+    for precision in [Precision::F64, Precision::F32] {
+        let file = folder().join(format!("conformance_{}_nvrtc.cu", precision.name()));
+        let text = text(&of_target(&entries, Target::Cuda), Target::Cuda, precision);
+        std::fs::write(&file, text).expect("a file in the build's folder");
+        forms_testing::accepted_by_nvrtc("kernel::conformance::cuda_compiles_without_headers", &file);
     }
 }
 

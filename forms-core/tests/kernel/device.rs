@@ -96,7 +96,7 @@ fn page(programs: &[Program], rows: &[f64]) -> String {
             const device = await adapter.requestDevice();
             device.onuncapturederror = (event) => send('error: ' + event.error.message);
             const module = device.createShaderModule({ code: SHADER });
-            const pipeline = device.createComputePipeline({ layout: 'auto', compute: { module } });
+            const pipeline = device.createComputePipeline({ layout: 'auto', compute: { module, entryPoint: 'compute' } });
             const buffer = (size, usage) => device.createBuffer({ size, usage });
             const usage = GPUBufferUsage, bytes = 4 * COUNT * OUTPUTS;
             const input = buffer(4 * ROWS.length, usage.STORAGE | usage.COPY_DST);

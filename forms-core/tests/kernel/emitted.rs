@@ -14,6 +14,8 @@ const KERNELS: &[(&str, &str, &[&str])] = &[
     ("constants", "x", &["-x", "pi*x/4", "2/3 - x", "-1/(4*pi)", "sqrt(2)*x", "x - 1/10"]),
     ("roots", "x", &["x**(1/3) + x**(-2/3)", "x**(3/2) - x**(-5/2)", "x**-7"]),
     ("piecewise", "x y", &["if x < y { sqrt(y - x) } else { if y <= 0 { x } else { log(y) } } + x"]),
+    ("extrema", "x y", &["(x + y - abs(x - y))/2", "x*(x + y + abs(x - y))/2", "(x + abs(x))/2"]),
+    ("lengths", "x y", &["hypot(x, 3*y) + cbrt(x - y)"]),
     ("unused", "x y", &["y + 1"]),
     ("many", "a b c d e f g H", &["a*b + c*d - (e*f - g*H)"]),
 ];

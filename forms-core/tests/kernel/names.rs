@@ -3,7 +3,7 @@
 //! emitted together, and compilers check the result.
 
 use crate::formula::Formulas;
-use crate::targets::{accepted, compiles, folder, validated};
+use crate::targets::{CUDA_AS_CPP, accepted, compiles, folder, validated};
 use forms_core::emission::{KernelDocs, Precision, Source, Target, emit};
 use forms_core::expression::{Expr, Relation};
 use forms_core::kernel::Program;
@@ -77,8 +77,12 @@ fn programs(names: &[String]) -> Vec<Program> {
 }
 
 fn source(programs: &[Program], target: Target, precision: Precision) -> String {
-    let source =
-        |program: &Program| Source { program: program.clone(), docs: KernelDocs::default(), within: None };
+    let source = |program: &Program| Source {
+        program: program.clone(),
+        docs: KernelDocs::default(),
+        within: None,
+        approximated: None,
+    };
     let sources: Vec<Source> = programs.iter().map(source).collect();
     emit(&sources, target, precision).expect("every kernel can be said")
 }
@@ -118,11 +122,25 @@ fn every_name_compiles_in_cuda_as_cpp() {
     let programs = programs(&some_names(6));
     let text = source(&programs, Target::Cuda, Precision::F64);
     let file = folder().join("names.cu");
-    let device = "struct dim3 { unsigned x, y, z; };\nextern dim3 threadIdx, blockIdx, blockDim, gridDim;\n\
-                  struct float4 { float x, y, z, w; };\nstruct half { unsigned short bits; };\n";
-    let text = format!("#include <cstdio>\n#define __host__\n#define __device__\n{device}{text}");
+    let types = "struct float4 { float x, y, z, w; };\nstruct half { unsigned short bits; };\n";
+    let text = format!("#include <cstdio>\n{CUDA_AS_CPP}{types}{text}");
     std::fs::write(&file, text).expect("a file in the build's folder");
     accepted("g++", &["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"], &file, &[]);
+}
+
+#[test]
+fn every_name_of_cuda_compiles_in_cuda() {
+    let file = folder().join("names_nvrtc.cu");
+    let names: Vec<String> = LISTS[2]
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .flat_map(str::split_whitespace)
+        .filter(|name| matches!(reserved(name), None | Some(Word::Rust)))
+        .map(str::to_string)
+        .collect();
+    let text = source(&programs(&names), Target::Cuda, Precision::F64);
+    std::fs::write(&file, text).expect("a file in the build's folder");
+    forms_testing::accepted_by_nvrtc("kernel::names::every_name_of_cuda_compiles_in_cuda", &file);
 }
 
 #[test]

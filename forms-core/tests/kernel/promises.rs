@@ -3,7 +3,7 @@
 
 use forms_core::check::read_theory;
 use forms_core::compile::compile_kernel;
-use forms_core::emission::{KernelDocs, Precision, Source, Target, broken_promises, emit};
+use forms_core::emission::{Precision, Source, Target, broken_promises, emit};
 
 /// Kernel whose rounding errors alone stay within the bound, and kernel for which they do not.
 const BOUNDED: &str = "kernel k(x) = x/(1 + x) where 1 <= x <= 4 within 16;";
@@ -13,8 +13,8 @@ fn source(text: &str) -> Source {
     let (mut theory, errors) = read_theory(text);
     assert!(errors.is_empty(), "{errors:?}");
     let kernel = theory.kernels[0].clone();
-    let program = compile_kernel(&mut theory.pool, &kernel).expect("a kernel").optimised.clone();
-    Source { program, docs: KernelDocs::default(), within: kernel.within }
+    let generated = compile_kernel(&mut theory.pool, &kernel).expect("a kernel");
+    Source { within: kernel.within, ..generated.into() }
 }
 
 /// Returns the emitted text, and the messages about promises that are not kept.
@@ -68,6 +68,29 @@ fn a_bound_beyond_the_promise_is_told() {
 }
 
 #[test]
+fn a_function_that_wgsl_lacks_keeps_a_promise_by_the_bound_of_its_definition() {
+    let kernel = |function: &str| format!("kernel k(x) = {function}(x) where 1/8 <= x <= 1 within 64;");
+    let lost = |function: &str| emitted(&kernel(function), Target::Wgsl, Precision::F32).1;
+    for function in ["expm1", "log1p", "erf"] {
+        assert!(lost(function).is_empty(), "{:?}", lost(function));
+    }
+    // WGSL states only absolute errors of its own functions
+    assert_eq!(lost("sin").len(), 1);
+}
+
+#[test]
+fn a_bound_is_that_of_the_precision_and_the_target() {
+    let kernel = "kernel k(x) = x/(1 + x) where 1 <= x <= 4;";
+    let sentence = "The rounding error of its value in `f32` is at most ";
+    for target in [Target::C, Target::Cuda, Target::Wgsl] {
+        let (text, _) = emitted(kernel, target, Precision::F32);
+        assert!(text.contains(sentence) && text.contains("·2⁻²⁴ of its magnitude"), "{text}");
+    }
+    let (rust, _) = emitted(kernel, Target::Rust, Precision::F32);
+    assert!(!rust.contains("The rounding error"), "{rust}");
+}
+
+#[test]
 fn rust_keeps_promises_by_precision_in_every_precision() {
     for (precision, function, sentence) in [
         (Precision::F64, "forms_math::escalate::<", "Its relative error is at most 2·2⁻⁵³; its value is NaN"),
@@ -85,8 +108,10 @@ fn rust_keeps_promises_by_precision_in_every_precision() {
         let (text, lost) = emitted(CANCELLING, Target::Rust, precision);
         assert!(text.contains(function) && text.contains(sentence) && lost.is_empty(), "{}", &text[..800]);
     }
-    // a bound that the form alone keeps in `f32` needs no more precision
-    let (text, lost) = emitted(BOUNDED, Target::Rust, Precision::F32);
-    assert!(!text.contains("escalate_f32") && lost.is_empty());
-    assert!(text.contains(": the bound of the rounding error is"));
+    // a bound that the form alone keeps needs no more precision
+    for precision in [Precision::F32, Precision::F64] {
+        let (text, lost) = emitted(BOUNDED, Target::Rust, precision);
+        assert!(!text.contains("escalate") && lost.is_empty());
+        assert!(text.contains(": the bound of the rounding error is"));
+    }
 }

@@ -3,7 +3,9 @@
 
 use crate::emitted::kernels;
 use crate::formula::Formulas;
-use forms_core::emission::{EmitError, KernelDocs, Precision, Source, Target, emit};
+use forms_core::emission::{
+    EmitError, FileNames, KernelDocs, Precision, Source, Target, emit, emit_possible,
+};
 use forms_core::expression::{Expr, Operation};
 use forms_core::kernel::{Instruction, Program};
 use naga::valid::{Capabilities, ValidationFlags, Validator};
@@ -15,6 +17,7 @@ pub(crate) fn sources(programs: &[Program]) -> Vec<Source> {
         program: program.clone(),
         docs: KernelDocs { formula: program.name().to_string(), ..KernelDocs::default() },
         within: None,
+        approximated: None,
     };
     programs.iter().map(source).collect()
 }
@@ -26,6 +29,26 @@ pub(crate) fn emitted(target: Target, precision: Precision) -> String {
 pub(crate) fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR"))
 }
+
+/// What a compiler of CUDA defines before a source, for C++ with one thread.
+pub(crate) const CUDA_AS_CPP: &str = "\
+#include <math.h>
+#include <string.h>
+#define __device__
+#define __global__
+struct dim3 { unsigned x, y, z; };
+static dim3 gridDim = {1, 1, 1}, blockDim = {1, 1, 1}, blockIdx = {0, 0, 0}, threadIdx = {0, 0, 0};
+static inline double __longlong_as_double(long long bits) {
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+static inline float __int_as_float(int bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+";
 
 /// Whether a compiler can compile a minimal source; if not, the test is reported as skipped. A
 /// linker can have the name of a compiler but no assembler or headers.
@@ -112,6 +135,113 @@ pub(crate) fn validated(text: &str) {
     if let Err(error) = validator.validate(&module) {
         panic!("{}", error.emit_to_string(text));
     }
+}
+
+/// Compilers of the headers: the strictest modes of both languages.
+const STRICT: [(&str, &[&str]); 2] = [
+    ("gcc", &["-x", "c", "-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]),
+    ("g++", &["-x", "c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-pedantic"]),
+];
+
+#[test]
+fn headers_can_be_included_twice_and_together_in_c99_and_in_cpp17() {
+    let header = |prefix: &str, precision| {
+        let names = FileNames { prefix, file: "two.forms" };
+        let emitted = emit_possible(&sources(&kernels()), Target::C, precision, names).expect("C has both");
+        assert_eq!(emitted.omitted, []);
+        let name = format!("header_{}.h", precision.name());
+        std::fs::write(folder().join(&name), emitted.text).expect("a file in the build's folder");
+        format!("#include \"{name}\"\n#include \"{name}\"\n")
+    };
+    let file = folder().join("headers.c");
+    let includes = header("single_", Precision::F32) + &header("", Precision::F64);
+    std::fs::write(&file, includes).expect("a file in the build's folder");
+    for (compiler, arguments) in STRICT {
+        let test = "kernel::targets::headers_can_be_included_twice_and_together_in_c99_and_in_cpp17";
+        if compiles(compiler, test) {
+            accepted(compiler, &[arguments, &["-fsyntax-only"]].concat(), &file, &[]);
+        }
+    }
+}
+
+/// Returns a program in C that compares the batch function of each kernel with its function, bit by
+/// bit.
+fn comparison(programs: &[Program]) -> String {
+    let mut source = String::from("#include <string.h>\nint main(void) {\n    int wrong = 0;\n");
+    for program in programs {
+        let (name, outputs) = (program.name(), program.outputs().len());
+        let columns = (0..program.arguments().len()).map(|place| format!("a[{place}]"));
+        let results = (0..outputs).map(|place| format!("o[{place}]"));
+        let batch: Vec<String> = columns.chain(results).chain(["37".to_owned()]).collect();
+        let row: Vec<String> = (0..program.arguments().len()).map(|place| format!("a[{place}][i]")).collect();
+        let call = match outputs {
+            1 => format!("y[0] = {name}({})", row.join(", ")),
+            _ => format!("{name}({}, y)", row.join(", ")),
+        };
+        source += &format!(
+            "    {{\n        static double a[8][37], o[8][38];\n        \
+             for (int i = 0; i < 37; i++) for (int j = 0; j < 8; j++) a[j][i] = 0.37 * i - j;\n        \
+             {name}_batch({});\n        \
+             for (int i = 0; i < 37; i++) {{\n            double y[8];\n            {call};\n            \
+             for (int j = 0; j < {outputs}; j++) wrong += memcmp(&y[j], &o[j][i], sizeof y[j]) != 0;\n        \
+             }}\n        \
+             for (int j = 0; j < 8; j++) wrong += o[j][37] != 0;\n    }}\n",
+            batch.join(", ")
+        );
+    }
+    source + "    return wrong != 0;\n}\n"
+}
+
+#[test]
+fn batch_functions_compute_their_kernels_at_every_row() {
+    let test = "kernel::targets::batch_functions_compute_their_kernels_at_every_row";
+    let programs = kernels();
+    for (compiler, target, prelude) in [("gcc", Target::C, ""), ("g++", Target::Cuda, CUDA_AS_CPP)] {
+        if !compiles(compiler, test) {
+            continue;
+        }
+        let text = emit(&sources(&programs), target, Precision::F64).expect("every kernel can be said");
+        let name = format!("batch_{}", target.name());
+        let (file, program) = (folder().join(format!("{name}.c")), folder().join(&name));
+        std::fs::write(&file, format!("{prelude}{text}{}", comparison(&programs))).expect("a file");
+        let language = if target == Target::C { "c" } else { "c++" };
+        accepted(compiler, &["-x", language, "-o", &program.to_string_lossy()], &file, &["-lm"]);
+        let run = Command::new(&program).status().expect("the compiled program runs");
+        assert!(run.success(), "{name}");
+    }
+}
+
+#[test]
+fn cuda_has_no_header_and_no_macro_of_one() {
+    for precision in [Precision::F64, Precision::F32] {
+        let text = emitted(Target::Cuda, precision);
+        for word in ["#", "NAN", "INFINITY", "__host__", "static"] {
+            assert!(!text.contains(word), "{word} in {text}");
+        }
+    }
+}
+
+#[test]
+fn kernels_that_a_target_cannot_express_are_omitted_and_the_others_are_written() {
+    let mut formulas = Formulas::over("x");
+    let x = formulas.parse("x");
+    let integral = formulas.pool.apply(Operation::Expint3, &[x]);
+    let [optical, identity] =
+        [("optical", integral), ("identity", x)].map(|(name, value)| formulas.named(name).program(&[value]));
+    let of = |programs: &[Program], target: Target| {
+        let names = FileNames { prefix: "beam_", file: "" };
+        emit_possible(&sources(programs), target, target.usual_precision(), names).expect("the precision")
+    };
+    for target in [Target::C, Target::Wgsl, Target::Cuda] {
+        let emitted = of(&[optical.clone(), identity.clone()], target);
+        let function = EmitError::Function { kernel: "optical".into(), function: "expint3", target };
+        assert_eq!(emitted.omitted, [function]);
+        let text = emitted.text;
+        assert!(text.contains("beam_identity(") && text.contains("beam_identity_batch("), "{text}");
+        assert!(!text.contains("optical"), "{text}");
+        assert_eq!(of(std::slice::from_ref(&optical), target).text, "");
+    }
+    assert!(of(&[optical, identity], Target::Rust).omitted.is_empty());
 }
 
 #[test]

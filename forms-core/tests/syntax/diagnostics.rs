@@ -93,6 +93,8 @@ tables! {
     an_operation_says_what_it_takes "operations",
     a_declaration_that_means_nothing_is_explained "items",
     an_integral_that_is_not_found_is_explained "integrals",
+    a_shape_that_does_not_fit_is_explained "arrays",
+    a_call_that_means_nothing_is_explained "calls",
 }
 
 tables! {

@@ -52,8 +52,12 @@ impl Brackets {
                 let arguments = joined(arguments, |argument| self.argument(argument));
                 (Level::Postfix, format!("{}{index}({arguments})", function.text))
             }
-            ExprKind::Index { base, index } => {
-                (Level::Postfix, format!("{}[{}]", self.at(Level::Postfix, base), self.expr(index)))
+            ExprKind::Index { base, indices } => {
+                let indices = joined(indices, |index| self.expr(index));
+                (Level::Postfix, format!("{}[{indices}]", self.at(Level::Postfix, base)))
+            }
+            ExprKind::Array(entries) => {
+                (Level::Atom, format!("[{}]", joined(entries, |entry| self.expr(entry))))
             }
             ExprKind::Select { condition, then, otherwise, jump } => {
                 let jump = if *jump { "jump " } else { "" };
@@ -144,6 +148,10 @@ impl Brackets {
             ItemKind::Let { name, unit, value } => {
                 format!("let {}{} = {}", name.text, self.unit(unit), self.expr(value))
             }
+            ItemKind::Definition { name, arguments, value } => {
+                let arguments = joined(arguments, |argument| argument.text.clone());
+                format!("let {}({arguments}) = {}", name.text, self.expr(value))
+            }
             ItemKind::Form { name, degree, unit, chart, value } => {
                 let degree = degree.map_or(String::new(), |(degree, _)| format!(": {degree}"));
                 let unit = unit.as_ref().map_or(String::new(), |unit| format!(", {}", self.expr(unit)));
@@ -164,8 +172,20 @@ impl Brackets {
                 let (left, right) = (self.expr(left), self.expr(right));
                 format!("{claim} {}: {left} == {right}{}", name.text, self.conditions(conditions))
             }
-            ItemKind::Kernel { name, arguments, units, outputs, computed, conditions, within, effects } => {
-                let by = self.behind("by", computed);
+            ItemKind::Kernel {
+                name,
+                arguments,
+                units,
+                outputs,
+                computed,
+                approximation,
+                conditions,
+                within,
+                effects,
+            } => {
+                let tolerance = |given: &Expr| format!(" approx {}", self.expr(given));
+                let by =
+                    self.behind("by", computed) + &approximation.as_ref().map_or(String::new(), tolerance);
                 let within =
                     within.as_ref().map_or(String::new(), |within| format!(" within {}", self.expr(within)));
                 let arguments = self.declared(arguments);
@@ -178,9 +198,9 @@ impl Brackets {
                     self.conditions(conditions)
                 )
             }
-            ItemKind::Gradient { name, of, by } => {
+            ItemKind::Derivatives { name, which, of, by } => {
                 let by = joined(by, |variable| variable.text.clone());
-                format!("kernel {} = grad({}; {by})", name.text, of.text)
+                format!("kernel {} = {}({}; {by})", name.text, which.word(), of.text)
             }
             ItemKind::Warp(warp) => self.warp(warp),
         }
@@ -222,7 +242,11 @@ impl Brackets {
     }
 
     fn declared(self, list: &[Declared]) -> String {
-        joined(list, |declared| format!("{}{}", declared.name.text, self.unit(&declared.unit)))
+        joined(list, |Declared { name, extents, unit }| {
+            let extents = joined(extents, usize::to_string);
+            let extents = if extents.is_empty() { extents } else { format!("[{extents}]") };
+            format!("{}{extents}{}", name.text, self.unit(unit))
+        })
     }
 
     fn unit(self, unit: &Option<Expr>) -> String {

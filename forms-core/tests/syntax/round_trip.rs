@@ -33,6 +33,9 @@ fn precedence_is_that_of_the_language() {
         ("bracket(X, Y)[x]**2", "((bracket(X, Y))[x])**2"),
         ("d[R3](w)[dx^dy]", "(d[R3](w))[(dx^dy)]"),
         ("volume[g][dx]", "(volume[g])[dx]"),
+        ("R[1, 2]**2", "((R)[1, 2])**2"),
+        ("[a, b + 1][0]*c", "(([a, (b + 1)])[0])*c"),
+        ("[[a, b], [c, d]]*p", "([[a, b], [c, d]])*p"),
         ("-X[x]", "-(X[x])"),
         ("@x + y*@y", "(@x) + (y*(@y))"),
         (
@@ -82,6 +85,7 @@ fn units_stand_behind_what_they_belong_to() {
         "form beta: 2, sr/m on R3 = dx^dy;\n",
         "kernel f(a: m, b): m/s = a/b;\n",
         "kernel f(a: m, b): (m, 1/s) = (a, b) where b > 0;\n",
+        "kernel f(p[3]: m, R[3, 3], t: s): m/s = R*p/t;\n",
     ] {
         let (file, diagnostics) = read(text);
         assert_eq!(diagnostics, [], "{text}");
@@ -98,6 +102,21 @@ fn where_and_effects_stand_in_either_order() {
     let [first, second] = kernels.map(|text| Brackets::All.file(&read(text).0));
     assert!(first.contains("where") && first.contains("effects"), "{first}");
     assert_eq!(first, second);
+}
+
+#[test]
+fn definitions_and_derivatives_are_printed_as_written() {
+    for text in [
+        "let ease(t) = t*t*(3 - 2*t);\n",
+        "let mix(a, b, t) = a + t*(b - a);\n",
+        "kernel g = grad(f; p, t);\n",
+        "kernel j = jacobian(f; p, t);\n",
+        "kernel vj = value_and_jacobian(f; p);\n",
+    ] {
+        let (file, diagnostics) = read(text);
+        assert_eq!(diagnostics, [], "{text}");
+        assert_eq!(Brackets::Fewest.file(&file), text);
+    }
 }
 
 #[test]
@@ -130,7 +149,8 @@ fn parts(expr: &Expr) -> Vec<&Expr> {
         match &*part.kind {
             ExprKind::Negate(inner) => parts.push(inner),
             ExprKind::Binary(_, _, left, right) => parts.extend([left, right]),
-            ExprKind::Index { base, index } => parts.extend([base, index]),
+            ExprKind::Index { base, indices } => parts.extend(std::iter::once(base).chain(indices)),
+            ExprKind::Array(entries) => parts.extend(entries),
             ExprKind::Call { index, arguments, .. } => {
                 parts.extend(index);
                 for argument in arguments {
@@ -229,8 +249,10 @@ fn expression() -> impl Strategy<Value = Expr> + Clone {
                 2 => call.prop_map(|(function, index, arguments)| {
                     expr(ExprKind::Call { function, index, arguments })
                 }),
-                1 => (part.clone(), part.clone())
-                    .prop_map(|(base, index)| expr(ExprKind::Index { base, index })),
+                1 => (part.clone(), prop::collection::vec(part.clone(), 1..3))
+                    .prop_map(|(base, indices)| expr(ExprKind::Index { base, indices })),
+                1 => prop::collection::vec(part.clone(), 1..4)
+                    .prop_map(|entries| expr(ExprKind::Array(entries))),
                 1 => (condition(part.clone()), part.clone(), part, any::<bool>()).prop_map(
                     |(condition, then, otherwise, jump)| {
                         expr(ExprKind::Select { condition, then, otherwise, jump })

@@ -50,6 +50,11 @@ const REFUSED: &[(&str, &str)] = &[
     ("let q = log(r);", "`log` takes a number, and this is in m"),
     ("let q = sin(omega);", "`sin` takes a number, and this is in sr"),
     ("let q = asin(x);", "`asin` takes a number, and this is in m"),
+    ("let q = max(y, t);", "the arguments of `max` have different units: the first is in m, the second in s"),
+    (
+        "let q = hypot(x, 1);",
+        "the arguments of `hypot` have different units: the first is in m, the second in 1",
+    ),
     (
         "let q = atan2(y, t);",
         "the arguments of `atan2` have different units: the first is in m, the second in s",

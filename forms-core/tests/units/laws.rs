@@ -46,6 +46,15 @@ const LAWS: &[(&str, &str)] = &[
     ("cos(x/r)", "1"),
     ("tanh(n)", "1"),
     ("sin(free)", "1"),
+    ("min(x, r)", "m"),
+    ("max(x, 0)", "m"),
+    ("max(0, x)", "m"),
+    ("max(n, 1)", "1"),
+    ("hypot(x, y)", "m"),
+    ("cbrt(x**3)", "m"),
+    ("copysign(x, t)", "m"),
+    ("erfc(x/r)", "1"),
+    ("sec(theta)", "1"),
     ("asin(x/r)", "rad"),
     ("acos(n)", "rad"),
     ("atan(x/y)", "rad"),
@@ -256,10 +265,16 @@ fn the_units_of_a_kernel_make_a_sentence() {
         ("kernel k(a: m, b) = (a, b);", Some("Units: `a` in `m`.")),
         ("kernel k(a): m = a;", Some("Units: result in `m`.")),
         ("kernel k(a) = a;", None),
+        ("kernel k(p[3]: m) = norm(p);", Some("Units: `p` in `m`; result in `m`.")),
+        ("kernel k(p[3]: m, b: s) = p/b;", Some("Units: `p` in `m`, `b` in `s`; result in `m/s`.")),
+        (
+            "kernel k(p[3]: m, b: s) = (p, b*dot(p, p));",
+            Some("Units: `p` in `m`, `b` in `s`; results in `m`, `s*m**2`."),
+        ),
     ] {
         let (theory, errors) = read(kernel);
         assert!(errors.is_empty(), "{kernel}: {errors:?}");
-        assert_eq!(sentence(&theory, &theory.kernels[0]).as_deref(), wanted, "{kernel}");
+        assert_eq!(sentence(&theory.kernels[0]).as_deref(), wanted, "{kernel}");
     }
 }
 
@@ -271,10 +286,21 @@ fn kernels_know_their_units() {
         ("kernel k(a: m, b: m, cosine: 1): sr/m**2 = cosine/(a*b);", vec!["m", "m", "1"], vec!["sr/m**2"]),
         ("kernel k(a: m, b: s): (m/s, 1) = (a/b, 2);", vec!["m", "s"], vec!["m/s", "1"]),
         ("kernel k(a) = 2*a;", vec!["-"], vec!["-"]),
+        ("kernel k(p[2]: m, q[2]: m) = dot(p, q);", vec!["m"; 4], vec!["m**2"]),
+        ("kernel k(p[2]: m, b: s) = [p[0]/b, p[1]/b];", vec!["m", "m", "s"], vec!["m/s", "m/s"]),
+        ("let mean(a, b) = (a + b)/2; kernel k(a: m, b: m) = mean(a, b);", vec!["m", "m"], vec!["m"]),
+        ("let half(a) = a/2; kernel k(a: m, b: s) = half(a)*half(b);", vec!["m", "s"], vec!["m*s"]),
+        ("kernel square(a: m): m**2 = a**2; kernel k(b: m) = square(b)/b;", vec!["m"], vec!["m"]),
+        ("kernel k(a: m) = sum(a*j, j = 1..3);", vec!["m"], vec!["m"]),
+        (
+            "kernel walk(p[2]: m, b: s) = p*b; kernel k = value_and_jacobian(walk; b);",
+            vec!["m", "m", "s"],
+            vec!["m*s", "m*s", "m", "m"],
+        ),
     ] {
         let (theory, errors) = read(kernel);
         assert!(errors.is_empty(), "{kernel}: {errors:?}");
-        let units = &theory.kernels[0].units;
+        let units = &theory.kernels.last().expect("a kernel").units;
         let shown = |units: &[Option<String>]| {
             units.iter().map(|unit| unit.clone().unwrap_or_else(|| "-".into())).collect::<Vec<_>>()
         };

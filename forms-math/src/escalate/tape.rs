@@ -70,7 +70,8 @@ macro_rules! functions {
 
 functions! {
     Sqrt sqrt Abs abs Sin sin Cos cos Tan tan Asin asin Acos acos Atan atan Exp exp ExpM1 exp_m1 Ln ln Ln1p ln_1p
-    Sinh sinh Cosh cosh Tanh tanh Erf erf Expint1 expint1 Expint2 expint2 Expint3 expint3 Dilog dilog Clausen clausen
+    Sinh sinh Cosh cosh Tanh tanh Erf erf Erfc erfc Expint1 expint1 Expint2 expint2 Expint3 expint3
+    Dilog dilog Clausen clausen
 }
 
 #[derive(Clone, Copy, Debug)]

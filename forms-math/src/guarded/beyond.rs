@@ -207,6 +207,14 @@ impl Beyond {
         Guarded::nearly(Guarded::from_limit(if self.negative { -1.0 } else { 1.0 }))
     }
 
+    /// erfc x
+    pub(super) fn step_down<T: Guardable>(self) -> Guarded<T> {
+        if self.exponent < 50 {
+            return Guarded::unknown();
+        }
+        Guarded::nearly(Guarded::from_limit(if self.negative { 2.0 } else { 0.0 }))
+    }
+
     /// Eₙ(x)
     pub(super) fn exponential_integral<T: Guardable>(self) -> Guarded<T> {
         if self.exponent < 50 {

@@ -162,6 +162,9 @@ impl<T: Guardable> Real for Guarded<T> {
     fn erf(self) -> Self {
         self.error_function()
     }
+    fn erfc(self) -> Self {
+        self.complementary_error_function()
+    }
     fn expint1(self) -> Self {
         self.exponential_integral(1)
     }

@@ -12,6 +12,24 @@ impl<T: Guardable> Guarded<T> {
         self.function(self.value.erf(), T::UNITS.special, || self.error.times(T::Bound::of(1.13)))
     }
 
+    /// For x > 0, erfc x > 2/√π e^(−x²)/(x + √(x² + 2)), so that |(ln erfc)′| < 2 x + 1.5; for x ≤ 0,
+    /// |erfc′| < 1.13 and erfc x ≥ 1. Thus |erfc(x + δ)/erfc x − 1| ≤ w (1 + w) for w < 1, which is ε
+    /// times 2 (|x| + ε) + 1.5.
+    pub(super) fn complementary_error_function(self) -> Self {
+        if let Some(beyond) = self.is_beyond() {
+            return beyond.step_down();
+        }
+        let value = self.value.erfc();
+        let rounding = rounding_above_zero(value, T::UNITS.erfc);
+        self.function_rounded(value, rounding, || {
+            let one = T::Bound::of(1.0);
+            let slope = self.value.size().plus(self.error).shifted(1).plus(T::Bound::of(1.5));
+            let change = self.error.times(slope);
+            let growth = if change < one { change.times(one.plus(change)) } else { T::Bound::INFINITE };
+            value.size().plus(rounding).times(growth)
+        })
+    }
+
     /// Eₙ′ = −Eₙ₋₁, and e^(−x) < (x + n) Eₙ(x). Between x − ε and x + ε, with y = x − ε > 0 and e^(−y) ≤ e^(−x)(1 + 2ε):
     /// E₀ = e^(−y)/y, E₁ ≤ e^(−y) ln(1 + 1/y) ≤ e^(−y)/√y, E₂ ≤ e^(−y)/(1 + y) ≤ e^(−y).
     pub(super) fn exponential_integral(self, order: u32) -> Self {

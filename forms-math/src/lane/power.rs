@@ -75,6 +75,18 @@ fn square_root<W: Word>(x: W) -> Pair<W> {
     pair(root, ((x - square.head) - square.tail) * W::literal(0.5) / root)
 }
 
+/// Computes √(x² + y²). Gives up where a square can leave the range.
+#[inline(always)]
+pub(super) fn hypotenuse<W: Word>(x: W, y: W) -> W {
+    let (width, height) = (x.magnitude(), y.magnitude());
+    let larger = if width < height { height } else { width };
+    let (square, other) = (two_product(x, x), two_product(y, y));
+    let value = ((square.head + other.head) + (square.tail + other.tail)).root();
+    let above = if larger > W::two_to(W::SMALL / 2) { value } else { W::not_a_number() };
+    let inside = if larger < W::two_to(W::LARGE / 2) { above } else { W::not_a_number() };
+    if larger <= W::literal(0.0) { width + height } else { inside }
+}
+
 /// Computes ∛x as a pair: y = e^(ln x / 3), and (x − y³)/(3 y²).
 #[inline(always)]
 fn cube_root<W: Word>(x: W) -> Pair<W> {

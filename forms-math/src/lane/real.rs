@@ -93,6 +93,14 @@ macro_rules! real {
             fn atan2(self, x: Self) -> Self {
                 inverse::atan2(self, x)
             }
+            #[inline(always)]
+            fn hypot(self, y: Self) -> Self {
+                power::hypotenuse(self, y)
+            }
+            #[inline(always)]
+            fn cbrt(self) -> Self {
+                power::power(self.magnitude(), 1, 3).with_sign(self)
+            }
             functions! {
                 trigonometric: sin, cos, tan;
                 inverse: asin, acos, atan;
@@ -100,7 +108,7 @@ macro_rules! real {
                 logarithm: ln, ln_1p;
                 error_function: erf;
             }
-            unknown!(expint1, expint2, expint3, dilog, clausen);
+            unknown!(erfc, expint1, expint2, expint3, dilog, clausen);
             #[inline(always)]
             fn quadrature(_: Self, _: Self, _: impl Fn(Self) -> Self) -> Self {
                 Self::nan()

@@ -1,12 +1,15 @@
 //! erf x = 2/√π e^(−x²) Σ 2ⁿ x^(2n+1)/(2n+1)!!, a sum of positive terms; in `f64` polynomials take
-//! its place.
+//! its place. erfc x = 1 − erf x where little cancels, and beyond
+//! e^(−x²) x/√π / (x² + ½ − ½/(x² + 5/2 − 3/(x² + 9/2 − …))), with the terms k (k − ½).
 //!
-//! Source: NIST Digital Library of Mathematical Functions, 7.6.2.
+//! Source: NIST Digital Library of Mathematical Functions, 7.6.2, 8.9.2 (its even part, for Γ(½, x²)).
 
 mod coefficients;
 
+use super::exponential_integral::continued_fraction;
 use crate::error_free::two_product;
 use crate::scalar::Scalar;
+use coefficients::ERFC;
 pub(crate) use coefficients::{ERF, ERF_IS_ONE, LN_ERFC, TWO_OVER_ROOT_PI};
 
 /// Numbers below this are so small that x³ does not count, and that the rounding error of a product
@@ -30,6 +33,24 @@ pub(crate) fn error_function_of_double(x: f64) -> f64 {
     // NaN stays NaN
     let beyond = if size > ERF_IS_ONE { ERF_IS_ONE } else { size } - 1.0;
     (1.0 - polynomial(&LN_ERFC, beyond).exp()).copysign(x)
+}
+
+/// From here on erfc x rounds to 0.
+const ERFC_IS_ZERO: f64 = 28.0;
+
+/// erfc x: 1 − erf x where little cancels, and beyond e^(−x²) p/(|x| + 2) with a polynomial p of
+/// (|x| − 2)/(|x| + 2), which is subtracted from 2 for negative x.
+pub(crate) fn complementary_error_function_of_double(x: f64) -> f64 {
+    let size = x.abs();
+    if size <= LARGEST_DIFFERENCE {
+        return 1.0 - error_function_of_double(x);
+    }
+    let (square, rest) = two_product(size, size);
+    let decay = (-square).exp();
+    let quotient = polynomial(&ERFC, (size - 2.0) / (size + 2.0)) / (size + 2.0);
+    // NaN stays NaN
+    let tail = if size > ERFC_IS_ZERO { 0.0 } else { (decay - decay * rest) * quotient };
+    if x < 0.0 { 2.0 - tail } else { tail }
 }
 
 /// Evaluates c₀ + c₁ x + …: the even and the odd terms in parallel.
@@ -66,4 +87,46 @@ pub(crate) fn error_function<T: Scalar>(x: T, bits: u32) -> T {
         sum = sum + term;
     }
     x.scaled(1) * ((-square).exp() * sum / T::pi().sqrt())
+}
+
+/// erfc x = 1 − erf x, with a small relative error
+pub(crate) fn complementary_error_function<T: Scalar>(x: T, bits: u32) -> T {
+    let one = T::from_f64(1.0);
+    let size = x.to_f64();
+    if size.is_nan() {
+        return T::nan();
+    }
+    if size <= 0.0 {
+        return one - error_function(x, bits);
+    }
+    if size.is_infinite() {
+        return T::from_f64(0.0);
+    }
+    // erfc x > e^(−x²)/(1 + 2x), so that at most this number of bits cancels in 1 − erf x
+    let lost = size * size / std::f64::consts::LN_2 + (1.0 + 2.0 * size).log2();
+    let spare = f64::from(T::PRECISION.saturating_sub(bits + 8));
+    if size <= LARGEST_DIFFERENCE || lost <= spare {
+        return one - error_function(x, bits + lost as u32 + 1);
+    }
+    by_fraction(x, bits)
+}
+
+/// Up to here erfc x is more than 0.47.
+const LARGEST_DIFFERENCE: f64 = 0.5;
+
+fn by_fraction<T: Scalar>(x: T, bits: u32) -> T {
+    let decay = bell(x);
+    if decay == T::from_f64(0.0) {
+        return decay;
+    }
+    let square = x * x;
+    decay * (x / (continued_fraction(0.5, square, bits) * T::pi().sqrt()))
+}
+
+/// Computes e^(−x²) = e^(−h²) e^(−(x − h)(x + h)), where h has so few digits that its square is
+/// exact: the error of x² would be multiplied by x².
+fn bell<T: Scalar>(x: T) -> T {
+    let leading = T::from_f64(f64::from_bits(x.to_f64().to_bits() & (u64::MAX << 27)));
+    let rest = (x - leading) * (x + leading);
+    (-(leading * leading)).exp() * (-rest).exp()
 }

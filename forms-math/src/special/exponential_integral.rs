@@ -48,14 +48,17 @@ fn by_series<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     value
 }
 
-/// Evaluates the continued fraction from its end, with the number of steps that leaves a negligible
-/// remainder.
 fn by_fraction<T: Scalar>(order: u32, x: T, bits: u32) -> T {
     let decay = (-x).exp();
     if decay == T::from_f64(0.0) {
         return decay;
     }
-    let n = f64::from(order);
+    decay / continued_fraction(f64::from(order), x, bits)
+}
+
+/// Evaluates e^(−x)/Eₙ(x) = x + n − 1·n/(x + n + 2 − …) from its end, for any n > 0, with the number
+/// of steps that leaves a negligible remainder.
+pub(super) fn continued_fraction<T: Scalar>(n: f64, x: T, bits: u32) -> T {
     let partial = |count: f64| x + T::from_f64(n + 2.0 * count);
     let mut count = steps(x.to_f64(), bits);
     let mut value = partial(count);
@@ -64,7 +67,7 @@ fn by_fraction<T: Scalar>(order: u32, x: T, bits: u32) -> T {
         count -= 1.0;
         value = partial(count) - numerator / value;
     }
-    decay / value
+    value
 }
 
 /// Returns the number of steps. Step k multiplies the error by (b − s)/(b + s), with b = x + 2k and

@@ -92,6 +92,7 @@ fn powers_are_accurate() {
         between::<Power<-3, 2>>("-3/2", 1e-200, 1e200),
         between::<Power<1, 3>>("1/3", 1e-300, 1e300),
         between::<Power<-2, 3>>("-2/3", 1e-300, 1e300),
+        between::<Cbrt>("cbrt", -1e300, 1e300),
         between::<Power<5, 12>>("5/12", 1e-300, 1e300),
         between::<Power<-11, 5>>("-11/5", 1e-100, 1e100),
     ];

@@ -30,6 +30,8 @@ functions! {
     Tanh: tanh;
     Erf: erf;
     Clausen: clausen;
+    Erfc: erfc;
+    Cbrt: cbrt;
 }
 
 /// x^(N/D)

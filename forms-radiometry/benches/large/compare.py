@@ -11,6 +11,7 @@ program, reading included; those of Mitsuba are only those of its samples. Both 
 
 import argparse
 import json
+import os
 import platform
 import subprocess
 import tempfile
@@ -32,13 +33,21 @@ LONGEST = 120
 
 
 def forms(program, *arguments):
-    """Seconds and records of a call; None instead of seconds where it took too long."""
-    start = time.perf_counter()
-    try:
-        run = subprocess.run([program, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=LONGEST)
-    except subprocess.TimeoutExpired:
-        return None, []
-    return time.perf_counter() - start, [json.loads(line) for line in run.stdout.splitlines()]
+    """Seconds, records and largest memory [MiB] of a call; None instead of seconds where it took too long."""
+    with tempfile.TemporaryFile("w+") as output:
+        start = time.perf_counter()
+        run = subprocess.Popen([program, *map(str, arguments), "--json"], stdout=output, stderr=subprocess.DEVNULL)
+        has_ended = 0
+        while not has_ended:
+            time.sleep(0.001)
+            seconds = time.perf_counter() - start
+            if seconds > LONGEST:
+                run.kill()
+            has_ended, _, used = os.wait4(run.pid, os.WNOHANG)
+        run.returncode = 0
+        output.seek(0)
+        records = [json.loads(line) for line in output] if seconds <= LONGEST else []
+    return seconds if seconds <= LONGEST else None, records, used.ru_maxrss / 1024
 
 
 def row(work, own, name, other, remark):
@@ -49,7 +58,7 @@ def row(work, own, name, other, remark):
 
 def street(program, folder, view3d):
     works.street(folder)
-    own, records = forms(program, "view-factors", folder / "street.toml")
+    own, records, _ = forms(program, "view-factors", folder / "street.toml")
     if not view3d:
         return row("street, 545 quads", own, "", None, f"{sum(r['value'] > 0 for r in records)} factors above 0")
     start = time.perf_counter()
@@ -68,7 +77,7 @@ def street(program, folder, view3d):
 
 def families(program, folder, meshes):
     for number, (name, one, other) in enumerate(works.families(meshes, folder)):
-        own, records = forms(program, "view-factors", folder / f"family-{number}.toml")
+        own, records, _ = forms(program, "view-factors", folder / f"family-{number}.toml")
         found = next(r for r in records if (r["from"], r["to"]) == ("one", "other")) if records else None
         said = f"{found['value']:.6f} ± {found['error']:.1e} ({found['kind']})" if found else ""
         if not by_mitsuba:
@@ -88,15 +97,15 @@ def triangles(program, folder, count):
                 if asked == "camera" and reflectance == 0.0:
                     continue
                 work = f"{kind}, {len(corners)} triangles of reflectance {reflectance}, {asked}"
-                own, _ = forms(program, "simulate", folder / f"{name}-{asked}.toml")
+                own, _, memory = forms(program, "simulate", folder / f"{name}-{asked}.toml")
                 if not lit:
-                    row(work, own, "", None, "")
+                    row(work, own, "", None, f"{memory:.0f} MiB")
                     continue
                 if asked == "points":
                     seconds, _ = lit.irradiance(works.places(len(corners)), 256, 1e-2)
                 else:
                     seconds, _ = getattr(lit, asked)(1e-2)
-                row(work, own, by_mitsuba.PROGRAM, seconds, f"and {lit.loading:.2f} s to read")
+                row(work, own, by_mitsuba.PROGRAM, seconds, f"{memory:.0f} MiB; and {lit.loading:.2f} s to read")
 
 
 def main():

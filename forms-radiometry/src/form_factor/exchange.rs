@@ -15,6 +15,7 @@ mod areas;
 mod changes;
 mod circles;
 mod contour;
+mod doubt;
 mod kronrod;
 mod obstructed;
 

@@ -7,6 +7,7 @@ mod round_holes;
 
 pub(crate) use difference::intersection;
 
+use super::plane::ROUNDING;
 use super::scale::{LARGEST_LENGTH, LEAST_LENGTH, lengths, power_of_two};
 use super::triangulation::{triangulate, turn};
 use super::{Disk, Vector};
@@ -243,13 +244,17 @@ pub(super) fn crossing_edges(vertices: &[Vector], normal: Vector) -> Option<(usi
 }
 
 /// Whether each of the two edges separates the end points of the other, or passes through one.
+/// Coordinates are near 1. Of edges on one line, up to rounding, neither does if they are apart.
 fn cross((a, b): (Vector, Vector), (c, d): (Vector, Vector), normal: Vector) -> bool {
     let (c_side, d_side) = (turn(a, b, c, normal), turn(a, b, d, normal));
     let (a_side, b_side) = (turn(c, d, a, normal), turn(c, d, b, normal));
-    if c_side == 0.0 && d_side == 0.0 {
-        let along = b - a;
+    let (along, off) = (b - a, c_side.abs().max(d_side.abs()));
+    if off <= ROUNDING * along.length() {
         let (low, high) = (along.dot(c - a).min(along.dot(d - a)), along.dot(c - a).max(along.dot(d - a)));
-        return high >= 0.0 && low <= along.dot(along);
+        let overlap = high >= 0.0 && low <= along.dot(along);
+        if off == 0.0 || !overlap {
+            return overlap;
+        }
     }
     let separates = |s: f64, t: f64| (s <= 0.0 && t >= 0.0) || (s >= 0.0 && t <= 0.0);
     separates(c_side, d_side) && separates(a_side, b_side)
@@ -318,6 +323,68 @@ mod tests {
             assert!(areas.iter().all(|&area| area > 0.0), "{name}");
             let sum: f64 = areas.iter().sum();
             assert!((sum - expected).abs() < 1e-14, "{name}: {sum}");
+        }
+    }
+
+    /// Vertices and diagonals of such shapes lie on common lines, of which rounding takes them off.
+    #[test]
+    fn shapes_on_a_grid_keep_their_area_in_every_position() {
+        let shapes: [(&str, &[[i32; 2]]); 4] = [
+            ("L", &[[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]),
+            ("stairs", &[[0, 0], [3, 0], [3, 1], [2, 1], [2, 2], [1, 2], [1, 3], [0, 3]]),
+            (
+                "plus",
+                &[
+                    [1, 0],
+                    [2, 0],
+                    [2, 1],
+                    [3, 1],
+                    [3, 2],
+                    [2, 2],
+                    [2, 3],
+                    [1, 3],
+                    [1, 2],
+                    [0, 2],
+                    [0, 1],
+                    [1, 1],
+                ],
+            ),
+            (
+                "comb",
+                &[
+                    [0, 0],
+                    [5, 0],
+                    [5, 2],
+                    [4, 2],
+                    [4, 1],
+                    [3, 1],
+                    [3, 2],
+                    [2, 2],
+                    [2, 1],
+                    [1, 1],
+                    [1, 2],
+                    [0, 2],
+                ],
+            ),
+        ];
+        let mut random = forms_testing::SplitMix(1);
+        for (number, (name, grid)) in shapes.iter().cycle().take(2000).enumerate() {
+            let digits: f64 = if number % 8 < 4 { 10.0 } else { 1e17 };
+            let mut vector = || {
+                let [x, y, z] = [0; 3].map(|_| (digits * 8.0 * (random.unit() - 0.5)).round() / digits);
+                Vector::new(x, y, z)
+            };
+            let [origin, u, v] = [vector(), vector(), vector()];
+            let corner = |&[i, j]: &[i32; 2]| origin + f64::from(i) * u + f64::from(j) * v;
+            if u.cross(v).length() < 0.1 * u.length() * v.length() {
+                continue;
+            }
+            let vertices: Vec<Vector> = grid.iter().map(corner).collect();
+            let polygon =
+                Polygon::new(vertices.clone()).unwrap_or_else(|e| panic!("{name} {vertices:?}: {e}"));
+            let sum: f64 = polygon.convex_pieces().iter().map(|piece| area(piece, polygon.normal())).sum();
+            let expected = polygon.area();
+            assert!((sum - expected).abs() < 1e-12 * expected, "{name} {vertices:?}: {sum}, not {expected}");
         }
     }
 }

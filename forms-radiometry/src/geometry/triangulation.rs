@@ -1,6 +1,7 @@
 //! Ear clipping: triangulates a simple polygon.
 
 use super::Vector;
+use super::plane::ROUNDING;
 
 /// Returns twice the area of the triangle abc as seen against the normal n: n·((b − a) × (c − a)),
 /// positive for a left turn.
@@ -16,14 +17,18 @@ const LINE: f64 = 1e-14;
 /// counter-clockwise like the polygon.
 ///
 /// An ear is a convex corner whose triangle contains no other vertex; every simple polygon has one
-/// (Meisters 1975). If rounding hides it, the widest corner is cut, so that the loop always ends.
+/// (Meisters 1975). A vertex that may lie on the side of a triangle counts as inside it: were it cut
+/// off, the rest would not be simple. If rounding hides every ear, the widest corner is cut, so that
+/// the loop always ends.
 pub(super) fn triangulate(vertices: &[Vector], normal: Vector) -> Vec<[usize; 3]> {
+    let rounding = ROUNDING * vertices.iter().map(|v| v.largest()).fold(0.0, f64::max);
     let mut rest: Vec<usize> = (0..vertices.len()).collect();
     let mut outline = vertices.to_vec();
     let mut triangles = Vec::with_capacity(rest.len());
     while rest.len() >= 3 {
-        let ears = (0..rest.len()).find(|&i| is_ear(&outline, i, normal));
-        let ear = ears.unwrap_or_else(|| widest(&outline, normal));
+        let ear_within = |rounding| (0..rest.len()).find(|&i| is_ear(&outline, i, normal, rounding));
+        let ear = ear_within(rounding).or_else(|| ear_within(0.0));
+        let ear = ear.unwrap_or_else(|| widest(&outline, normal));
         let [a, b, c] = corner(&outline, ear);
         let squared = [b - a, c - b, a - c].map(|side| side.dot(side)).into_iter().fold(0.0, f64::max);
         if turn(a, b, c, normal) > LINE * squared {
@@ -40,15 +45,13 @@ fn corner<T: Copy>(outline: &[T], i: usize) -> [T; 3] {
     [outline[(i + count - 1) % count], outline[i], outline[(i + 1) % count]]
 }
 
-fn is_ear(vertices: &[Vector], i: usize, normal: Vector) -> bool {
+/// Whether a corner is an ear. Vertices within the rounding of its triangle are inside.
+fn is_ear(vertices: &[Vector], i: usize, normal: Vector, rounding: f64) -> bool {
     let [a, b, c] = corner(vertices, i);
+    let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| (from, to, -rounding * (to - from).length()));
     let inside = |p: Vector| {
-        p != a
-            && p != b
-            && p != c
-            && turn(a, b, p, normal) >= 0.0
-            && turn(b, c, p, normal) >= 0.0
-            && turn(c, a, p, normal) >= 0.0
+        let is_left = |&(from, to, least): &(Vector, Vector, f64)| turn(from, to, p, normal) >= least;
+        p != a && p != b && p != c && sides.iter().all(is_left)
     };
     turn(a, b, c, normal) > 0.0 && !vertices.iter().any(|&p| inside(p))
 }

@@ -110,7 +110,7 @@ impl Search<'_> {
     fn of_surface(&self, samples: &mut Samples) -> Option<Ray> {
         let world = self.world;
         let surface = world.luminaires.emitting(samples.one())?;
-        let (wall, position, normal) = world.fronts[surface].point(samples)?;
+        let (wall, position, normal) = world.front(surface).point(samples)?;
         let direction = Law::<1>::Plane(normal).direction(1, samples);
         Some(self.ray(world.walls.start_before(wall, position), direction))
     }

@@ -32,12 +32,19 @@ pub(super) struct Luminaires {
     choice_of_beams: Choice,
     /// Cumulative fractions of the total power, over the emitting walls and then the beams.
     powers: Vec<f64>,
-    /// The light sources of each wall.
-    of_walls: Vec<Range<usize>>,
-    /// For each wall the points from which its light sources are not sampled.
-    near: Vec<Option<Near>>,
+    emitters: Vec<Emitter>,
+    /// The emitter of each wall that emits light.
+    of_walls: Vec<Option<u32>>,
     /// Selection data of all light sources together.
     all: Weight,
+}
+
+/// A wall that emits light.
+struct Emitter {
+    /// The points from which it is not sampled.
+    near: Near,
+    /// Its light sources.
+    sources: Range<usize>,
 }
 
 /// A light source.
@@ -74,9 +81,9 @@ pub(super) struct LightSample {
 impl Luminaires {
     /// Returns the light sources of a scene, whose walls extend over this length.
     pub(super) fn of(scene: &Scene, (shapes, extent): (&[Wall], f64), interfaces: &[Interface]) -> Self {
-        let (mut walls, mut weights, mut powers, mut of_walls) =
+        let (mut walls, mut weights, mut powers, mut emitters) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut near = Vec::with_capacity(shapes.len());
+        let mut of_walls = vec![None; shapes.len()];
         for (wall, (shape, interface)) in shapes.iter().zip(interfaces).enumerate() {
             let first = walls.len();
             let surface = &scene.surfaces[interface.surface];
@@ -90,9 +97,9 @@ impl Luminaires {
                     weights.push(Weight { before, ..form.weight(radiance) });
                     walls.push(Luminaire { source, form });
                 }
+                of_walls[wall] = Some(emitters.len() as u32);
+                emitters.push(Emitter { near: Near::of(shape), sources: first..walls.len() });
             }
-            of_walls.push(first..walls.len());
-            near.push((radiance > 0.0).then(|| Near::of(shape)));
         }
         let (mut beams, mut weights_of_beams) = (Vec::new(), Vec::new());
         for (index, light) in scene.lights.iter().enumerate() {
@@ -105,7 +112,7 @@ impl Luminaires {
         let [_, powers] = shares(&powers);
         let all = Weight::together(weights.iter().chain(&weights_of_beams));
         let [choice_of_walls, choice_of_beams] = [weights, weights_of_beams].map(Choice::among);
-        Self { walls, choice_of_walls, beams, choice_of_beams, powers, of_walls, near, all }
+        Self { walls, choice_of_walls, beams, choice_of_beams, powers, emitters, of_walls, all }
     }
 
     /// Whether a ray can hit any light source.
@@ -126,9 +133,8 @@ impl Luminaires {
         }
         let (place, chance) = self.choice_of_walls.choose(sought, samples.one())?;
         let luminaire = &self.walls[place];
-        let is_near =
-            matches!(luminaire.source, Source::Wall { wall, .. } if self.is_near(wall, sought.from));
-        (!is_near).then_some((luminaire, chance))
+        let Source::Wall { wall, .. } = luminaire.source else { return None };
+        self.emitter(wall, sought.from).map(|_| (luminaire, chance))
     }
 
     /// Returns the beams to sample, each with its selection probability: all beams if they are few.
@@ -149,9 +155,10 @@ impl Luminaires {
         usize::from(self.are_met()) + if beams <= FEW_BEAMS { beams } else { 1 }
     }
 
-    /// Whether the light sources of a wall are not sampled from a point.
-    fn is_near(&self, wall: usize, from: Vector) -> bool {
-        self.near[wall].as_ref().is_some_and(|near| near.holds(from))
+    /// Returns a wall as an emitter, if it is one and its light sources are sampled from a point.
+    fn emitter(&self, wall: usize, from: Vector) -> Option<&Emitter> {
+        let emitter = &self.emitters[self.of_walls[wall]? as usize];
+        (!emitter.near.holds(from)).then_some(emitter)
     }
 
     /// Selects an emitting surface by a number from 0 to 1, in proportion to its power, if there is one.
@@ -165,14 +172,12 @@ impl Luminaires {
     /// Returns the density with which [`wall`](Self::wall) and [`towards`](Luminaire::towards)
     /// sample the direction from a point to the wall that it hits.
     pub(super) fn density(&self, sought: Sought, from: Vector, direction: Vector, met: &Met) -> f64 {
-        if self.is_near(met.wall, sought.from) {
-            return 0.0;
-        }
+        let Some(emitter) = self.emitter(met.wall, sought.from) else { return 0.0 };
         let density = |place: usize| {
             let density = self.walls[place].form.density(from, direction, met);
             if density > 0.0 { self.choice_of_walls.chance(sought, place) * density } else { 0.0 }
         };
-        self.of_walls[met.wall].clone().map(density).sum()
+        emitter.sources.clone().map(density).sum()
     }
 }
 

@@ -74,7 +74,7 @@ mod tests {
     fn rectangle(x: f64, y: f64) -> Near {
         let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
         Near::of(&Wall::Polygon {
-            vertices: corners.map(|[x, y]| Vector::new(x, y, 0.0)).to_vec(),
+            vertices: corners.map(|[x, y]| Vector::new(x, y, 0.0)).as_slice().into(),
             normal: UP,
         })
     }

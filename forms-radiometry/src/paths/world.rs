@@ -10,14 +10,14 @@ use super::optics::{Optics, times};
 use super::rough_lobes::rough_coat;
 use super::shading_normals::ShadingNormals;
 use super::wall_textures::WallTextures;
-use crate::geometry::Vector;
+use crate::geometry::{Outline, Vector};
 use crate::scene::{
     FilledInterface, Filling, MaterialKind, Piece, RoughTransmittance, Scene, Surface, filled,
 };
 use crate::visibility::{Met, ReceivingArea, Start, Wall, Walls};
 use rustc_hash::FxHashMap;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Side of a wall at which a ray arrives.
 pub(super) struct Side {
@@ -40,8 +40,8 @@ pub(crate) struct World {
     pub(super) environment: Option<EnvironmentLight>,
     /// The chains of flat mirrors in which emitters are seen.
     pub(super) chains: Chains,
-    /// The front of each surface.
-    pub(super) fronts: Vec<Front>,
+    /// The walls of each surface, and its front, once a receiver or a light source needs it.
+    fronts: Vec<(Vec<u32>, OnceLock<Front>)>,
     /// The faces that receivers measure one by one, by the indices of surface and face.
     faces: FxHashMap<[usize; 2], Front>,
     /// The interpolated normals of the walls of smooth meshes.
@@ -69,11 +69,11 @@ impl World {
         let chains = Chains::of(&scene, (&walls, extent), &interfaces);
         let mut of_surfaces = vec![Vec::new(); scene.surfaces.len()];
         for (wall, interface) in interfaces.iter().enumerate() {
-            of_surfaces[interface.surface].push(wall);
+            of_surfaces[interface.surface].push(wall as u32);
         }
-        let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
-        let fronts = of_surfaces.iter().map(front).collect();
+        let fronts = of_surfaces.into_iter().map(|own| (own, OnceLock::new())).collect();
         let of_faces = measured_faces(&scene, &interfaces);
+        let front = |own: &Vec<usize>| Front::of(own.iter().map(|&wall| (wall, &walls[wall])));
         let faces = of_faces.iter().map(|(&face, own)| (face, front(own))).collect();
         let environment = scene.ambient.map.as_ref().map(EnvironmentLight::of);
         let rough_coats = scene.materials.iter().map(rough_coat).collect();
@@ -97,9 +97,16 @@ impl World {
     /// Returns the walls of a receiving area, which has both sides of them.
     pub(super) fn walls_in(&self, area: ReceivingArea) -> Option<&Front> {
         match area.face {
-            None => self.fronts.get(area.surface),
+            None => Some(self.front(area.surface)),
             Some(face) => self.faces.get(&[area.surface, face]),
         }
+    }
+
+    /// Returns the front of a surface.
+    pub(super) fn front(&self, surface: usize) -> &Front {
+        let (own, front) = &self.fronts[surface];
+        let walls = own.iter().map(|&wall| (wall as usize, self.walls.get(wall as usize)));
+        front.get_or_init(|| Front::of(walls))
     }
 
     /// Returns the largest fraction of an emitter's light that mirrors and boundaries turn along a
@@ -212,7 +219,7 @@ pub(crate) fn walls_of(piece: Piece) -> Vec<Wall> {
         Piece::Face(polygon, _) => {
             let normal = polygon.normal();
             let pieces = polygon.convex_pieces().iter();
-            pieces.map(|vertices| Wall::Polygon { vertices: vertices.clone(), normal }).collect()
+            pieces.map(|piece| Wall::Polygon { vertices: Outline::from_slice(piece), normal }).collect()
         }
         Piece::Sphere(sphere) => vec![Wall::Sphere(sphere)],
         Piece::Disk(disk) => vec![Wall::Disk(disk)],

@@ -32,6 +32,10 @@ const SMALL: f64 = 1e6;
 /// right within a few times, and its errors promise more than one standard deviation.
 const WORTHWHILE: f64 = 3.0;
 
+/// Number of faces beyond which they are not kept together with the world of paths: there is no room
+/// for both, and to build them again takes little of the time of a solution.
+const CROWDED: usize = 200_000;
+
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
@@ -137,7 +141,7 @@ fn reason_of_surfaces(scene: &Scene) -> Option<String> {
 
 /// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by
 /// path tracing if there is a reason for it, or if that is expected to cost far less.
-pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
+pub(super) fn decide(simulated: &mut SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     if let Some(shells) = Shells::of(scene, effects).filter(|_| paths.is_none()) {
         return (Solver::Shells(Arc::new(shells)), of_shells(scene));
@@ -147,6 +151,7 @@ pub(super) fn decide(simulated: &SimulatedScene, paths: Option<String>) -> (Solv
         Some(reason) => Some((world_of(simulated), computable, reason)),
         None => far_cheaper_paths(simulated, computable),
     };
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
     match by_paths {
         Some((world, computable, reason)) => {
             let methods = of_paths(scene, computable, &reason);
@@ -168,7 +173,7 @@ fn world_of(simulated: &SimulatedScene) -> Arc<World> {
 /// if path tracing is expected to cost far less than radiosity. Direct light at points has closed
 /// forms there, too, unless these cost more than samples.
 fn far_cheaper_paths(
-    simulated: &SimulatedScene,
+    simulated: &mut SimulatedScene,
     computable: Computable,
 ) -> Option<(Arc<World>, Computable, String)> {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
@@ -180,6 +185,10 @@ fn far_cheaper_paths(
     if expected.solution <= SMALL {
         return None;
     }
+    if expected.solution.is_infinite() || simulated.first_faces().faces(scene).len() > CROWDED {
+        simulated.forget_faces();
+    }
+    let (scene, effects) = (simulated.scene(), &simulated.effects);
     let world = world_of(simulated);
     let (rays, values) = expected_rays(simulated.task(&world, computable));
     let reason = if expected.solution.is_infinite() {

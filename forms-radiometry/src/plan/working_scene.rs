@@ -59,6 +59,11 @@ impl SimulatedScene {
         &self.first_faces
     }
 
+    /// Frees the memory of the faces, which are built again should they be needed.
+    pub(super) fn forget_faces(&mut self) {
+        self.first_faces = FirstFaces::default();
+    }
+
     /// Returns the same scene, for a solver that keeps it.
     pub(crate) fn shared_scene(&self) -> Arc<Scene> {
         Arc::clone(&self.scene)

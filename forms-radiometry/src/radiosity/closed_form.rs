@@ -32,6 +32,12 @@ const OF_PIECE: f64 = 16.0 * f64::EPSILON;
 const WITH_HORIZON: f64 = 3.0;
 /// Cost of evaluating a disk or sphere as a whole, in edges.
 const OF_ROUND: usize = 6;
+/// Distance from the plane of a face, in units of the largest coordinate, within which the rounding
+/// of coordinates decides on which side of it a point lies: the point counts as lying in the plane.
+const OF_PLANE: f64 = 8.0 * f64::EPSILON;
+/// Largest sine of the angle between the normal of a point and that of the face on which it lies:
+/// normals are written with few digits.
+const TILTED: f64 = 1e-3;
 /// Maximum number of edges that all answers together evaluate in double-double, each in some 2 µs.
 const PRECISE_EDGES: usize = 1024;
 
@@ -151,6 +157,9 @@ impl Lights<'_> {
         transport: &Transport,
         scratch: &mut Scratch,
     ) -> Part {
+        if let Some(error) = on_face(face, point, measure) {
+            return Part { measure: Rounded { error, ..Rounded::exactly(0.0) }, is_open: true };
+        }
         let own = self.round().contains(&face.surface).then_some(face.surface);
         let (points, luminaire) = ([point], (face.vertices.as_slice(), face.normal));
         scratch.between.clear();
@@ -305,8 +314,19 @@ fn nearest(place: Vector, points: &[Vector]) -> f64 {
 fn unseen(point: Vector, measure: Measure, face: &Face, transport: &Transport) -> f64 {
     let height = face.normal.dot(point - face.vertices[0]);
     let looks_away = measure.horizon().is_some_and(|normal| normal.dot(face.normal) >= 0.0);
-    let is_near = height != 0.0 && height.abs() <= transport.screens.resolution();
+    let is_near = height.abs() <= transport.screens.resolution() && on_face(face, point, measure).is_none();
     if is_near && !looks_away { measure.whole().max(1.0) } else { 0.0 }
+}
+
+/// Returns a bound on the visible part of a face in whose plane a point with a horizon lies, up to
+/// the rounding of coordinates, with its normal along that of the face: zero, on whichever side it is
+/// rounded to, but for the tilt θ of the normal, whose lune measures (1 − cos θ)/2. `None` for all
+/// other points.
+fn on_face(face: &Face, point: Vector, measure: Measure) -> Option<f64> {
+    let first = face.vertices[0];
+    let is_in_plane = face.normal.dot(point - first).abs() <= OF_PLANE * point.largest().max(first.largest());
+    let tilt = measure.horizon()?.unit()?.cross(face.normal).length();
+    (is_in_plane && tilt <= TILTED).then_some(0.25 * tilt * tilt)
 }
 
 /// Whether all of a face is as close to the plane of another as points that count as lying in it.

@@ -43,7 +43,7 @@ impl ConvexPiece {
     /// Returns a whole face as one piece, without regard to its contacts.
     #[cfg(test)]
     pub(super) fn whole(face: &Face) -> Self {
-        Self { outline: face.vertices.clone(), creases: vec![false; face.vertices.len()] }
+        Self { outline: face.vertices.to_vec(), creases: vec![false; face.vertices.len()] }
     }
 
     fn of(outline: Vec<Vector>, contacts: &[Contact], closeness: f64) -> Self {
@@ -73,7 +73,7 @@ pub(super) fn pieces(
         let mut contacts: Vec<Contact> = others.filter_map(|other| contact(face, other, closeness)).collect();
         contacts.extend(shadows(index, face));
         divide(
-            face.vertices.clone(),
+            face.vertices.to_vec(),
             &contacts,
             [closeness, 0.5_f64.powi(MOST_HALVINGS as i32) * face.area],
             &mut pieces,
@@ -217,7 +217,7 @@ mod tests {
     fn face(vertices: Vec<Vector>) -> Face {
         let twice = (vertices[1] - vertices[0]).cross(vertices[2] - vertices[0]);
         let normal = twice.unit().expect("a polygon");
-        Face { surface: 0, part: 0, is_back: false, vertices, normal, area: twice.length() }
+        Face { surface: 0, part: 0, is_back: false, vertices: vertices.into(), normal, area: twice.length() }
     }
 
     #[test]

@@ -99,7 +99,7 @@ mod tests {
             surface: 0,
             part: 0,
             is_back: false,
-            vertices,
+            vertices: vertices.into(),
             normal: Vector::new(0.0, 0.0, 1.0),
             area: 1.0,
         };

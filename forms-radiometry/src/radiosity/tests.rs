@@ -8,7 +8,7 @@ use super::reference::MOST_NODES;
 use super::solution::{all_orders, neumann, orders};
 use super::weights;
 use super::whole_elements::Whole;
-use crate::geometry::Vector;
+use crate::geometry::{Outline, Vector};
 use crate::visibility::Face;
 use crate::watch::Unwatched;
 use forms_kernels::irradiance_linear_luminaire;
@@ -17,7 +17,14 @@ use forms_kernels::irradiance_linear_luminaire;
 fn triangle([a, b, c]: [Vector; 3]) -> Face {
     let twice = (b - a).cross(c - a);
     let normal = twice.unit().expect("a triangle");
-    Face { surface: 0, part: 0, is_back: false, vertices: vec![a, b, c], normal, area: 0.5 * twice.length() }
+    Face {
+        surface: 0,
+        part: 0,
+        is_back: false,
+        vertices: [a, b, c].into(),
+        normal,
+        area: 0.5 * twice.length(),
+    }
 }
 
 #[test]
@@ -78,7 +85,7 @@ fn points_that_share_a_rule_get_what_each_gets_by_its_own() {
         triangle([Vector::new(-1.0, -1.0, 0.3), Vector::new(0.0, 2.0, 0.1), Vector::new(1.0, -1.0, 0.3)]);
     let up = Vector::new(0.0, 0.0, 1.0);
     for shift in [Vector::default(), Vector::new(1e6, -1e6, 1e6)] {
-        let vertices: Vec<Vector> = face.vertices.iter().map(|&v| v + shift).collect();
+        let vertices: Outline = face.vertices.iter().map(|&v| v + shift).collect();
         let face = Face { vertices: vertices.clone(), ..face.clone() };
         let elements = Element::of(0, &face, &ConvexPiece::whole(&face));
         let element = &elements[0];
@@ -111,7 +118,8 @@ fn parts_cover_an_element_and_keep_its_polynomials() {
             Vector::new(0.0, 1.5, 1.0),
             Vector::new(1.0, 2.0, 1.0),
             Vector::new(1.0, 0.5, 1.0),
-        ],
+        ]
+        .into(),
         area: 1.5,
         ..triangle.clone()
     };
@@ -137,8 +145,11 @@ fn parts_cover_an_element_and_keep_its_polynomials() {
 fn parts_shrink_towards_the_sides_that_other_faces_rise_from() {
     let corner = |x, y| Vector::new(x, y, 0.0);
     let outline = vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-    let face =
-        Face { vertices: outline.clone(), area: 1.0, ..triangle([outline[0], outline[1], outline[2]]) };
+    let face = Face {
+        vertices: outline.as_slice().into(),
+        area: 1.0,
+        ..triangle([outline[0], outline[1], outline[2]])
+    };
     // the sides are y = 0, x = 1, y = 1, x = 0
     for (creases, expected) in [
         ([false, false, false, false], &[0.5, 0.5][..]),

@@ -86,9 +86,9 @@ impl Radiosity<'_> {
         }
         let parts = self.parts_in_shadows();
         for index in (0..faces.len()).filter(|&index| !has_elements[index] && (all || sends(index))) {
-            let whole = parts[index].is_empty().then_some(&faces[index].vertices);
-            let outlines = parts[index].iter().map(|part| &part.outline).chain(whole);
-            targets.extend(outlines.map(|outline| (index, None, &outline[..])));
+            let whole = parts[index].is_empty().then_some(&faces[index].vertices[..]);
+            let outlines = parts[index].iter().map(|part| &part.outline[..]).chain(whole);
+            targets.extend(outlines.map(|outline| (index, None, outline)));
         }
         let of_target =
             |scratch: &mut Scratch, (face, element, outline): (usize, Option<usize>, &[Vector])| {

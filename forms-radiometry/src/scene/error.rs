@@ -56,6 +56,11 @@ impl SceneError {
     pub(super) fn of_file(file: &str, message: impl Into<String>) -> Self {
         Self { file: file.to_owned(), ..Self::new(&Place::default(), message, "") }
     }
+
+    /// Returns the error with another expected input.
+    pub(super) fn expecting(self, expected: impl Into<String>) -> Self {
+        Self { expected: cut(expected.into()), ..self }
+    }
 }
 
 impl fmt::Display for SceneError {

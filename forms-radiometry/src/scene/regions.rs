@@ -38,11 +38,11 @@ pub(crate) struct FilledInterface {
 }
 
 /// Returns the sheets of a valid scene, in which every region is filled by one medium.
-pub(crate) fn filled(scene: &Scene) -> Vec<FilledInterface> {
+pub(crate) fn filled(scene: &Scene) -> Box<dyn Iterator<Item = FilledInterface> + '_> {
     if !scene.surfaces.iter().any(|surface| inside(scene, surface).is_some()) {
         let ambient = scene.ambient.medium;
-        let filled = |interface| FilledInterface { interface, front: ambient, back: ambient };
-        return sheets_without_edges(scene).into_iter().map(filled).collect();
+        let filled = move |interface| FilledInterface { interface, front: ambient, back: ambient };
+        return Box::new(sheets_without_edges(scene).map(filled));
     }
     let (interfaces, vertices) = interfaces(scene);
     let mut regions = Regions::new(interfaces.len());
@@ -56,16 +56,16 @@ pub(crate) fn filled(scene: &Scene) -> Vec<FilledInterface> {
             fillings.insert(regions.of(Side::Back(index)), Some(medium));
         }
     }
-    let mut filling = |side: Side| match fillings.get(&regions.of(side)) {
+    let mut filling = move |side: Side| match fillings.get(&regions.of(side)) {
         Some(filling) => *filling,
         None => scene.ambient.medium,
     };
-    let filled = |(index, interface)| FilledInterface {
+    let filled = move |(index, interface)| FilledInterface {
         interface,
         front: filling(Side::Front(index)),
         back: filling(Side::Back(index)),
     };
-    interfaces.into_iter().enumerate().map(filled).collect()
+    Box::new(interfaces.into_iter().enumerate().map(filled))
 }
 
 /// The medium in front of a boundary.

@@ -13,7 +13,7 @@
 //! What leaves a sphere evenly arrives at a surface element in front of it like light from its
 //! centre, because the element sees all of the sphere above its horizon.
 
-use super::coaxial::{self, COAXIAL, ROUNDING, area};
+use super::coaxial::{self, ROUNDING, area};
 use super::flat_shapes::FlatShape;
 use super::{Row, ViewFactor};
 use crate::answer::ErrorKind;
@@ -21,7 +21,7 @@ use crate::geometry::bounds::Bounds;
 use crate::geometry::{Disk, Polygon, Round, Sphere, Vector};
 use crate::scene::{Scene, Shape, Surface};
 use crate::visibility::{Between, Face, Screens};
-use forms_kernels::{solid_angle_triangle, view_factor_sphere_disk, view_factor_spheres};
+use forms_kernels::{solid_angle_triangle, view_factor_spheres};
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
@@ -185,11 +185,11 @@ fn flat_screens(surfaces: &[Surface]) -> Screens {
     for (index, surface) in surfaces.iter().enumerate() {
         match &surface.shape {
             Shape::Polygon(polygon) => {
-                let pieces = polygon.straight_pieces().iter().cloned();
+                let pieces = polygon.straight_pieces().iter();
                 faces.extend(pieces.flat_map(|piece| Face::sides(index, piece, polygon.normal())));
             }
             Shape::Mesh(mesh) => mesh.flat_parts().for_each(|flat| faces.extend(Face::of(index, &flat))),
-            Shape::Disk(disk) => faces.extend(Face::sides(index, disk.around(), disk.normal)),
+            Shape::Disk(disk) => faces.extend(Face::sides(index, &disk.around(), disk.normal)),
             Shape::Sphere(_) | Shape::Quadric(_) => {}
         }
     }
@@ -218,6 +218,11 @@ fn ball(shape: &Shape) -> (Vector, f64) {
     };
     (0.5 * (corners.low + corners.high), 0.5 * (corners.high - corners.low).length())
 }
+
+/// The least and the largest number of points on a rim, and the relative change by twice as many at
+/// which the rule has converged.
+const RIM: [u32; 2] = [8, 1 << 14];
+const RULE: f64 = 0.5 * ROUNDING;
 
 /// Returns the view factor between the fronts of two shapes that nothing hides from each other.
 fn unobstructed(one: &Shape, other: &Shape) -> Option<f64> {
@@ -254,16 +259,50 @@ fn sphere_to_flat(sphere: &Sphere, flat: &Shape) -> Option<f64> {
         _ if height < 0.0 => Some(0.0),
         Shape::Polygon(polygon) => Some(solid_angle(polygon, sphere.center) / (4.0 * PI)),
         Shape::Disk(disk) => {
-            let is_coaxial =
-                (sphere.center - disk.center).cross(disk.normal).length() <= COAXIAL * disk.radius;
-            let [whole, hole] = disk.whole_and_hole();
-            let of_disk = |disk: Disk| {
-                if disk.radius > 0.0 { view_factor_sphere_disk(disk.radius, height) } else { 0.0 }
-            };
-            is_coaxial.then(|| of_disk(whole) - of_disk(hole))
+            let away = (sphere.center - disk.center).cross(disk.normal).length();
+            let [whole, hole] =
+                disk.whole_and_hole().map(|disk| solid_angle_of_disk(disk.radius, height, away));
+            Some((whole? - hole?) / (4.0 * PI))
         }
         Shape::Sphere(_) | Shape::Mesh(_) | Shape::Quadric(_) => None,
     }
+}
+
+/// Returns the solid angle of a disk from a point at this height above its plane and this distance
+/// from its axis; `None` where the point is so close to the rim that the rule does not converge.
+///
+/// Seen from the foot of the point, an element of the rim at distance s has the angle
+/// dα = (R² − a R cos φ)/s² dφ, and the sector within it the solid angle (1 − h/q) dα, q² = h² + s²:
+/// ```text
+/// Ω = ∫ (R² − a R cos φ)/(q (q + h)) dφ,   q² = p² − 2 a R cos φ,   p² = h² + a² + R²
+///   = ∫ R²/(q (q + h)) (1 − 2 a² cos² φ (p + q + h)/((p + q) p (p + h))) dφ
+/// ```
+/// The second form subtracts cos φ/(p (p + h)), whose integral is zero, and so does not cancel from
+/// afar. The integrand is periodic and analytic: the trapezoidal rule doubles its digits with its
+/// points.
+fn solid_angle_of_disk(radius: f64, height: f64, away: f64) -> Option<f64> {
+    let middle = radius.hypot(away).hypot(height);
+    let at = |angle: f64| {
+        let (sine, cosine) = ((0.5 * angle).sin(), angle.cos());
+        let squared = (away - radius).powi(2) + 4.0 * away * radius * sine * sine;
+        let ray = squared.sqrt().hypot(height);
+        let turned = 2.0 * (away * cosine / middle) * (away * cosine / (middle + height));
+        let both = middle + ray;
+        radius * radius / (ray * (ray + height)) * (1.0 - turned * (both + height) / both)
+    };
+    let sum = |count: u32, first: f64| -> f64 {
+        (0..count).map(|index| at((f64::from(index) + first) * 2.0 * PI / f64::from(count))).sum()
+    };
+    let (mut count, mut before) = (RIM[0], sum(RIM[0], 0.0));
+    while count < RIM[1] {
+        let after = before + sum(count, 0.5);
+        let [old, new] = [before / f64::from(count), after / f64::from(2 * count)];
+        if (new - old).abs() <= RULE * new.abs() {
+            return Some(2.0 * PI * new);
+        }
+        (count, before) = (2 * count, after);
+    }
+    None
 }
 
 /// Returns the solid angle of a polygon from a point in front of it.

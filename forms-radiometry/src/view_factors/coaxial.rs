@@ -18,8 +18,10 @@ use std::f64::consts::PI;
 
 /// Rounding error of a view factor, relative to it.
 pub(super) const ROUNDING: f64 = 256.0 * f64::EPSILON;
-/// Largest sine of the angle, and distance in radii, within which two axes coincide.
-pub(super) const COAXIAL: f64 = 1e-14;
+/// Largest sine of the angle, and relative distance, within which two axes coincide.
+const COAXIAL: f64 = 1e-14;
+/// Rounding of the difference of two places, in units of 2⁻⁵² times the largest coordinate.
+const PLACES: f64 = 4.0;
 
 /// A disk about an axis: its height, and its radius.
 #[derive(Clone, Copy, Debug)]
@@ -48,7 +50,7 @@ enum Turned {
 pub(super) fn factor(surfaces: &[Surface], from: usize, to: usize) -> Option<ViewFactor> {
     let axis = Axis::of(&surfaces[from].shape)?;
     let [one, other] = [from, to].map(|index| Turned::about(axis, &surfaces[index].shape));
-    let (one, other) = (one?, other?);
+    let ((one, aside), (other, also_aside)) = (one?, other?);
     let hull: Vec<Opening> = one.hull().into_iter().chain(other.hull()).collect();
     let mut others = (0..surfaces.len()).filter(|&index| index != from && index != to);
     if others.any(|index| !axis.is_beside(&surfaces[index].shape, &hull)) {
@@ -57,7 +59,7 @@ pub(super) fn factor(surfaces: &[Surface], from: usize, to: usize) -> Option<Vie
     let size = area(&surfaces[from].shape)?;
     let terms = if from == to { one.to_itself(size)? } else { one.exchange(&other)? };
     let value = (terms.iter().sum::<f64>() / size).max(0.0);
-    let error = ROUNDING * terms.iter().map(|term| term.abs()).sum::<f64>() / size;
+    let error = (ROUNDING + aside + also_aside) * terms.iter().map(|term| term.abs()).sum::<f64>() / size;
     Some(ViewFactor { value, error })
 }
 
@@ -74,9 +76,13 @@ impl Axis {
         self.along.dot(point - self.point)
     }
 
-    /// Whether a point is on the axis, next to this length.
-    fn holds(self, point: Vector, length: f64) -> bool {
-        (point - self.point).cross(self.along).length() <= COAXIAL * length
+    /// Returns the distance of a point from the axis, over this length, if the rounding of
+    /// coordinates and of the axis explains it.
+    fn holds(self, point: Vector, length: f64) -> Option<f64> {
+        let away = (point - self.point).cross(self.along).length();
+        let distance = length.max((point - self.point).length());
+        let rounding = f64::EPSILON * point.largest().max(self.point.largest());
+        (away <= COAXIAL * distance + PLACES * rounding).then_some(away / length)
     }
 
     /// Whether a shape hides nothing within the convex hull of disks about the axis.
@@ -85,7 +91,7 @@ impl Axis {
         let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
             (low.min(height), high.max(height))
         });
-        if let Some(turned) = Turned::about(self, shape) {
+        if let Some((turned, _)) = Turned::about(self, shape) {
             return turned.is_beside(hull, [low, high]);
         }
         let in_front = |normal: Vector, point: Vector| {
@@ -114,8 +120,8 @@ impl Axis {
 
 impl Turned {
     /// Returns a shape relative to an axis, if it is one about this axis whose front is flat or
-    /// inside.
-    fn about(axis: Axis, shape: &Shape) -> Option<Self> {
+    /// inside, and its distance from the axis relative to its size.
+    fn about(axis: Axis, shape: &Shape) -> Option<(Self, f64)> {
         match shape {
             Shape::Disk(disk) => Self::flat(axis, disk),
             Shape::Quadric(quadric) if quadric.inward => Self::inside(axis, quadric),
@@ -123,20 +129,19 @@ impl Turned {
         }
     }
 
-    fn flat(axis: Axis, disk: &Disk) -> Option<Self> {
-        let is_coaxial =
-            axis.along.cross(disk.normal).length() <= COAXIAL && axis.holds(disk.center, disk.radius);
+    fn flat(axis: Axis, disk: &Disk) -> Option<(Self, f64)> {
+        let is_parallel = axis.along.cross(disk.normal).length() <= COAXIAL;
+        let aside = axis.holds(disk.center, disk.radius).filter(|_| is_parallel)?;
         let height = axis.height(disk.center);
         let borders = [disk.radius, disk.hole].map(|radius| Opening { height, radius });
-        is_coaxial.then(|| Self::Flat { borders, looks_up: axis.along.dot(disk.normal) > 0.0 })
+        Some((Self::Flat { borders, looks_up: axis.along.dot(disk.normal) > 0.0 }, aside))
     }
 
-    fn inside(axis: Axis, quadric: &Quadric) -> Option<Self> {
+    fn inside(axis: Axis, quadric: &Quadric) -> Option<(Self, f64)> {
         let (along, length) = quadric.axis();
         let size = length.max(quadric.radii[0]).max(quadric.radii[1]);
-        if axis.along.cross(along).length() > COAXIAL || !axis.holds(quadric.ends[0], size) {
-            return None;
-        }
+        let is_parallel = axis.along.cross(along).length() <= COAXIAL;
+        let aside = axis.holds(quadric.ends[0], size).filter(|_| is_parallel)?;
         let opening =
             |end: usize| Opening { height: axis.height(quadric.ends[end]), radius: quadric.radii[end] };
         let [first, last] = [opening(0), opening(1)];
@@ -145,7 +150,7 @@ impl Turned {
             Profile::Straight => 0.0,
             Profile::Parabolic => first.radius.max(last.radius),
         };
-        Some(Self::Inside { openings, widest })
+        Some((Self::Inside { openings, widest }, aside))
     }
 
     /// Returns disks whose convex hull contains the shape.

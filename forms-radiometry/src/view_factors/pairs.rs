@@ -40,6 +40,14 @@ pub(super) struct Pairs {
     known: Vec<Vec<(usize, Exchange)>>,
 }
 
+/// A pair of faces after a first look.
+struct Rough {
+    pair: (usize, usize),
+    area: f64,
+    change: f64,
+    doubt: f64,
+}
+
 impl Pairs {
     /// Prepares the faces of this tessellation level of disks and spheres.
     pub(super) fn of(scene: &Scene, fineness: usize) -> Self {
@@ -104,10 +112,21 @@ impl Pairs {
                 self.known[other].push((surface, exchange));
             }
         }
+        self.factors(surface, row)
+    }
+
+    /// Returns the row of a surface, all of it computed again to another tolerance. The other rows
+    /// learn nothing from it: they are the same in shards that compute this row or do not.
+    pub(super) fn row_again(&self, surface: usize, tolerance: f64, watch: &dyn Watch) -> Row {
+        let all = (0..self.of_surfaces.len()).into_par_iter();
+        self.factors(surface, all.map(|other| self.exchange(surface, other, tolerance, watch)).collect())
+    }
+
+    fn factors(&self, surface: usize, exchanges: Vec<Exchange>) -> Row {
         let area = self.areas[surface];
         let factor =
             |Exchange { area: exchanged, error }| ViewFactor { value: exchanged / area, error: error / area };
-        Row { factors: row.into_iter().map(factor).collect(), kind: ErrorKind::Estimate }
+        Row { factors: exchanges.into_iter().map(factor).collect(), kind: ErrorKind::Estimate }
     }
 
     /// Returns the exchange area of two surfaces, which may be the same: the same bits for both
@@ -147,19 +166,19 @@ impl Pairs {
         };
         let looks: Vec<FirstLook> = pairs.par_iter().map(look).collect();
         let mut sum = Changes::default();
-        let mut rough: Vec<((usize, usize), [f64; 2])> = Vec::new();
+        let mut rough: Vec<Rough> = Vec::new();
         for (pair, look) in pairs.iter().zip(looks) {
             match look {
                 FirstLook::Certain(exchange) => sum.add_certain(exchange),
-                FirstLook::Rough { area, change } => {
-                    sum.add(area, change, 1.0);
-                    rough.push((*pair, [area, change]));
+                FirstLook::Rough { area, change, doubt } => {
+                    sum.add(area, [change, doubt], 1.0);
+                    rough.push(Rough { pair: *pair, area, change, doubt });
                 }
             }
         }
-        rough.sort_by(|a, b| b.1[1].abs().total_cmp(&a.1[1].abs()));
+        rough.sort_by(|a, b| b.doubt.total_cmp(&a.doubt));
         let finest = [tolerance, goal(sum.area) / tolerance / rough.len().max(1) as f64];
-        let finer = |&((from, to), _): &((usize, usize), [f64; 2])| {
+        let finer = |&Rough { pair: (from, to), .. }: &Rough| {
             let [from, to] = [&self.sides[from], &self.sides[to]];
             exchange_with(from, to, &self.screens, finest, || watch.is_stopped())
         };
@@ -168,8 +187,8 @@ impl Pairs {
                 break;
             }
             let found: Vec<Exchange> = some.par_iter().map(finer).collect();
-            for ((_, [area, change]), found) in some.iter().zip(found) {
-                sum.remove(*area, *change, 1.0);
+            for (&Rough { area, change, doubt, .. }, found) in some.iter().zip(found) {
+                sum.remove(area, [change, doubt], 1.0);
                 sum.add_certain(found);
             }
         }

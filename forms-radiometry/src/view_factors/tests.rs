@@ -103,7 +103,9 @@ fn closed_forms_of_round_shapes_are_what_rays_find() {
         format!("sphere = {{ center = [{x:?},{y:?},{z:?}], radius = {radius:?}, inward = {inward} }}")
     };
     let square = polygon(&[[-1.0, -2.0, 0.0], [3.0, -2.0, 0.0], [3.0, 1.0, 0.0], [-1.0, 1.0, 0.0]]);
+    let disk_aside = "disk = { center = [1e3, 1.0, 0.0], normal = [0.1, 0.2, 0.9], radius = 2.0 }".to_owned();
     let cases = [
+        ("a ball before a disk aside", ball([1e3 + 0.3, 0.2, 1.0], 0.7, false), disk_aside.clone()),
         ("a ball above a square", ball([0.3, 0.2, 1.0], 0.7, false), square.clone()),
         ("a ball in a hollow one", ball([0.3, 0.2, 0.4], 0.4, false), ball([0.0; 3], 1.0, true)),
         ("a square in a hollow ball", square, ball([0.0; 3], 9.0, true)),

@@ -49,6 +49,7 @@ pub(super) struct Arrangement {
     cells: Vec<([u64; 2], usize)>,
     /// For each point, its index and its cell.
     unsorted: Vec<(u32, usize)>,
+    cuts: Vec<usize>,
 }
 
 /// A cell of the arrangement.
@@ -93,11 +94,16 @@ impl Arrangement {
         self.points.clear();
         self.points.extend(some);
         self.known.clear();
+        self.cuts.clear();
         let mut parting = 0;
-        for &(plane, least) in &self.planes {
+        for (index, &(plane, least)) in self.planes.iter().enumerate() {
             let first = Side::of(plane, least, outline[0]);
+            let has = |side| outline.iter().any(|&corner| Side::of(plane, least, corner) == side);
             // the set of points with each value of `Side` is convex
             let is_all = outline[1..].iter().all(|&corner| Side::of(plane, least, corner) == first);
+            if !is_all && has(Side::Front) && has(Side::Behind) {
+                self.cuts.push(index);
+            }
             self.known.push(if is_all { Known::All(first) } else { Known::Parted(parting) });
             parting += u32::from(!is_all);
         }
@@ -174,6 +180,11 @@ impl Arrangement {
         }
     }
 
+    /// Returns the indices of the planes on both sides of which the last outline has points.
+    pub(super) fn cuts(&self) -> &[usize] {
+        &self.cuts
+    }
+
     /// Returns the cells that contain points.
     pub(super) fn cells(&self) -> impl Iterator<Item = Cell<'_>> {
         let starts = std::iter::once(0).chain(self.cells.iter().map(|(_, end)| *end));
@@ -228,5 +239,8 @@ mod tests {
         // the diagonal has points on neither side, and the last plane separates none
         assert_eq!([count, arrangement.cells().count()], [64, 5]);
         assert!(arrangement.cells().all(|cell| cell.side(2) == Side::Behind));
+        assert_eq!(arrangement.cuts(), [0, 1]);
+        arrangement.part(&points, 0..1, &outline[..1]).unwrap();
+        assert!(arrangement.cuts().is_empty());
     }
 }

@@ -21,6 +21,7 @@ use super::body::Body;
 use super::silhouette_crossing::{End, MOST, Signs};
 use super::{Screen, Screens};
 use crate::geometry::{Plane, Vector};
+use smallvec::SmallVec;
 
 /// Products below this fraction of their bound have an uncertain sign: far above rounding, far
 /// below usual values.
@@ -178,26 +179,62 @@ impl Shadows {
         starts.zip(&self.ends).map(|(start, &end)| &self.edges[start..end])
     }
 
+    /// Returns the edges of each shadow with the corners of a luminaire, and vice versa.
+    fn edges_and_corners(&self, luminaire: &[Vector]) -> impl Iterator<Item = ([Vector; 2], Vector)> {
+        self.all().flat_map(move |shadow| {
+            let with_corners = |&edge| luminaire.iter().map(move |&corner| (edge, corner));
+            let with_starts =
+                move |j| shadow.iter().map(move |&[start, _]| (edge_after(luminaire, j), start));
+            shadow.iter().flat_map(with_corners).chain((0..luminaire.len()).flat_map(with_starts))
+        })
+    }
+
     /// Adds the planes through the edges of each shadow and the corners of a luminaire, and vice
     /// versa. They are to separate points in `outline`.
     pub(super) fn add_planes(&self, luminaire: &[Vector], outline: &[Vector], planes: &mut Arrangement) {
         planes.clear();
-        let mut add = |[a, b]: [Vector; 2], corner: Vector| {
+        for ([a, b], corner) in self.edges_and_corners(luminaire) {
             let distance = |&point: &Vector| (corner - point).largest();
             let reach = outline.iter().map(distance).fold(0.0, f64::max);
             let [a, b] = [a - corner, b - corner];
             let least = UNSURE * a.largest() * b.largest() * reach;
             planes.add(Plane { point: corner, normal: a.cross(b) }, least);
-        };
-        for shadow in self.all() {
-            for &edge in shadow {
-                luminaire.iter().for_each(|&corner| add(edge, corner));
-            }
-            for j in 0..luminaire.len() {
-                shadow.iter().for_each(|[start, _]| add(edge_after(luminaire, j), *start));
-            }
         }
     }
+
+    /// Whether what points of an outline see can change at one of these planes, given by their
+    /// indices.
+    pub(super) fn turn_at(&self, luminaire: &[Vector], outline: &[Vector], planes: &[usize]) -> bool {
+        let mut next = planes.iter().peekable();
+        next.peek().is_some()
+            && self.edges_and_corners(luminaire).enumerate().any(|(index, (edge, corner))| {
+                next.next_if_eq(&&index).is_some() && passes_over(edge, corner, outline)
+            })
+    }
+}
+
+/// Whether a point of an outline can see a corner on an edge from a to b, and not only on its line.
+///
+/// In the plane through all three, p sees the corner c between a and b where (a − p) × (c − p) and
+/// (c − p) × (b − p) point to the side to which (a − p) × (b − p) does. All three are affine in p: one
+/// that has the same sign where the plane enters and leaves the outline has it in between.
+fn passes_over([a, b]: [Vector; 2], corner: Vector, outline: &[Vector]) -> bool {
+    let normal = (a - corner).cross(b - corner);
+    let height = |p: Vector| normal.dot(p - corner);
+    let mut sides: SmallVec<[[f64; 3]; 2]> = SmallVec::new();
+    for (index, &p) in outline.iter().enumerate() {
+        let q = outline[(index + 1) % outline.len()];
+        let [of_p, of_q] = [p, q].map(height);
+        if (of_p < 0.0) == (of_q < 0.0) {
+            continue;
+        }
+        let p = p + of_p / (of_p - of_q) * (q - p);
+        let side = |from: Vector, to: Vector| normal.dot((from - p).cross(to - p));
+        sides.push([side(a, b), side(a, corner), side(corner, b)]);
+    }
+    let [enters, leaves] = sides[..] else { return true };
+    let is_opposite = |part: usize| enters[0] * enters[part] < 0.0 && leaves[0] * leaves[part] < 0.0;
+    enters[0] * leaves[0] <= 0.0 || !(is_opposite(1) || is_opposite(2))
 }
 
 impl Aspect {

@@ -215,7 +215,7 @@ mod tests {
             .to_vec()
     }
 
-    fn sides(surface: usize, outline: Vec<Vector>) -> [Face; 2] {
+    fn sides(surface: usize, outline: &[Vector]) -> [Face; 2] {
         let normal = (outline[1] - outline[0]).cross(outline[2] - outline[0]).unit().expect("a polygon");
         Face::sides(surface, outline, normal)
     }
@@ -231,8 +231,8 @@ mod tests {
     /// Returns the lit part of a ground of 10 × 10 below some outlines.
     fn ground(screens: &[Vec<Vector>], beam: Beam) -> (Lit, Vec<Vector>) {
         let outline = level([[-5.0; 2], [5.0; 2]], 0.0);
-        let mut faces = sides(0, outline.clone()).to_vec();
-        faces.extend(screens.iter().enumerate().flat_map(|(i, screen)| sides(i + 1, screen.clone())));
+        let mut faces = sides(0, &outline).to_vec();
+        faces.extend(screens.iter().enumerate().flat_map(|(i, screen)| sides(i + 1, screen)));
         let lit = Screens::of(&faces).lit((&outline, faces[0].normal), beam).expect("few pieces");
         (lit, outline)
     }

@@ -10,7 +10,7 @@
 
 use super::Screen;
 use crate::geometry::bounds::Bounds;
-use crate::geometry::{Plane, Vector, Welded};
+use crate::geometry::{FaceList, Plane, Vector, Welded, edges};
 use rustc_hash::FxHashMap;
 
 /// The largest number of screens of a body: each corner is compared with each plane.
@@ -38,15 +38,24 @@ struct Edge {
     beyond: Option<usize>,
 }
 
+/// Mark of an edge without a screen beyond it.
+const NOTHING: u32 = u32::MAX;
+
 /// For each screen, the screens beyond its edges, in the order of its vertices.
-type Neighbours = Vec<Vec<Option<usize>>>;
+struct Neighbours(FaceList);
+
+impl Neighbours {
+    fn of(&self, screen: usize) -> impl Iterator<Item = Option<usize>> {
+        self.0.get(screen).iter().map(|&beyond| (beyond != NOTHING).then_some(beyond as usize))
+    }
+}
 
 /// Finds the bodies, and for each screen its body, if any.
 pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec<Body>, Vec<Option<u32>>) {
     let neighbours = neighbours(screens, [resolution, rounding]);
     let mut bodies = Vec::new();
     let mut of_screen = vec![None; screens.len()];
-    for group in groups(&neighbours) {
+    for group in groups(&neighbours, screens.len()) {
         if let Some(body) = Body::of(&group, screens, &neighbours, [resolution, rounding]) {
             group.iter().for_each(|&screen| of_screen[screen] = Some(bodies.len() as u32));
             bodies.push(body);
@@ -60,49 +69,53 @@ pub(super) fn bodies(screens: &[Screen], resolution: f64, rounding: f64) -> (Vec
 /// encloses the smallest angle. A screen that lies back to back with the first encloses nothing.
 fn neighbours(screens: &[Screen], [resolution, rounding]: [f64; 2]) -> Neighbours {
     let mut welded = Welded::new(resolution);
-    let mut numbers = |edge: [Vector; 2]| edge.map(|end| welded.number(end));
-    let edges = screens.iter().map(|screen| screen.edges().map(&mut numbers).collect());
-    let edges: Vec<Vec<[usize; 2]>> = edges.collect();
-    let mut owners: FxHashMap<[usize; 2], Vec<usize>> = FxHashMap::default();
-    for (index, edges) in edges.iter().enumerate() {
-        edges.iter().for_each(|&edge| owners.entry(edge).or_default().push(index));
-    }
+    let mut outlines = FaceList::default();
+    screens.iter().for_each(|screen| outlines.push(screen.vertices.iter().map(|&v| welded.number(v))));
+    drop(welded);
+    let sides = |(screen, outline)| edges(outline).map(move |edge| (edge, screen as u32));
+    let mut owners: Vec<([u32; 2], u32)> = outlines.iter().enumerate().flat_map(sides).collect();
+    owners.sort_unstable();
+    let others = |edge: [u32; 2]| {
+        let first = owners.partition_point(|(other, _)| *other < edge);
+        owners[first..].iter().take_while(move |(other, _)| *other == edge).map(|&(_, screen)| screen)
+    };
     let encloses = |plane: Plane, other: &Screen| {
         let is_behind = other.vertices.iter().all(|&corner| plane.distance(corner) <= rounding);
         let is_solid = other.vertices.iter().any(|&corner| plane.distance(corner) < -resolution);
         is_behind && (is_solid || plane.normal.dot(other.plane.normal) > 0.0)
     };
-    let beyond = |(screen, edges): (&Screen, &Vec<[usize; 2]>)| {
-        let turn = |other: &usize| screen.plane.normal.dot(screens[*other].plane.normal);
-        let neighbour = |&[a, b]: &[usize; 2]| {
-            let others = owners.get(&[b, a]).into_iter().flatten().copied();
-            let convex = others.filter(|&other| encloses(screen.plane, &screens[other]));
-            convex.min_by(|one, other| turn(one).total_cmp(&turn(other)))
-        };
-        edges.iter().map(neighbour).collect()
-    };
-    screens.iter().zip(&edges).map(beyond).collect()
+    let mut neighbours = FaceList::default();
+    for (screen, outline) in screens.iter().zip(outlines.iter()) {
+        let turn = |other: &u32| screen.plane.normal.dot(screens[*other as usize].plane.normal);
+        neighbours.push(edges(outline).map(|[a, b]| {
+            let convex = others([b, a]).filter(|&other| encloses(screen.plane, &screens[other as usize]));
+            convex.min_by(|one, other| turn(one).total_cmp(&turn(other))).unwrap_or(NOTHING)
+        }));
+    }
+    Neighbours(neighbours)
 }
 
-/// Returns the connected groups of neighbouring screens.
-fn groups(neighbours: &Neighbours) -> Vec<Vec<usize>> {
-    let mut is_known = vec![false; neighbours.len()];
+/// Returns the connected groups of neighbouring screens, without screens that are alone.
+fn groups(neighbours: &Neighbours, count: usize) -> Vec<Vec<usize>> {
+    let mut is_known = vec![false; count];
     let mut groups = Vec::new();
-    for start in 0..neighbours.len() {
+    for start in 0..count {
         if std::mem::replace(&mut is_known[start], true) {
             continue;
         }
         let mut group = vec![start];
         let mut place = 0;
         while let Some(&screen) = group.get(place) {
-            for &other in neighbours[screen].iter().flatten() {
+            for other in neighbours.of(screen).flatten() {
                 if !std::mem::replace(&mut is_known[other], true) {
                     group.push(other);
                 }
             }
             place += 1;
         }
-        groups.push(group);
+        if group.len() > 1 {
+            groups.push(group);
+        }
     }
     groups
 }
@@ -115,7 +128,7 @@ impl Body {
         neighbours: &Neighbours,
         [resolution, rounding]: [f64; 2],
     ) -> Option<Self> {
-        if group.len() < 2 || group.len() > MOST_SCREENS {
+        if group.len() > MOST_SCREENS {
             return None;
         }
         let place: FxHashMap<usize, usize> =
@@ -123,7 +136,7 @@ impl Body {
         let edges_of = |(side, &screen): (usize, &usize)| {
             // if more than two screens share an edge, the neighbour can belong to another group
             let beyond =
-                neighbours[screen].iter().map(|other| other.and_then(|other| place.get(&other).copied()));
+                neighbours.of(screen).map(|other| other.and_then(|other| place.get(&other).copied()));
             let edge = move |(ends, beyond)| Edge { ends, side, beyond };
             screens[screen].edges().zip(beyond).map(edge).collect::<Vec<_>>()
         };

@@ -8,7 +8,6 @@ use std::ops::ControlFlow;
 
 /// A BVH of boxes, each around a few points.
 pub(crate) struct Boxes {
-    boxes: Vec<Bounds>,
     tree: Tree,
 }
 
@@ -17,8 +16,7 @@ impl Boxes {
     pub(crate) fn around<P: IntoIterator<Item = Vector>>(sets: impl Iterator<Item = (P, f64)>) -> Self {
         let boxes: Vec<Bounds> =
             sets.map(|(points, margin)| Bounds::of(points.into_iter()).wider(margin)).collect();
-        let tree = Tree::of(&boxes);
-        Self { boxes, tree }
+        Self { tree: Tree::of(&boxes) }
     }
 
     /// Calls `visit` with the index of each box that intersects the bounding box of these points,
@@ -30,7 +28,7 @@ impl Boxes {
         visit: impl FnMut(usize) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let sought = Bounds::of(points.into_iter()).wider(margin);
-        self.tree.walk(&mut Meeting { boxes: &self.boxes, sought, visit })
+        self.tree.walk(&mut Meeting { sought, visit })
     }
 }
 
@@ -42,18 +40,17 @@ pub(crate) fn distance_of_boxes(points: &[Vector], others: &[Vector]) -> f64 {
 }
 
 /// A search for the boxes that intersect a box.
-struct Meeting<'b, V> {
-    boxes: &'b [Bounds],
+struct Meeting<V> {
     sought: Bounds,
     visit: V,
 }
 
-impl<V: FnMut(usize) -> ControlFlow<()>> Query for Meeting<'_, V> {
+impl<V: FnMut(usize) -> ControlFlow<()>> Query for Meeting<V> {
     fn may_be_in(&self, bounds: &Bounds) -> bool {
         bounds.meets(&self.sought)
     }
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
-        if self.boxes[leaf].meets(&self.sought) { (self.visit)(leaf) } else { ControlFlow::Continue(()) }
+        (self.visit)(leaf)
     }
 }

@@ -75,23 +75,22 @@ impl Branches {
         let mut branches = Self { branches: Vec::new(), origin: all.low, scale, all: [[0.0; 3]; 2] };
         branches.all =
             [branches.relative(all.low).map(|x| x - WIDER), branches.relative(all.high).map(|x| x + WIDER)];
-        let roots: SmallVec<[usize; 2]> = tree.roots().into_iter().flatten().collect();
-        if !roots.is_empty() {
-            branches.add(tree, &roots);
+        if let Some(root) = tree.root() {
+            branches.add(tree, root);
         }
+        branches.branches.shrink_to_fit();
         branches
     }
 
-    /// Adds the branch of some siblings, and returns its place.
-    fn add(&mut self, tree: &Tree, siblings: &[usize]) -> u32 {
-        let nodes = opened(tree, siblings);
+    /// Adds the branch of a node, and returns its place.
+    fn add(&mut self, tree: &Tree, node: usize) -> u32 {
+        let nodes = opened(tree, node);
         let place = self.branches.len();
         self.branches.push(self.branch(tree, &nodes));
         for (child, &node) in nodes.iter().enumerate() {
-            let below: SmallVec<[usize; 2]> = tree.below(node).into_iter().flatten().collect();
             self.branches[place].below[child] = match tree.leaf(node) {
                 Some(leaf) => leaf as u32 | LEAF,
-                None => self.add(tree, &below),
+                None => self.add(tree, node),
             };
         }
         place as u32
@@ -180,15 +179,15 @@ impl Branches {
     }
 }
 
-/// Returns siblings, of which the largest are replaced by their children while there is room.
-fn opened(tree: &Tree, siblings: &[usize]) -> SmallVec<[usize; WIDTH]> {
-    let mut nodes: SmallVec<[usize; WIDTH]> = siblings.iter().copied().collect();
+/// Returns a node, of which the largest parts are replaced by their children while there is room.
+fn opened(tree: &Tree, node: usize) -> SmallVec<[usize; WIDTH]> {
+    let mut nodes = SmallVec::from_slice(&[node]);
+    let size = |node: usize| tree.bounds_of(node).half_surface();
     while nodes.len() < WIDTH {
-        let inner = nodes.iter().enumerate().filter(|(_, node)| tree.leaf(**node).is_none());
-        let size = |node: usize| tree.bounds_of(node).half_surface();
-        let Some((place, _)) = inner.max_by(|a, b| size(*a.1).total_cmp(&size(*b.1))) else { break };
-        let largest = nodes.remove(place);
-        nodes.extend(tree.below(largest).into_iter().flatten());
+        let inner = nodes.iter().enumerate().filter_map(|(at, &node)| Some((at, node, tree.below(node)?)));
+        let Some((at, _, children)) = inner.max_by(|a, b| size(a.1).total_cmp(&size(b.1))) else { break };
+        nodes.remove(at);
+        nodes.extend(children);
     }
     nodes
 }

@@ -16,7 +16,7 @@ use super::tree::Tree;
 use crate::geometry::bounds::Bounds;
 use crate::geometry::plane::{ROUNDING, flatness};
 use crate::geometry::sides::sides;
-use crate::geometry::{Crossing, Disk, Plane, Quadric, Sphere, Vector};
+use crate::geometry::{Crossing, Disk, Outline, Plane, Quadric, Sphere, Vector};
 use std::ops::ControlFlow;
 
 /// A piece of a surface that rays intersect.
@@ -25,7 +25,7 @@ pub(crate) enum Wall {
     /// A convex polygon; its vertices are counter-clockwise seen from the side to which the unit
     /// normal points.
     Polygon {
-        vertices: Vec<Vector>,
+        vertices: Outline,
         normal: Vector,
     },
     Disk(Disk),
@@ -84,7 +84,7 @@ impl Wall {
     /// a disk or a quadric, or those of a cube around a sphere.
     pub(crate) fn corners(&self) -> Vec<Vector> {
         match self {
-            Self::Polygon { vertices, .. } => vertices.clone(),
+            Self::Polygon { vertices, .. } => vertices.to_vec(),
             Self::Disk(disk) => {
                 let wider = |v: Vector| disk.center + 1.02 * (v - disk.center);
                 disk.polygon(0).into_iter().map(wider).collect()
@@ -141,7 +141,8 @@ impl Wall {
 }
 
 impl Walls {
-    pub(crate) fn of(walls: Vec<Wall>) -> Self {
+    pub(crate) fn of(mut walls: Vec<Wall>) -> Self {
+        walls.shrink_to_fit();
         let boxes: Vec<Bounds> = walls.iter().map(Wall::bounds).collect();
         let all = boxes.iter().fold(Bounds::NOTHING, |all, &one| all.with(one));
         let rounding = if walls.is_empty() { 0.0 } else { ROUNDING * all.extent().max(all.largest()) };

@@ -30,6 +30,25 @@ pub(crate) struct Borders {
     drawing: Drawing,
     /// The points for which no contour is available.
     rest: Vec<u32>,
+    aspects: Aspects,
+}
+
+/// What is known about the aspects of all points of an outline.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Aspects {
+    /// All see the same corners and crossings: what they see is an analytic function of the point.
+    #[default]
+    One,
+    /// There can be several; the function has kinks where one changes to the next.
+    Several,
+    Unknown,
+}
+
+impl Borders {
+    /// Returns what is known about the aspects of the last points.
+    pub(crate) fn aspects(&self) -> Aspects {
+        self.aspects
+    }
 }
 
 /// An aspect as points see it.
@@ -53,7 +72,11 @@ impl Screens {
     ) {
         borders.edges.clear();
         borders.rest.clear();
+        borders.aspects = Aspects::One;
         self.take_borders(&looking, borders);
+        if !borders.rest.is_empty() {
+            borders.aspects = Aspects::Unknown;
+        }
         let Looking { points, horizon, luminaire: (corners, normal), screens, .. } = looking;
         for &index in &borders.rest {
             let position = points[index as usize];
@@ -66,7 +89,7 @@ impl Screens {
 
     /// Collects the contour edges of the visible parts, where contours are available.
     fn take_borders(&self, looking: &Looking, borders: &mut Borders) {
-        let Borders { edges, planes: [planes, crossings], shadows, drawing, rest } = borders;
+        let Borders { edges, planes: [planes, crossings], shadows, drawing, rest, aspects } = borders;
         let Looking { points, outline, luminaire: (corners, _), .. } = *looking;
         let all = 0..points.len() as u32;
         let is_parted = corners.len() <= MOST
@@ -76,6 +99,9 @@ impl Screens {
             rest.extend(all);
             return;
         }
+        if !planes.cuts().is_empty() {
+            *aspects = Aspects::Several;
+        }
         for cell in planes.cells().filter(Self::is_in_front) {
             if self.take_shadows(looking, &cell, shadows).is_none() {
                 rest.extend(cell.points);
@@ -84,6 +110,9 @@ impl Screens {
             let mut draw = |members: &mut dyn Iterator<Item = u32>, outline: &[Vector]| {
                 shadows.add_planes(corners, outline, crossings);
                 crossings.part(points, members, outline)?;
+                if *aspects == Aspects::One && shadows.turn_at(corners, outline, crossings.cuts()) {
+                    *aspects = Aspects::Several;
+                }
                 for cell in crossings.cells() {
                     match drawing.aspect.set(corners, shadows, &cell) {
                         Some(()) => drawing.draw(&cell, corners, edges),
@@ -97,6 +126,7 @@ impl Screens {
                 cell.points
                     .iter()
                     .for_each(|&index| _ = draw(&mut std::iter::once(index), &[points[index as usize]]));
+                *aspects = Aspects::Several;
             }
         }
     }
@@ -167,8 +197,8 @@ mod tests {
     /// The rectangle at this height that faces down.
     fn face(surface: usize, x: [f64; 2], y: [f64; 2], height: f64) -> Face {
         let corner = |x, y| Vector::new(x, y, height);
-        let corners = vec![corner(x[0], y[0]), corner(x[0], y[1]), corner(x[1], y[1]), corner(x[1], y[0])];
-        let [front, _] = Face::sides(surface, corners, Vector::new(0.0, 0.0, -1.0));
+        let corners = [corner(x[0], y[0]), corner(x[0], y[1]), corner(x[1], y[1]), corner(x[1], y[0])];
+        let [front, _] = Face::sides(surface, &corners, Vector::new(0.0, 0.0, -1.0));
         front
     }
 

@@ -145,14 +145,14 @@ fn with_round_shapes() -> Vec<Face> {
     let mut faces = faces_of(&furnished());
     let ball = Sphere { center: Vector::new(0.35, 0.8, 0.88), radius: 0.1, inward: false };
     let triangles = ball.triangles(0).into_iter();
-    faces.extend(triangles.flat_map(|triangle| Face::of_outline(90, triangle.to_vec())));
+    faces.extend(triangles.flat_map(|triangle| Face::of_outline(90, &triangle)));
     let disk = Disk {
         center: Vector::new(0.5, 0.05, 0.5),
         normal: Vector::new(0.0, 0.6, 0.8),
         radius: 0.05,
         hole: 0.0,
     };
-    faces.extend(Face::sides(91, disk.polygon(0), disk.normal));
+    faces.extend(Face::sides(91, &disk.polygon(0), disk.normal));
     faces
 }
 

@@ -1,15 +1,15 @@
 //! BVH: boxes are split by the surface-area heuristic, so that a query skips distant boxes.
 //!
-//! The crate `bvh` splits them, in coordinates from 0 to 1, so that it works at any scale. Queries
-//! are compared with the original boxes, exact to the last bit. Nodes lie in the order of a
-//! depth-first traversal, each with the index at which the traversal continues if the node is
-//! skipped: a traversal needs no stack.
+//! The crate `bvh` splits them, in coordinates from 0 to 1 and of 24 bits, so that it works at any
+//! scale. Queries are compared with the original boxes, exact to the last bit. Nodes lie in the
+//! order of a depth-first traversal, each with the index at which the traversal continues if the
+//! node is skipped: a traversal needs no stack.
 
 use crate::geometry::Vector;
 use crate::geometry::bounds::Bounds;
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
-use bvh::bvh::Bvh;
+use bvh::bvh::{Bvh, BvhNode, rayon_executor};
 use nalgebra::Point3;
 use std::ops::ControlFlow;
 
@@ -41,17 +41,17 @@ pub(super) trait Query {
 
 /// A box in the form that `bvh` requires.
 struct Leaf {
-    bounds: Aabb<f64, 3>,
+    bounds: Aabb<f32, 3>,
     node: usize,
 }
 
-impl Bounded<f64, 3> for Leaf {
-    fn aabb(&self) -> Aabb<f64, 3> {
+impl Bounded<f32, 3> for Leaf {
+    fn aabb(&self) -> Aabb<f32, 3> {
         self.bounds
     }
 }
 
-impl BHShape<f64, 3> for Leaf {
+impl BHShape<f32, 3> for Leaf {
     fn set_bh_node_index(&mut self, node: usize) {
         self.node = node;
     }
@@ -64,44 +64,48 @@ impl BHShape<f64, 3> for Leaf {
 impl Tree {
     /// Builds the tree of these boxes.
     pub(super) fn of(boxes: &[Bounds]) -> Self {
-        let all = boxes.iter().fold(Bounds::NOTHING, |all, &bounds| all.with(bounds));
-        let extent = all.extent();
-        let place = |point: Vector| {
-            let Vector { x, y, z } = point - all.low;
-            Point3::new(x / extent, y / extent, z / extent)
-        };
-        let leaf = |bounds: &Bounds| {
-            let bounds = Aabb::with_bounds(place(bounds.low), place(bounds.high));
-            Leaf { bounds, node: 0 }
-        };
-        let mut leaves: Vec<Leaf> = boxes.iter().map(leaf).collect();
-        let tree = Bvh::build(&mut leaves);
-        let mut nodes = tree.flatten_custom(&|_, _, next, leaf| Node { bounds: Bounds::NOTHING, next, leaf });
-        for place in (0..nodes.len()).rev() {
-            nodes[place].bounds = match nodes[place].leaf {
-                INNER => children(&nodes, place).fold(Bounds::NOTHING, Bounds::with),
-                leaf => boxes[leaf as usize],
-            };
+        if boxes.is_empty() {
+            return Self::default();
         }
-        Self { nodes }
+        let split = split(boxes);
+        let mut nodes = Vec::with_capacity(2 * boxes.len() - 1);
+        let mut waiting = vec![0];
+        while let Some(place) = waiting.pop() {
+            nodes.push(match split[place] {
+                BvhNode::Leaf { shape_index, .. } => {
+                    let next = nodes.len() as u32 + 1;
+                    Node { bounds: boxes[shape_index], next, leaf: shape_index as u32 }
+                }
+                BvhNode::Node { child_l_index, child_r_index, .. } => {
+                    waiting.extend([child_r_index, child_l_index]);
+                    Node { bounds: Bounds::NOTHING, next: 0, leaf: INNER }
+                }
+            });
+        }
+        let mut tree = Self { nodes };
+        for place in (0..tree.nodes.len()).rev() {
+            if let Some([one, other]) = tree.below(place) {
+                let bounds = tree.nodes[one].bounds.with(tree.nodes[other].bounds);
+                tree.nodes[place] = Node { bounds, next: tree.nodes[other].next, leaf: INNER };
+            }
+        }
+        tree
     }
 
     /// Returns the bounds of all boxes.
     pub(super) fn bounds(&self) -> Bounds {
-        self.siblings([0, self.nodes.len()])
-            .fold(Bounds::NOTHING, |all, place| all.with(self.nodes[place].bounds))
+        self.nodes.first().map_or(Bounds::NOTHING, |root| root.bounds)
     }
 
-    /// Returns the indices of the root nodes, of which there are at most two.
-    pub(super) fn roots(&self) -> [Option<usize>; 2] {
-        let mut siblings = self.siblings([0, self.nodes.len()]);
-        [siblings.next(), siblings.next()]
+    /// Returns the index of the root, if there are any boxes.
+    pub(super) fn root(&self) -> Option<usize> {
+        (!self.nodes.is_empty()).then_some(0)
     }
 
-    /// Returns the indices of a node's children.
-    pub(super) fn below(&self, place: usize) -> [Option<usize>; 2] {
-        let mut siblings = self.siblings([place + 1, self.nodes[place].next as usize]);
-        [siblings.next(), siblings.next()]
+    /// Returns the indices of an inner node's children.
+    pub(super) fn below(&self, place: usize) -> Option<[usize; 2]> {
+        let first = place + 1;
+        (self.nodes[place].leaf == INNER).then(|| [first, self.nodes[first].next as usize])
     }
 
     pub(super) fn bounds_of(&self, place: usize) -> &Bounds {
@@ -113,35 +117,35 @@ impl Tree {
         Some(self.nodes[place].leaf).filter(|&leaf| leaf != INNER).map(|leaf| leaf as usize)
     }
 
-    fn siblings(&self, [first, end]: [usize; 2]) -> impl Iterator<Item = usize> {
-        let next = move |&place: &usize| Some(self.nodes[place].next as usize).filter(|&next| next < end);
-        std::iter::successors(Some(first).filter(|&first| first < end), next)
-    }
-
     /// Visits the leaves that can contain a result of a query, until the query breaks.
     pub(super) fn walk(&self, query: &mut impl Query) -> ControlFlow<()> {
         let mut place = 0;
         while let Some(node) = self.nodes.get(place) {
-            // the parent of a leaf has the same bounds, so the leaf is not tested again
-            if node.leaf != INNER {
-                query.at(node.leaf as usize)?;
-            } else if query.may_be_in(&node.bounds) {
-                place += 1;
+            if !query.may_be_in(&node.bounds) {
+                place = node.next as usize;
                 continue;
             }
-            place = node.next as usize;
+            if node.leaf != INNER {
+                query.at(node.leaf as usize)?;
+            }
+            place += 1;
         }
         ControlFlow::Continue(())
     }
 }
 
-/// Returns the bounds of a node's children.
-fn children(nodes: &[Node], place: usize) -> impl Iterator<Item = Bounds> {
-    let end = nodes[place].next as usize;
-    let mut child = place + 1;
-    std::iter::from_fn(move || {
-        let node = nodes.get(child).filter(|_| child < end)?;
-        child = node.next as usize;
-        Some(node.bounds)
-    })
+/// Splits boxes; the root is the first of the nodes.
+fn split(boxes: &[Bounds]) -> Vec<BvhNode<f32, 3>> {
+    let all = boxes.iter().fold(Bounds::NOTHING, |all, &bounds| all.with(bounds));
+    let extent = all.extent();
+    let place = |point: Vector| {
+        let Vector { x, y, z } = point - all.low;
+        Point3::from([x, y, z].map(|along| (along / extent) as f32))
+    };
+    let leaf = |bounds: &Bounds| {
+        let bounds = Aabb::with_bounds(place(bounds.low), place(bounds.high));
+        Leaf { bounds, node: 0 }
+    };
+    let mut leaves: Vec<Leaf> = boxes.iter().map(leaf).collect();
+    Bvh::build_with_executor(&mut leaves, rayon_executor).nodes
 }

@@ -263,6 +263,39 @@ fn a_box_is_the_same_in_every_format() {
     }
 }
 
+#[test]
+fn data_after_what_a_file_declares_is_said() {
+    let mut fewer = stl_bytes();
+    fewer[80] = 10;
+    let ply = |format: &str, rest: &[u8]| {
+        let mut file =
+            format!("ply\nformat {format} 1.0\nelement vertex 0\nproperty float x\nproperty float y\n")
+                .into_bytes();
+        file.extend(
+            b"property float z\nelement face 0\nproperty list uchar int vertex_indices\nend_header\n",
+        );
+        file.extend(rest);
+        file
+    };
+    let cases = [
+        ("fewer.stl", fewer, "100 bytes after the 10 triangles that the file declares: ignored"),
+        (
+            "more.ply",
+            ply("ascii", b"3 0 1 2\n\n3 0 2 1\n"),
+            "2 lines after the rows that the header declares: ignored",
+        ),
+        (
+            "bytes.ply",
+            ply("binary_little_endian", &[3, 0, 0, 0, 1]),
+            "5 bytes after the rows that the header declares: ignored",
+        ),
+    ];
+    for (name, bytes, note) in cases {
+        let scene = read(name, &bytes, "").unwrap_or_else(|errors| panic!("{name}: {}", shown(&errors)));
+        assert_eq!(scene.notes[0], format!("{name}: {note}"));
+    }
+}
+
 /// The box in each format.
 pub(crate) fn files() -> [(&'static str, Vec<u8>); 11] {
     [

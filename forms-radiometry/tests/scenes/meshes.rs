@@ -182,6 +182,8 @@ const OF_PLY: &[Placed] = &[
 const NOTED: &[(&str, &str, &str)] = &[
     ("f 1 2 3 4", "f 1 2 3 4\nf 1 2", "1 face was dropped for want of an area"),
     ("f 1 2 3 4", "f 1 2 3 4\nf 1 2 2\nf 1 2 1", "2 faces were dropped for want of an area"),
+    ("f 1 2 3 4", "f 1 2 3 4\nf 3 4 1 2", "1 face was dropped, being there twice"),
+    ("f 1 2 3 4", "f 1 2 3 4\nv 0 0 0\nf 4 5 2 3", "1 face was dropped, being there twice"),
     ("f 1 2 3 4", "f 1 2 2 3", "1 face was read without a repeated vertex"),
     ("v 1 1 0", "v 1 1 0.5", "1 face was divided into triangles, not being planar"),
 ];
@@ -194,6 +196,13 @@ fn each_kind_of_face_that_is_changed_is_noted_once() {
         let scene = scene.unwrap_or_else(|errors| panic!("{}", shown(&errors)));
         assert_eq!(scene.notes, [format!("rooms/part.obj: {note}")]);
     }
+}
+
+#[test]
+fn a_face_and_its_reverse_are_two_sides() {
+    let text = OBJ.replacen("f 1 2 3 4", "f 1 2 3 4\nf 4 3 2 1", 1);
+    let scene = read_with_files(&scene_with("part.obj"), "rooms/box.toml", &|_| Ok(text.clone().into()));
+    assert!(scene.unwrap_or_else(|errors| panic!("{}", shown(&errors))).notes.is_empty());
 }
 
 #[test]
@@ -225,7 +234,7 @@ fn an_error_among_bytes_names_the_row_and_the_byte_and_quotes_the_header() {
     let found = read("part.ply", &file[..file.len() - 1]).unwrap_err();
     let expected = format!(
         "rooms/part.ply:8:1: face 9 (byte {}): the file ends within this row\n  |\n\
-         8 | element face 9\n  | ^^^^^^^^^^^^^^",
+         8 | element face 9\n  | ^^^^^^^^^^^^^^\n  = expected as many rows as the header declares",
         file.len() - 14
     );
     assert_eq!(shown(&found), expected);

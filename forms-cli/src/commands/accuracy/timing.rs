@@ -120,7 +120,7 @@ fn harness(kernel: &Kernel, programs: &Generated, rows: &[&[f64]]) -> String {
     text.push_str("fn main() {\n");
     for variant in Variant::ALL {
         let call =
-            call(variant, &format!("{arguments}, {outputs}"), programs.within.filter(|_| variant.stable));
+            call(variant, &format!("{arguments}, {outputs}"), programs.within().filter(|_| variant.stable));
         let _ = writeln!(text, "    println!(\"{} {{}}\", {call});", variant.name());
     }
     text.push_str("}\n");

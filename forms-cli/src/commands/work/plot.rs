@@ -208,7 +208,7 @@ type Value<'a> = Box<dyn FnMut(&[f64]) -> f64 + 'a>;
 /// Returns a function for one value of a kernel, as generated, in double precision.
 fn kernel_of(generated: &Generated, output: usize) -> Value<'_> {
     let program = &generated.optimised;
-    match generated.within {
+    match generated.within() {
         Some(within) => Box::new(move |arguments| program.interpret_within(arguments, within)[output]),
         None => {
             let interpreter = program.interpreter::<f64>();

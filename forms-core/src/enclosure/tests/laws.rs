@@ -51,7 +51,7 @@ fn is_rejected(boxed: Function, truth: Function, arity: usize) -> bool {
     }
 }
 
-const OPERATIONS: [Operation; 20] = [
+const OPERATIONS: [Operation; 22] = [
     Operation::Sin,
     Operation::Cos,
     Operation::Tan,
@@ -72,17 +72,20 @@ const OPERATIONS: [Operation; 20] = [
     Operation::Expint3,
     Operation::Dilog,
     Operation::Clausen,
+    Operation::Erfc,
+    Operation::Cbrt,
 ];
 
 const EXPONENTS: [(i64, i64); 9] =
     [(1, 1), (2, 1), (3, 1), (-1, 1), (-2, 1), (1, 2), (2, 3), (-5, 3), (1, 97)];
 
-const PAIRS: [(&str, Function<'static>); 5] = [
+const PAIRS: [(&str, Function<'static>); 6] = [
     ("sum", &|q| Ok(q[0].add(&q[1]))),
     ("difference", &|q| Ok(q[0].sub(&q[1]))),
     ("product", &|q| Ok(q[0].mul(&q[1]))),
     ("quotient", &|q| q[0].div(&q[1])),
     ("angle", &|q| Enclosure::atan2(&q[0], &q[1])),
+    ("hypotenuse", &|q| Enclosure::hypot(&q[0], &q[1])),
 ];
 
 #[test]

@@ -69,6 +69,34 @@ pub(super) fn without_a_common_factor(rewriting: &mut Rewriting<'_>, expression:
     found
 }
 
+/// Applies (p + q)/xⁿ = (p/x + q/x)/xⁿ⁻¹: the power leaves the floating-point range later, and terms
+/// that contain x lose it.
+pub(super) fn term_by_term(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Node::Divide(p, _) = *rewriting.pool.node(expression) else { return Vec::new() };
+    let terms = rewriting.terms(p);
+    let (_, below, _) = factors(rewriting.pool, expression);
+    let mut found = Vec::new();
+    for (place, &factor) in below.iter().enumerate().filter(|_| !terms.is_empty()) {
+        let (base, less) = match *rewriting.pool.node(factor) {
+            Node::Power(base, n) if n.is_integer() && n > Ratio::from_integer(1) => {
+                (base, Some(rewriting.pool.power(base, n - Ratio::from_integer(1))))
+            }
+            _ if below.len() > 1 => (factor, None),
+            _ => continue,
+        };
+        let mut parts = Vec::new();
+        for &term in &terms {
+            let part = rewriting.pool.divide(term, base);
+            parts.push(rewriting.simplified(part));
+        }
+        let others = below.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, &factor)| factor);
+        let rest: Vec<Expr> = others.chain(less).collect();
+        let (above, below) = (rewriting.total(&parts), product(rewriting.pool, &rest));
+        found.push(rewriting.pool.divide(above, below));
+    }
+    found
+}
+
 /// Applies p q/(r s) = (p/r)(q/s) = ((p/r)/s) q, so that no product leaves the floating-point
 /// range.
 pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {

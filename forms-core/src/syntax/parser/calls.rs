@@ -1,14 +1,15 @@
 //! Postfix expressions: calls and indices directly after a name or bracket, `f(a, b)`, `d[R3](w)`,
-//! `bracket(X, Y)[x]`.
+//! `bracket(X, Y)[x]`, `R[1, 2]`.
 //!
 //! ```text
 //! postfix  = ( name [ index ] [ arguments ] | primary ) { index }
+//! index    = "[" sum { "," sum } "]"
 //! argument = name "=" sum ".." sum | sum
 //! ```
 
 use super::cursor::{Parsed, Parser};
 use super::expressions::Tree;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::syntax::ast::{Argument, ExprKind, Name};
 use crate::syntax::token::{Symbol, TokenKind};
 
@@ -33,6 +34,7 @@ impl Parser<'_> {
     fn named(&mut self, name: Name) -> Parsed<Tree> {
         let index = if self.at(Symbol::OpenBracket) { Some(self.index()?) } else { None };
         if self.at(Symbol::OpenParen) {
+            let index = index.map(|index| self.single(index)).transpose()?;
             return self.call(name, index);
         }
         let span = name.span;
@@ -43,18 +45,48 @@ impl Parser<'_> {
         }
     }
 
-    fn indexed(&mut self, base: Tree, index: Tree) -> Parsed<Tree> {
+    fn indexed(&mut self, base: Tree, index: Vec<Tree>) -> Parsed<Tree> {
         let span = self.since(base.expr.span);
-        let below = base.height.max(index.height);
-        self.tree(ExprKind::Index { base: base.expr, index: index.expr }, span, below)
+        let below = index.iter().fold(base.height, |below, index| below.max(index.height));
+        let indices = index.into_iter().map(|index| index.expr).collect();
+        self.tree(ExprKind::Index { base: base.expr, indices }, span, below)
     }
 
-    /// Parses `[dx^dy]`.
-    fn index(&mut self) -> Parsed<Tree> {
+    /// Parses `[dx^dy]` or `[1, 2]`.
+    fn index(&mut self) -> Parsed<Vec<Tree>> {
         let open = self.expect(Symbol::OpenBracket)?;
-        let index = self.sum()?;
-        self.close_expression(open, Symbol::CloseBracket, "an operator or `]`")?;
+        let mut index = vec![self.sum()?];
+        while self.eat(Symbol::Comma).is_some() && !self.at(Symbol::CloseBracket) {
+            index.push(self.sum()?);
+        }
+        self.close_expression(open, Symbol::CloseBracket, "an operator, `,` or `]`")?;
         Ok(index)
+    }
+
+    /// Returns the only index, as in `d[R3](w)`.
+    fn single(&mut self, index: Vec<Tree>) -> Parsed<Tree> {
+        let mut rest = index.into_iter();
+        match (rest.next(), rest.next()) {
+            (Some(only), None) => Ok(only),
+            (_, second) => {
+                let span = second.map_or(self.span(), |second| second.expr.span);
+                let message = "a function takes one name in square brackets, as in `d[R3](w)`";
+                Err(self.report(Diagnostic::new(span, message)))
+            }
+        }
+    }
+
+    /// Parses `[a, b, c]`.
+    pub(super) fn array(&mut self) -> Parsed<Tree> {
+        let open = self.expect(Symbol::OpenBracket)?;
+        let mut entries = vec![self.sum()?];
+        while self.eat(Symbol::Comma).is_some() && !self.at(Symbol::CloseBracket) {
+            entries.push(self.sum()?);
+        }
+        let below = entries.iter().map(|entry| entry.height).max().unwrap_or(0);
+        let entries = entries.into_iter().map(|entry| entry.expr).collect();
+        let close = self.close_expression(open, Symbol::CloseBracket, "an operator, `,` or `]`")?;
+        self.tree(ExprKind::Array(entries), open.to(close), below)
     }
 
     fn call(&mut self, function: Name, index: Option<Tree>) -> Parsed<Tree> {

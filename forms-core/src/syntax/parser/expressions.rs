@@ -94,6 +94,7 @@ impl Parser<'_> {
         match self.peek() {
             Some(TokenKind::Number(text)) => self.number(text),
             Some(TokenKind::Symbol(Symbol::OpenParen)) => self.parenthesised(),
+            Some(TokenKind::Symbol(Symbol::OpenBracket)) => self.array(),
             Some(TokenKind::Symbol(Symbol::At)) => {
                 self.position += 1;
                 let name = self.name("a coordinate after `@`")?;

@@ -2,7 +2,7 @@
 
 use super::cursor::{Parsed, Parser, Reported};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::syntax::ast::{Claim, Declared, Equation, Expr, File, Item, ItemKind, Name};
+use crate::syntax::ast::{Claim, Equation, Expr, File, Item, ItemKind, Name};
 use crate::syntax::number;
 use crate::syntax::token::{Symbol, TokenKind};
 use num_traits::ToPrimitive;
@@ -37,7 +37,8 @@ impl Parser<'_> {
         let start = self.span();
         let public = self.eat_word("pub");
         let kind = self.item_kind()?;
-        if public && !matches!(kind, ItemKind::Kernel { .. } | ItemKind::Gradient { .. } | ItemKind::Warp(_))
+        if public
+            && !matches!(kind, ItemKind::Kernel { .. } | ItemKind::Derivatives { .. } | ItemKind::Warp(_))
         {
             let message = "only a `kernel` or a `warp` can be `pub`";
             self.report(Diagnostic::new(start, message).with_help("remove `pub`"));
@@ -132,12 +133,33 @@ impl Parser<'_> {
         Ok(ItemKind::Function { name, arguments, unit, conditions: self.conditions()? })
     }
 
-    /// Parses `let r: m = …`.
+    /// Parses `let r: m = …` or `let ease(t) = …`.
     fn definition(&mut self) -> Parsed<ItemKind> {
         let name = self.name("a name")?;
+        if self.at(Symbol::OpenParen) {
+            return self.definition_with_arguments(name);
+        }
         let unit = if self.at_annotation() { self.unit()? } else { None };
         self.assign()?;
         Ok(ItemKind::Let { name, unit, value: self.expression()? })
+    }
+
+    /// Parses `(t) = …`.
+    fn definition_with_arguments(&mut self, name: Name) -> Parsed<ItemKind> {
+        let place = self.span();
+        let declared = self.declared_list("an argument")?;
+        if declared.is_empty() {
+            let message = "a definition with brackets has at least one argument";
+            let diagnostic = Diagnostic::new(self.since(place), message);
+            self.report(diagnostic.with_help(format!("remove the brackets: `let {} = …`", name.text)));
+        }
+        if let Some(unit) = declared.iter().find_map(|argument| argument.unit.as_ref()) {
+            let message = "an argument of a definition has the unit of the value in its place";
+            self.report(Diagnostic::new(unit.span, message).with_help("remove the unit"));
+        }
+        self.assign()?;
+        let arguments = declared.into_iter().map(|argument| argument.name).collect();
+        Ok(ItemKind::Definition { name, arguments, value: self.expression()? })
     }
 
     /// Parses `form beta: 2, sr on R3 = …`.
@@ -152,7 +174,7 @@ impl Parser<'_> {
     }
 
     /// Parses `: m`; `None` if there is no unit.
-    fn unit(&mut self) -> Parsed<Option<Expr>> {
+    pub(super) fn unit(&mut self) -> Parsed<Option<Expr>> {
         if self.eat(Symbol::Colon).is_some() { Ok(Some(self.expression()?)) } else { Ok(None) }
     }
 
@@ -265,26 +287,5 @@ impl Parser<'_> {
         }
         let help = self.at(Symbol::Arrow).then_some("the results of a kernel have no declared type");
         Err(self.unexpected("`=`", help))
-    }
-
-    /// Parses `(x: m, y: m)`.
-    pub(super) fn declared_list(&mut self, role: &str) -> Parsed<Vec<Declared>> {
-        let open = self.expect(Symbol::OpenParen)?;
-        let mut list = Vec::new();
-        while !self.at(Symbol::CloseParen) {
-            list.push(self.declared(role)?);
-            if self.eat(Symbol::Comma).is_none() {
-                break;
-            }
-        }
-        self.close(open, Symbol::CloseParen, "`,` or `)`")?;
-        Ok(list)
-    }
-
-    /// Parses `x` or `x: m`.
-    pub(super) fn declared(&mut self, role: &str) -> Parsed<Declared> {
-        let name = self.quantity(role)?;
-        let unit = self.unit()?;
-        Ok(Declared { name, unit })
     }
 }

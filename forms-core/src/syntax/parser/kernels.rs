@@ -1,8 +1,9 @@
 //! Kernels and warps, and bodies that can have several values.
 //!
 //! ```text
-//! kernel  = "kernel" name "(" { declared } ")" [ ":" values ] "=" values { "by" values | where | "within" sum | effects }
-//!         | "kernel" name "=" "grad" "(" name ";" name "," … ")"
+//! kernel  = "kernel" name "(" { argument } ")" [ ":" values ] "=" values
+//!           { "by" values [ "approx" sum ] | where | "within" sum | effects }
+//!         | "kernel" name "=" ( "grad" | "jacobian" | "value_and_jacobian" ) "(" name ";" name "," … ")"
 //! warp    = "warp" name "(" [ { declared } ";" ] { declared } ")" "=" values "onto" name
 //!           "density" sum "of" sum { "inverse" values | "by" values | where | "within" sum }
 //! values  = "(" sum "," … ")" | sum
@@ -11,16 +12,16 @@
 
 use super::cursor::{Parsed, Parser};
 use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::{Declared, Effect, Expr, ItemKind, Name, Warp};
+use crate::syntax::ast::{Declared, Derivatives, Effect, Expr, ItemKind, Name, Warp};
 use crate::syntax::token::{Symbol, TokenKind};
 
 impl Parser<'_> {
     pub(super) fn kernel(&mut self) -> Parsed<ItemKind> {
         let name = self.name("the kernel's name")?;
-        if self.at(Symbol::Assign) && self.peek_at(1) == Some(&TokenKind::Name("grad".to_owned())) {
-            return self.gradient(name);
+        if let Some(which) = self.derivatives_of() {
+            return self.derivatives(name, which);
         }
-        let arguments = self.declared_list("an argument")?;
+        let arguments = self.kernel_arguments()?;
         let mut units = Vec::new();
         if self.at_annotation() {
             self.expect(Symbol::Colon)?;
@@ -29,12 +30,15 @@ impl Parser<'_> {
         self.assign()?;
         let outputs = self.values()?;
         let (mut computed, mut conditions) = (Vec::new(), Vec::new());
-        let (mut within, mut effects) = (None, Vec::new());
+        let (mut approximation, mut within, mut effects) = (None, None, Vec::new());
         loop {
             let place = self.span();
             let repeated = if self.eat_word("by") {
                 let repeated = !computed.is_empty();
                 computed = self.values()?;
+                if self.eat_word("approx") {
+                    approximation = Some(self.expression()?);
+                }
                 repeated.then_some("`by`")
             } else if self.eat_word("within") {
                 within.replace(self.expression()?).map(|_| "`within`")
@@ -53,6 +57,7 @@ impl Parser<'_> {
                     units,
                     outputs,
                     computed,
+                    approximation,
                     conditions,
                     within,
                     effects,
@@ -64,10 +69,16 @@ impl Parser<'_> {
         }
     }
 
+    /// Returns the kind of derivatives if `= grad`, `= jacobian` or the like follows.
+    fn derivatives_of(&self) -> Option<Derivatives> {
+        let Some(TokenKind::Name(word)) = self.peek_at(1) else { return None };
+        Derivatives::ALL.into_iter().find(|which| self.at(Symbol::Assign) && which.word() == word)
+    }
+
     /// Parses `= grad(f; u, v)`.
-    fn gradient(&mut self, name: Name) -> Parsed<ItemKind> {
+    fn derivatives(&mut self, name: Name, which: Derivatives) -> Parsed<ItemKind> {
         self.assign()?;
-        self.eat_word("grad");
+        self.eat_word(which.word());
         let open = self.expect(Symbol::OpenParen)?;
         let of = self.name("the kernel to differentiate")?;
         self.expect(Symbol::Semicolon)?;
@@ -76,7 +87,7 @@ impl Parser<'_> {
             by.push(self.quantity("an argument of the kernel")?);
         }
         self.close(open, Symbol::CloseParen, "`,` or `)`")?;
-        Ok(ItemKind::Gradient { name, of, by })
+        Ok(ItemKind::Derivatives { name, which, of, by })
     }
 
     /// Parses `name(p; u, v) = (x, y, z) onto C density E of w inverse (…) by (…) where … within N`

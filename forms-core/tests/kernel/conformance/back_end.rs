@@ -48,6 +48,8 @@ impl BackEnd {
             (_, Function::Operation(Operation::Abs)) => 0.0,
             _ if is_arithmetic => 0.5,
             (Self::Lane(..), _) => 2.0,
+            // as stated in `Arithmetic::DOUBLE`
+            (_, Function::Operation(Operation::Erfc)) => 5.0,
             (_, Function::Power(..)) => 3.0,
             _ => 1.5,
         }
@@ -68,6 +70,8 @@ impl BackEnd {
                 Operation::Exp | Operation::Expm1 | Operation::Sinh | Operation::Cosh => size > exponential,
                 Operation::Atan | Operation::Erf => size > largest,
                 Operation::Atan2 => size >= largest || size == 0.0,
+                Operation::Hypot => !(1e-135..1e148).contains(&size) || self.format() == Format::F32,
+                Operation::Cbrt => true,
                 _ => is_special(operation),
             },
             Function::Power(..) => true,
@@ -87,10 +91,15 @@ impl BackEnd {
     }
 }
 
-/// Functions that no target has, and that lanes do not compute.
+/// Functions that lanes do not compute.
 fn is_special(operation: Operation) -> bool {
     matches!(
         operation,
-        Operation::Expint1 | Operation::Expint2 | Operation::Expint3 | Operation::Dilog | Operation::Clausen
+        Operation::Erfc
+            | Operation::Expint1
+            | Operation::Expint2
+            | Operation::Expint3
+            | Operation::Dilog
+            | Operation::Clausen
     )
 }

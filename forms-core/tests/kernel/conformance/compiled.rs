@@ -2,7 +2,7 @@
 
 use super::table::Entry;
 use super::truth::Format;
-use crate::targets::{accepted, folder, sources};
+use crate::targets::{CUDA_AS_CPP, accepted, folder, sources};
 use forms_core::emission::{KernelDocs, Precision, Target, emit, emit_formula, emit_rust};
 use std::fmt::Write as _;
 use std::process::Command;
@@ -47,8 +47,8 @@ pub(crate) fn of_c(compiler: &str, entries: &[&Entry], target: Target, format: F
         Format::F32 => ("float", Precision::F32),
         Format::F64 => ("double", Precision::F64),
     };
-    let qualifiers = if target == Target::Cuda { "#define __host__\n#define __device__\n" } else { "" };
-    let mut source = format!("{qualifiers}{}", text(entries, target, precision));
+    let prelude = if target == Target::Cuda { CUDA_AS_CPP } else { "" };
+    let mut source = format!("{prelude}{}", text(entries, target, precision));
     source += "\n#include <inttypes.h>\n#include <stdio.h>\n#include <string.h>\n\
                static void print(double value) { uint64_t bits; memcpy(&bits, &value, sizeof bits); \
                printf(\"%\" PRIu64 \"\\n\", bits); }\n\
@@ -75,7 +75,7 @@ pub(crate) fn of_c(compiler: &str, entries: &[&Entry], target: Target, format: F
     }
     let _ = writeln!(source, "int main(void) {{\n    {number} outputs[8];\n{main}}}");
     let (extension, standard) =
-        if target == Target::Cuda { ("cu.cpp", "-std=c++14") } else { ("c", "-std=c11") };
+        if target == Target::Cuda { ("cu.cpp", "-std=c++14") } else { ("c", "-std=c99") };
     let name = format!("conformance_{compiler}_{}", precision.name());
     let (file, program) = (folder().join(format!("{name}.{extension}")), folder().join(&name));
     std::fs::write(&file, source).expect("a file in the build's folder");

@@ -155,7 +155,11 @@ fn hard(operation: Operation) -> Vec<f64> {
             [&around(1.0)[..], &[0.01, 1.9, 5.0, 30.0, 87.0, 700.0, 739.0, 745.0]].concat()
         }
         O::Dilog => [&around(1.0)[..], &around(0.5), &around(-1.0), &[-10.0, 0.99, 1e-5, -1e5]].concat(),
-        O::Atan2 => Vec::new(),
+        O::Erfc => {
+            [&around(0.5)[..], &[0.84, 1.25, 2.857, 5.1, 9.19, 10.05, -6.0, 26.5, 26.6, 27.3]].concat()
+        }
+        O::Cbrt => [&around(8.0)[..], &around(-27.0), &[1e-3, 0.125, 3.0, -2e-310]].concat(),
+        O::Atan2 | O::Hypot => Vec::new(),
     }
 }
 

@@ -1,5 +1,19 @@
-#include <math.h>
+#ifndef FORMS_KERNELS_F64_H
+#define FORMS_KERNELS_F64_H
 
+#include <math.h>
+#include <stddef.h>
+
+#ifndef FORMS_RESTRICT
+#ifdef __cplusplus
+#define FORMS_RESTRICT __restrict
+#else
+#define FORMS_RESTRICT restrict
+#endif
+#endif
+
+#ifndef FORMS_MULTIPLY_ADD
+#define FORMS_MULTIPLY_ADD
 // a b + c, rounded once if the processor has a fused multiply-add.
 static inline double forms_multiply_add(double a, double b, double c) {
 #ifdef FP_FAST_FMA
@@ -8,7 +22,10 @@ static inline double forms_multiply_add(double a, double b, double c) {
     return a * b + c;
 #endif
 }
+#endif
 
+#ifndef FORMS_DIFFERENCE_OF_PRODUCTS
+#define FORMS_DIFFERENCE_OF_PRODUCTS
 // a b - c d within 2 ulp, by the error of one product (Kahan).
 static inline double forms_difference_of_products(double a, double b, double c, double d) {
     const double product = c * d;
@@ -16,14 +33,28 @@ static inline double forms_difference_of_products(double a, double b, double c, 
     const double value = fma(a, b, -product) + error;
     return isnan(value) ? a * b - product : value;
 }
+#endif
 
+#ifndef FORMS_POWER
+#define FORMS_POWER
 // x^(n/d); needs x >= 0 if d > 1.
 static inline double forms_power(double x, double n, double d) {
+    const double base = x;
     const double exponent = n / d;
     const double rest = fma(-exponent, d, n) / d;
-    const double value = pow(x, exponent);
-    return (double)(rest == 0.0 || x == 0 || isinf(x) ? value : value + value * (rest * log(x)));
+    const double value = pow(base, exponent);
+    const double power = rest == 0.0 || base == 0.0 || isinf(base) ? value : value + value * (rest * log(base));
+    return (double)power;
 }
+#endif
+
+#ifndef FORMS_HYPOT
+#define FORMS_HYPOT
+// sqrt(x*x + y*y) without overflow of a square; NaN if x or y is NaN.
+static inline double forms_hypot(double x, double y) {
+    return isnan(x) || isnan(y) ? x + y : hypot(x, y);
+}
+#endif
 
 // ```text
 // polynomial_optimised
@@ -31,11 +62,21 @@ static inline double forms_power(double x, double n, double d) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 3 additions, 5 multiplications.
-double polynomial_optimised(double x) {
+static inline double polynomial_optimised(double x) {
     const double t0 = x * x;
     const double t1 = x * t0;
     const double t2 = forms_multiply_add(3.0, t0 * t1, -(2.0 - x));
     return forms_multiply_add(-0.14285714285714285, t1, t2);
+}
+
+// `polynomial_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void polynomial_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = polynomial_optimised(x[i]);
+    }
 }
 
 // ```text
@@ -44,9 +85,19 @@ double polynomial_optimised(double x) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 2 function calls.
-double polynomial(double x) {
+static inline double polynomial(double x) {
     const double t0 = 3.0 * forms_power(x, 5.0, 1.0) + -(forms_power(x, 3.0, 1.0) / 7.0);
     return t0 + x + -2.0;
+}
+
+// `polynomial` for each i < count. Outputs must not overlap other arrays.
+static inline void polynomial_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = polynomial(x[i]);
+    }
 }
 
 // ```text
@@ -55,9 +106,21 @@ double polynomial(double x) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 4 multiplications, 1 division, 1 square root.
-double inverse_square_optimised(double x, double y, double z) {
+static inline double inverse_square_optimised(double x, double y, double z) {
     const double t0 = forms_multiply_add(z, z, forms_multiply_add(y, y, x * x));
     return x / (t0 * sqrt(t0));
+}
+
+// `inverse_square_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void inverse_square_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    const double *FORMS_RESTRICT z,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = inverse_square_optimised(x[i], y[i], z[i]);
+    }
 }
 
 // ```text
@@ -66,10 +129,22 @@ double inverse_square_optimised(double x, double y, double z) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 division, 4 function calls.
-double inverse_square(double x, double y, double z) {
+static inline double inverse_square(double x, double y, double z) {
     const double t0 = forms_power(x, 2.0, 1.0) + forms_power(y, 2.0, 1.0);
     const double t1 = forms_power(t0 + forms_power(z, 2.0, 1.0), 3.0, 2.0);
     return x / t1;
+}
+
+// `inverse_square` for each i < count. Outputs must not overlap other arrays.
+static inline void inverse_square_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    const double *FORMS_RESTRICT z,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = inverse_square(x[i], y[i], z[i]);
+    }
 }
 
 // ```text
@@ -78,11 +153,28 @@ double inverse_square(double x, double y, double z) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 1 addition, 4 multiplications, 1 division.
-void several_optimised(double u, double v, double *outputs) {
+static inline void several_optimised(double u, double v, double *outputs) {
     const double t0 = 1.0 / forms_multiply_add(v, v, u * u);
     outputs[0] = u * t0;
     outputs[1] = v * t0;
     outputs[2] = t0;
+}
+
+// `several_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void several_optimised_batch(
+    const double *FORMS_RESTRICT u,
+    const double *FORMS_RESTRICT v,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        several_optimised(u[i], v[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
 }
 
 // ```text
@@ -91,11 +183,28 @@ void several_optimised(double u, double v, double *outputs) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 1 addition, 3 divisions, 2 function calls.
-void several(double u, double v, double *outputs) {
+static inline void several(double u, double v, double *outputs) {
     const double t0 = forms_power(u, 2.0, 1.0) + forms_power(v, 2.0, 1.0);
     outputs[0] = u / t0;
     outputs[1] = v / t0;
     outputs[2] = 1.0 / t0;
+}
+
+// `several` for each i < count. Outputs must not overlap other arrays.
+static inline void several_batch(
+    const double *FORMS_RESTRICT u,
+    const double *FORMS_RESTRICT v,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        several(u[i], v[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
 }
 
 // ```text
@@ -104,9 +213,20 @@ void several(double u, double v, double *outputs) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 multiplication, 1 negation, 7 function calls.
-double functions_optimised(double t0, double x) {
+static inline double functions_optimised(double t0, double x) {
     const double tt0 = forms_multiply_add(exp(-fabs(x)), tanh(t0), atan2(sin(t0), cos(x)));
     return tt0 - log(x);
+}
+
+// `functions_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void functions_optimised_batch(
+    const double *FORMS_RESTRICT t0,
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = functions_optimised(t0[i], x[i]);
+    }
 }
 
 // ```text
@@ -115,9 +235,20 @@ double functions_optimised(double t0, double x) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 multiplication, 2 negations, 7 function calls.
-double functions(double t0, double x) {
+static inline double functions(double t0, double x) {
     const double tt0 = atan2(sin(t0), cos(x)) + exp(-fabs(x)) * tanh(t0);
     return tt0 + -log(x);
+}
+
+// `functions` for each i < count. Outputs must not overlap other arrays.
+static inline void functions_batch(
+    const double *FORMS_RESTRICT t0,
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = functions(t0[i], x[i]);
+    }
 }
 
 // ```text
@@ -126,7 +257,7 @@ double functions(double t0, double x) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 2 multiplications, 1 negation, 1 square root.
-void constants_optimised(double x, double *outputs) {
+static inline void constants_optimised(double x, double *outputs) {
     outputs[0] = -x;
     outputs[1] = 0.7853981633974483 * x;
     outputs[2] = 0.6666666666666666 - x;
@@ -135,13 +266,35 @@ void constants_optimised(double x, double *outputs) {
     outputs[5] = x - 0.1;
 }
 
+// `constants_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void constants_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    double *FORMS_RESTRICT output3,
+    double *FORMS_RESTRICT output4,
+    double *FORMS_RESTRICT output5,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[6];
+        constants_optimised(x[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+        output3[i] = values[3];
+        output4[i] = values[4];
+        output5[i] = values[5];
+    }
+}
+
 // ```text
 // constants
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 3 multiplications, 1 negation, 2 divisions, 1 square root.
-void constants(double x, double *outputs) {
+static inline void constants(double x, double *outputs) {
     const double t0 = -x;
     outputs[0] = t0;
     outputs[1] = 3.141592653589793 * x / 4.0;
@@ -151,13 +304,35 @@ void constants(double x, double *outputs) {
     outputs[5] = x + -0.1;
 }
 
+// `constants` for each i < count. Outputs must not overlap other arrays.
+static inline void constants_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    double *FORMS_RESTRICT output3,
+    double *FORMS_RESTRICT output4,
+    double *FORMS_RESTRICT output5,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[6];
+        constants(x[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+        output3[i] = values[3];
+        output4[i] = values[4];
+        output5[i] = values[5];
+    }
+}
+
 // ```text
 // roots_optimised
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 11 multiplications, 1 division, 1 function call.
-void roots_optimised(double x, double *outputs) {
+static inline void roots_optimised(double x, double *outputs) {
     const double t0 = forms_power(x, 1.0, 6.0);
     const double t1 = t0 * t0;
     const double t2 = 1.0 / t0;
@@ -171,18 +346,50 @@ void roots_optimised(double x, double *outputs) {
     outputs[2] = t3 * (t6 * (t7 * t7));
 }
 
+// `roots_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void roots_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        roots_optimised(x[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
+}
+
 // ```text
 // roots
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 negation, 5 function calls.
-void roots(double x, double *outputs) {
+static inline void roots(double x, double *outputs) {
     const double t0 = forms_power(x, 1.0, 3.0) + forms_power(x, -2.0, 3.0);
     const double t1 = forms_power(x, 3.0, 2.0) + -forms_power(x, -5.0, 2.0);
     outputs[0] = t0;
     outputs[1] = t1;
     outputs[2] = forms_power(x, -7.0, 1.0);
+}
+
+// `roots` for each i < count. Outputs must not overlap other arrays.
+static inline void roots_batch(
+    const double *FORMS_RESTRICT x,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        roots(x[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
 }
 
 // ```text
@@ -191,7 +398,7 @@ void roots(double x, double *outputs) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 square root, 1 function call, 2 conditionals.
-double piecewise_optimised(double x, double y) {
+static inline double piecewise_optimised(double x, double y) {
     double t0;
     if (x < y) {
         t0 = sqrt(y - x);
@@ -211,13 +418,24 @@ double piecewise_optimised(double x, double y) {
     return x + t0;
 }
 
+// `piecewise_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void piecewise_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = piecewise_optimised(x[i], y[i]);
+    }
+}
+
 // ```text
 // piecewise
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 2 additions, 1 negation, 1 square root, 1 function call, 2 conditionals.
-double piecewise(double x, double y) {
+static inline double piecewise(double x, double y) {
     double t0;
     if (x < y) {
         t0 = sqrt(y + -x);
@@ -237,15 +455,169 @@ double piecewise(double x, double y) {
     return t0 + x;
 }
 
+// `piecewise` for each i < count. Outputs must not overlap other arrays.
+static inline void piecewise_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = piecewise(x[i], y[i]);
+    }
+}
+
+// ```text
+// extrema_optimised
+// ```
+//
+// Its value is NaN where an argument it depends on is NaN.
+// Cost: 3 additions, 2 multiplications, 1 function call, 2 conditionals.
+static inline void extrema_optimised(double x, double y, double *outputs) {
+    double t0;
+    if (x < y) {
+        t0 = x;
+    } else if (x >= y) {
+        t0 = y;
+    } else {
+        t0 = NAN;
+    }
+    double t1;
+    if (x < 0.0) {
+        t1 = 0.0;
+    } else if (x >= 0.0) {
+        t1 = x;
+    } else {
+        t1 = NAN;
+    }
+    outputs[0] = t0;
+    outputs[1] = 0.5 * (x * (x + y + fabs(x - y)));
+    outputs[2] = t1;
+}
+
+// `extrema_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void extrema_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        extrema_optimised(x[i], y[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
+}
+
+// ```text
+// extrema
+// ```
+//
+// Its value is NaN where an argument it depends on is NaN.
+// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 1 function call, 2 conditionals.
+static inline void extrema(double x, double y, double *outputs) {
+    double t0;
+    if (x < y) {
+        t0 = x;
+    } else if (x >= y) {
+        t0 = y;
+    } else {
+        t0 = NAN;
+    }
+    double t1;
+    if (x < 0.0) {
+        t1 = 0.0;
+    } else if (x >= 0.0) {
+        t1 = x;
+    } else {
+        t1 = NAN;
+    }
+    outputs[0] = t0;
+    outputs[1] = x * (x + y + fabs(x + -y)) / 2.0;
+    outputs[2] = t1;
+}
+
+// `extrema` for each i < count. Outputs must not overlap other arrays.
+static inline void extrema_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    double *FORMS_RESTRICT output2,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[3];
+        extrema(x[i], y[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+        output2[i] = values[2];
+    }
+}
+
+// ```text
+// lengths_optimised
+// ```
+//
+// Its value is NaN where an argument it depends on is NaN.
+// Cost: 2 additions, 1 multiplication, 2 function calls.
+static inline double lengths_optimised(double x, double y) {
+    return forms_hypot(x, 3.0 * y) + cbrt(x - y);
+}
+
+// `lengths_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void lengths_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = lengths_optimised(x[i], y[i]);
+    }
+}
+
+// ```text
+// lengths
+// ```
+//
+// Its value is NaN where an argument it depends on is NaN.
+// Cost: 2 additions, 1 multiplication, 1 negation, 2 function calls.
+static inline double lengths(double x, double y) {
+    return forms_hypot(x, 3.0 * y) + cbrt(x + -y);
+}
+
+// `lengths` for each i < count. Outputs must not overlap other arrays.
+static inline void lengths_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = lengths(x[i], y[i]);
+    }
+}
+
 // ```text
 // unused_optimised
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 1 addition.
-double unused_optimised(double x, double y) {
+static inline double unused_optimised(double x, double y) {
     (void)x;
     return y + 1.0;
+}
+
+// `unused_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void unused_optimised_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = unused_optimised(x[i], y[i]);
+    }
 }
 
 // ```text
@@ -254,9 +626,20 @@ double unused_optimised(double x, double y) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 1 addition.
-double unused(double x, double y) {
+static inline double unused(double x, double y) {
     (void)x;
     return y + 1.0;
+}
+
+// `unused` for each i < count. Outputs must not overlap other arrays.
+static inline void unused_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = unused(x[i], y[i]);
+    }
 }
 
 // ```text
@@ -265,7 +648,7 @@ double unused(double x, double y) {
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 3 additions, 4 multiplications.
-double many_optimised(
+static inline double many_optimised(
     double a,
     double b,
     double c,
@@ -277,14 +660,56 @@ double many_optimised(
     return forms_multiply_add(c, d, a * b) - forms_multiply_add(-g, H, e * f);
 }
 
+// `many_optimised` for each i < count. Outputs must not overlap other arrays.
+static inline void many_optimised_batch(
+    const double *FORMS_RESTRICT a,
+    const double *FORMS_RESTRICT b,
+    const double *FORMS_RESTRICT c,
+    const double *FORMS_RESTRICT d,
+    const double *FORMS_RESTRICT e,
+    const double *FORMS_RESTRICT f,
+    const double *FORMS_RESTRICT g,
+    const double *FORMS_RESTRICT H,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = many_optimised(a[i], b[i], c[i], d[i], e[i], f[i], g[i], H[i]);
+    }
+}
+
 // ```text
 // many
 // ```
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 3 additions, 4 multiplications, 2 negations.
-double many(double a, double b, double c, double d, double e, double f, double g, double H) {
+static inline double many(
+    double a,
+    double b,
+    double c,
+    double d,
+    double e,
+    double f,
+    double g,
+    double H) {
     return a * b + c * d + -(e * f + -(g * H));
+}
+
+// `many` for each i < count. Outputs must not overlap other arrays.
+static inline void many_batch(
+    const double *FORMS_RESTRICT a,
+    const double *FORMS_RESTRICT b,
+    const double *FORMS_RESTRICT c,
+    const double *FORMS_RESTRICT d,
+    const double *FORMS_RESTRICT e,
+    const double *FORMS_RESTRICT f,
+    const double *FORMS_RESTRICT g,
+    const double *FORMS_RESTRICT H,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = many(a[i], b[i], c[i], d[i], e[i], f[i], g[i], H[i]);
+    }
 }
 
 // ```text
@@ -293,8 +718,21 @@ double many(double a, double b, double c, double d, double e, double f, double g
 //
 // Its value is NaN where an argument it depends on is NaN.
 // Cost: 1 addition, 2 multiplications.
-double products(double a, double b, double c, double d) {
+static inline double products(double a, double b, double c, double d) {
     return forms_difference_of_products(a, b, c, d);
+}
+
+// `products` for each i < count. Outputs must not overlap other arrays.
+static inline void products_batch(
+    const double *FORMS_RESTRICT a,
+    const double *FORMS_RESTRICT b,
+    const double *FORMS_RESTRICT c,
+    const double *FORMS_RESTRICT d,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = products(a[i], b[i], c[i], d[i]);
+    }
 }
 
 // ```text
@@ -303,7 +741,7 @@ double products(double a, double b, double c, double d) {
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
-double inside(double x, double y) {
+static inline double inside(double x, double y) {
     if (!(0.0 < x)) {
         return NAN;
     }
@@ -316,13 +754,24 @@ double inside(double x, double y) {
     return sqrt(x) / y;
 }
 
+// `inside` for each i < count. Outputs must not overlap other arrays.
+static inline void inside_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        output[i] = inside(x[i], y[i]);
+    }
+}
+
 // ```text
 // both_inside
 // ```
 //
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
-void both_inside(double x, double y, double *outputs) {
+static inline void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
     if (!(0.0 < x)) {
         outputs[0] = NAN;
@@ -342,3 +791,20 @@ void both_inside(double x, double y, double *outputs) {
     outputs[0] = sqrt(x) / y;
     outputs[1] = t0;
 }
+
+// `both_inside` for each i < count. Outputs must not overlap other arrays.
+static inline void both_inside_batch(
+    const double *FORMS_RESTRICT x,
+    const double *FORMS_RESTRICT y,
+    double *FORMS_RESTRICT output0,
+    double *FORMS_RESTRICT output1,
+    size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double values[2];
+        both_inside(x[i], y[i], values);
+        output0[i] = values[0];
+        output1[i] = values[1];
+    }
+}
+
+#endif

@@ -203,6 +203,76 @@ pub fn piecewise(x: f32, y: f32) -> f32 {
 }
 
 /// ```text
+/// extrema_optimised
+/// ```
+///
+/// Its value is NaN where an argument it depends on is NaN.
+/// Cost: 3 additions, 2 multiplications, 1 function call, 2 conditionals.
+pub fn extrema_optimised(x: f32, y: f32) -> [f32; 3] {
+    let t0 = if x < y {
+        x
+    } else if x >= y {
+        y
+    } else {
+        f32::NAN
+    };
+    let t1 = if x < 0.0 {
+        0.0
+    } else if x >= 0.0 {
+        x
+    } else {
+        f32::NAN
+    };
+    [t0, 0.5 * (x * (x + y + (x - y).abs())), t1]
+}
+
+/// ```text
+/// extrema
+/// ```
+///
+/// Its value is NaN where an argument it depends on is NaN.
+/// Cost: 3 additions, 1 multiplication, 1 negation, 1 division, 1 function call, 2 conditionals.
+pub fn extrema(x: f32, y: f32) -> [f32; 3] {
+    let t0 = if x < y {
+        x
+    } else if x >= y {
+        y
+    } else {
+        f32::NAN
+    };
+    let t1 = if x < 0.0 {
+        0.0
+    } else if x >= 0.0 {
+        x
+    } else {
+        f32::NAN
+    };
+    [t0, x * (x + y + (x + -y).abs()) / 2.0, t1]
+}
+
+/// ```text
+/// lengths_optimised
+/// ```
+///
+/// Its value is NaN where an argument it depends on is NaN.
+/// Cost: 2 additions, 1 multiplication, 2 function calls.
+pub fn lengths_optimised(x: f32, y: f32) -> f32 {
+    let t0 = <f32 as forms_math::Real>::hypot(x, 3.0 * y);
+    t0 + (x - y).cbrt()
+}
+
+/// ```text
+/// lengths
+/// ```
+///
+/// Its value is NaN where an argument it depends on is NaN.
+/// Cost: 2 additions, 1 multiplication, 1 negation, 2 function calls.
+pub fn lengths(x: f32, y: f32) -> f32 {
+    let t0 = <f32 as forms_math::Real>::hypot(x, 3.0 * y);
+    t0 + (x + -y).cbrt()
+}
+
+/// ```text
 /// unused_optimised
 /// ```
 ///

@@ -137,7 +137,7 @@ impl<W: Word> Real for Bounded<W> {
         tanh: hyperbolic_tangent;
         erf: error_function;
     }
-    unknown!(expint1, expint2, expint3, dilog, clausen);
+    unknown!(erfc, expint1, expint2, expint3, dilog, clausen);
     #[inline(always)]
     fn quadrature(_: Self, _: Self, _: impl Fn(Self) -> Self) -> Self {
         Self::unknown()

@@ -1,8 +1,10 @@
 //! Changes: the error of a sum of integrals, from the changes of its terms by their last refinement.
 //!
 //! ```text
-//! error = min(Σ|cᵢ|, |Σ cᵢ| + 3 √Σ cᵢ²)
+//! error = min(Σ dᵢ, |Σ cᵢ| + 3 √Σ dᵢ²)
 //! ```
+//! cᵢ is a change, and dᵢ ≥ |cᵢ| the doubt about it: where parts of an integral change in different
+//! directions, their sum can be small by chance.
 //! Where the integrand is smooth, the changes have one sign, and the error is their sum. Where borders
 //! of shadows pass through the patches, the changes are independent of each other and of both signs,
 //! and most of them cancel: the error is then three standard deviations of their sum.
@@ -18,29 +20,29 @@ pub(crate) struct Changes {
     pub(crate) area: f64,
     /// Sum of the changes.
     signed: f64,
-    /// Sum of their absolute values, and of their squares.
-    absolute: f64,
+    /// Sum of the doubts, and of their squares.
+    doubts: f64,
     squares: f64,
     /// Error of terms that do not change.
     certain: f64,
 }
 
 impl Changes {
-    /// Adds a term with its change, a part of an independent change: the square of that change is
-    /// divided equally among its parts.
-    pub(crate) fn add(&mut self, area: f64, change: f64, parts: f64) {
+    /// Adds a term with its change and doubt, parts of an independent change: the square of its
+    /// doubt is divided equally among these parts.
+    pub(crate) fn add(&mut self, area: f64, [change, doubt]: [f64; 2], parts: f64) {
         self.area += area;
         self.signed += change;
-        self.absolute += change.abs();
-        self.squares += parts * change * change;
+        self.doubts += doubt;
+        self.squares += parts * doubt * doubt;
     }
 
     /// Takes back a term that was added.
-    pub(crate) fn remove(&mut self, area: f64, change: f64, parts: f64) {
+    pub(crate) fn remove(&mut self, area: f64, [change, doubt]: [f64; 2], parts: f64) {
         self.area -= area;
         self.signed -= change;
-        self.absolute -= change.abs();
-        self.squares -= parts * change * change;
+        self.doubts -= doubt;
+        self.squares -= parts * doubt * doubt;
     }
 
     /// Adds a term that is as accurate as it says.
@@ -49,15 +51,10 @@ impl Changes {
         self.certain += exchange.error;
     }
 
-    /// Returns the sum of the changes.
-    pub(crate) fn change(&self) -> f64 {
-        self.signed
-    }
-
     /// Returns the error of the sum.
     pub(crate) fn error(&self) -> f64 {
         let statistical = self.signed.abs() + SPREAD * self.squares.max(0.0).sqrt();
-        self.certain + self.absolute.max(0.0).min(statistical)
+        self.certain + self.doubts.max(0.0).min(statistical)
     }
 }
 
@@ -68,7 +65,7 @@ mod tests {
 
     fn error(changes: impl Iterator<Item = f64>) -> f64 {
         let mut sum = Changes::default();
-        changes.for_each(|change| sum.add(1.0, change, 1.0));
+        changes.for_each(|change| sum.add(1.0, [change, change.abs()], 1.0));
         sum.error()
     }
 
@@ -96,9 +93,9 @@ mod tests {
     #[test]
     fn what_is_taken_back_leaves_nothing() {
         let mut sum = Changes::default();
-        sum.add(2.0, 0.5, 4.0);
+        sum.add(2.0, [-0.5, 0.75], 4.0);
         sum.add_certain(Exchange { area: 1.0, error: 0.25 });
-        sum.remove(2.0, 0.5, 4.0);
+        sum.remove(2.0, [-0.5, 0.75], 4.0);
         assert_eq!((sum.area, sum.error()), (1.0, 0.25));
     }
 }

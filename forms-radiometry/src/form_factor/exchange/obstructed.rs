@@ -7,24 +7,16 @@
 //! F is exact at each point, for any occluders. It has kinks where the boundary of a shadow reaches
 //! a vertex of the other polygon: seen from the smaller polygon, shadows move little, and most of
 //! them reach no vertex at all. A patch is quartered where the rule on the whole and on its
-//! quarters disagree, the worst patch first.
+//! quarters disagree, or where kinks can hide from both; the patch most in doubt is the first.
 
 use super::areas::{Patch, gauss, patches};
 use super::changes::Changes;
-use super::{Exchange, exchange_of};
+use super::doubt::{self, ORDER, POINTS, QUARTERS};
+use super::{Exchange, exchange_of, in_front};
 use crate::geometry::{Polygon, Vector, scale};
-use crate::visibility::{Between, Borders, Face, Looking, Screens, Workspace};
+use crate::visibility::{Aspects, Between, Borders, Face, Looking, Screens, Workspace};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
-
-/// Number of points of the rule along each side of a patch.
-const ORDER: usize = 3;
-
-/// Number of parts that share a change.
-const QUARTERS: f64 = 4.0;
-
-/// Part of the goal within which few points have to agree.
-const FEW: f64 = 0.25;
 
 /// The largest number of patches. If it is reached, the remaining error is reported.
 const MOST_PATCHES: usize = 200_000;
@@ -36,7 +28,7 @@ const ROUNDING: f64 = 16.0;
 /// or until the limit on patches is reached.
 ///
 /// Where nothing can occlude the polygons, the result is [`exchange`](super::exchange). The error
-/// is the sum of the changes by the last refinement of each patch.
+/// is an estimate, from the last refinement of each patch.
 pub fn visible_exchange<'a>(
     here: &'a Polygon,
     there: &'a Polygon,
@@ -73,7 +65,7 @@ pub(crate) fn exchange_with(
     match sight(here, there, screens, &mut found) {
         Sight::Nothing => Exchange::default(),
         Sight::Whole => exchange_of(here, there, [tolerance; 2]),
-        Sight::Parts { outline, view } => view.integral(outline, [tolerance, least], is_stopped),
+        Sight::Parts(view) => view.integral([tolerance, least], is_stopped),
     }
 }
 
@@ -82,8 +74,8 @@ pub(crate) fn exchange_with(
 pub(crate) enum FirstLook {
     /// Nothing can hide a part, or hides all: as accurate as the relative tolerance.
     Certain(Exchange),
-    /// A few points see this area, and with it fewer points see this much less.
-    Rough { area: f64, change: f64 },
+    /// A few points see this area, fewer of them see this much less, and are in doubt by so much.
+    Rough { area: f64, change: f64, doubt: f64 },
 }
 
 /// Returns the exchange area of two faces among occluders at a first look.
@@ -92,9 +84,9 @@ pub(crate) fn first_look(here: &Face, there: &Face, screens: &Screens, tolerance
     match sight(here, there, screens, &mut found) {
         Sight::Nothing => FirstLook::Certain(Exchange::default()),
         Sight::Whole => FirstLook::Certain(exchange_of(here, there, [tolerance; 2])),
-        Sight::Parts { outline, view } => {
-            let (sum, _) = view.by_few_points(outline, &mut Work::default());
-            FirstLook::Rough { area: sum.area, change: sum.change() }
+        Sight::Parts(view) => {
+            let few = view.by_few_points(&mut Work::default());
+            FirstLook::Rough { area: few.area(), change: few.change(), doubt: few.doubt() }
         }
     }
 }
@@ -103,11 +95,7 @@ pub(crate) fn first_look(here: &Face, there: &Face, screens: &Screens, tolerance
 enum Sight<'s> {
     Nothing,
     Whole,
-    /// A part can be hidden from some points of this outline.
-    Parts {
-        outline: &'s [Vector],
-        view: View<'s>,
-    },
+    Parts(View<'s>),
 }
 
 /// Returns what two faces see of each other, from the smaller one.
@@ -118,38 +106,79 @@ fn sight<'s>(here: &'s Face, there: &'s Face, screens: &'s Screens, found: &'s m
         return Sight::Nothing;
     }
     match screens.between(outline, normal, &there.vertices, there.normal, found) {
-        Between::All => Sight::Nothing,
-        Between::Nothing => Sight::Whole,
-        Between::Some => {
-            Sight::Parts { outline, view: View { screens, between: found, there, normal: here.normal } }
-        }
+        Between::All => return Sight::Nothing,
+        Between::Nothing => return Sight::Whole,
+        Between::Some => {}
     }
+    let part = |face: &Face, other: &Face| in_front(face.vertices.to_vec(), other.vertices[0], other.normal);
+    let (Some((outline, moved)), Some((luminaire, also_moved))) = (part(here, there), part(there, here))
+    else {
+        return Sight::Nothing;
+    };
+    let [normal, of_luminaire] = [here.normal, there.normal];
+    let (between, error) = (&found[..], moved + also_moved);
+    Sight::Parts(View { screens, between, outline, luminaire: (luminaire, of_luminaire), normal, error })
 }
 
 /// The visible part of a face from points on one side of a plane, with these occluders.
 struct View<'s> {
     screens: &'s Screens,
     between: &'s [u32],
-    there: &'s Face,
+    /// The part of the points' face in front of the other one, and its normal.
+    outline: Vec<Vector>,
     normal: Vector,
+    /// The part of the other face in front of that one, and its normal.
+    luminaire: (Vec<Vector>, Vector),
+    /// The relative error of both cuts.
+    error: f64,
 }
 
-/// A patch with the integral over it, and its share of the change when it was split off its parent
-/// patch: a quarter.
+/// A patch with the integral over it.
 struct Part {
     patch: Patch,
     area: f64,
+    /// Its share of the change when it was split off its parent patch, and of the doubt about it.
     change: f64,
+    doubt: f64,
+}
+
+/// The patches of an outline by a few points of each.
+struct Few {
+    /// The patches, each with the differences between its points as change and doubt.
+    parts: Vec<Part>,
+    /// Whether the form factor is an analytic function of the point in each patch.
+    is_one_aspect: bool,
+}
+
+impl Few {
+    fn area(&self) -> f64 {
+        self.parts.iter().map(|part| part.area).sum()
+    }
+
+    fn change(&self) -> f64 {
+        self.parts.iter().map(|part| part.change).sum()
+    }
+
+    fn doubt(&self) -> f64 {
+        self.parts.iter().map(|part| part.doubt).sum()
+    }
+}
+
+impl Part {
+    /// The integral over a patch by form factors times areas at its points.
+    fn of(patch: Patch, values: &[f64; POINTS]) -> Self {
+        Self { patch, area: values.iter().sum(), change: 0.0, doubt: 0.0 }
+    }
 }
 
 impl Changes {
     fn with(mut self, part: &Part) -> Self {
-        self.add(part.area, part.change, QUARTERS);
+        self.add(part.area, [part.change, part.doubt], QUARTERS as f64);
         self
     }
 
     fn without(mut self, part: &Part) -> Self {
-        self.remove(part.area, part.change, QUARTERS);
+        self.remove(part.area, [part.change, part.doubt], QUARTERS as f64);
         self
     }
 }
@@ -165,30 +194,22 @@ struct Work {
 }
 
 impl View<'_> {
-    fn integral(
-        &self,
-        outline: &[Vector],
-        [tolerance, least]: [f64; 2],
-        is_stopped: impl Fn() -> bool,
-    ) -> Exchange {
+    fn integral(&self, [tolerance, least]: [f64; 2], is_stopped: impl Fn() -> bool) -> Exchange {
         let mut work = Work::default();
         let goal = |area: f64| tolerance * area.abs().max(least);
-        let (few, see_all) = self.by_few_points(outline, &mut work);
-        // where some points see nothing, a part may be seen from between them
-        if see_all && few.error() <= FEW * goal(few.area) {
-            return Exchange { area: few.area, error: few.error() };
+        let few = self.by_few_points(&mut work);
+        let [area, error] = [few.area(), few.doubt()];
+        // between a few points, other things can be seen
+        if few.is_one_aspect && error <= goal(area) {
+            return Exchange { area, error: error + self.error * area };
         }
         let mut queue: BinaryHeap<Part> = BinaryHeap::new();
-        for patch in patches(outline) {
-            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, ORDER, &mut work);
-            queue.extend(parts(quarters, whole.1));
-        }
+        queue.extend(few.parts.iter().flat_map(|whole| self.quarters(whole, &mut work)));
         let sum_of = |queue: &BinaryHeap<Part>| queue.iter().fold(Changes::default(), Changes::with);
         let mut sum = sum_of(&queue);
         while sum.error() > goal(sum.area) && queue.len() < MOST_PATCHES && !is_stopped() {
             let Some(worst) = queue.pop() else { break };
-            let quarters =
-                parts(self.over(worst.patch.quarters(), &worst.patch, ORDER, &mut work), worst.area);
+            let quarters = self.quarters(&worst, &mut work);
             sum = quarters.iter().fold(sum.without(&worst), Changes::with);
             queue.extend(quarters);
         }
@@ -196,41 +217,48 @@ impl View<'_> {
         let sum = sum_of(&queue);
         let (area, error) = (sum.area, sum.error());
         let size: f64 = queue.iter().map(|part| part.patch.area()).sum();
-        Exchange { area, error: error + ROUNDING * f64::EPSILON * size }
+        Exchange { area, error: error + self.error * area + ROUNDING * f64::EPSILON * size }
     }
 
-    /// Integrates by the middles of patches and of their quarters, with the difference as the error.
-    /// Returns also whether all points see something.
-    fn by_few_points(&self, outline: &[Vector], work: &mut Work) -> (Changes, bool) {
-        let (mut sum, mut see_all) = (Changes::default(), true);
-        for patch in patches(outline) {
-            let [quarters @ .., whole] = self.over(with_quarters(&patch), &patch, 1, work);
-            see_all &= quarters.iter().all(|(_, area)| *area > 0.0);
-            let area: f64 = quarters.iter().map(|(_, area)| area).sum();
-            sum.add(area, area - whole.1, 1.0);
+    /// Integrates by a few points of each patch.
+    fn by_few_points(&self, work: &mut Work) -> Few {
+        let mut few = Few { is_one_aspect: true, parts: Vec::new() };
+        for patch in patches(&self.outline) {
+            self.evaluate(&[patch], &patch, work);
+            let values: &[f64; POINTS] = work.factors[..].try_into().expect("one rule");
+            few.is_one_aspect &= work.borders.aspects() == Aspects::One;
+            let [change, doubt] = doubt::of_few(values);
+            few.parts.push(Part { change, doubt, ..Part::of(patch, values) });
         }
-        (sum, see_all)
+        few
     }
 
-    /// Integrates by the rule with this number of points along each side, over patches that lie
-    /// within one patch.
-    fn over<const N: usize>(
-        &self,
-        patches: [Patch; N],
-        within: &Patch,
-        order: usize,
-        work: &mut Work,
-    ) -> [(Patch, f64); N] {
+    /// Integrates over the quarters of a patch.
+    fn quarters(&self, whole: &Part, work: &mut Work) -> [Part; QUARTERS] {
+        let patches = whole.patch.quarters();
+        self.evaluate(&patches, &whole.patch, work);
+        let (values, _) = work.factors.as_chunks::<POINTS>();
+        let mut parts: [Part; QUARTERS] =
+            std::array::from_fn(|index| Part::of(patches[index], &values[index]));
+        let change = parts.iter().map(|part| part.area).sum::<f64>() - whole.area;
+        let doubt = doubt::of_kinks(values, work.borders.aspects()).max(change.abs());
+        let share = 1.0 / QUARTERS as f64;
+        parts.iter_mut().for_each(|part| (part.change, part.doubt) = (share * change, share * doubt));
+        parts
+    }
+
+    /// Evaluates form factors times areas at the points of patches that lie within one patch.
+    fn evaluate(&self, patches: &[Patch], within: &Patch, work: &mut Work) {
         let Work { points, areas, factors, view, borders } = work;
         points.clear();
         areas.clear();
-        for patch in &patches {
-            patch.by_rule(gauss(order), |point, area| {
+        for patch in patches {
+            patch.by_rule(gauss(ORDER), |point, area| {
                 points.push(point);
                 areas.push(area);
             });
         }
-        let Face { vertices, normal, .. } = self.there;
+        let (vertices, normal) = &self.luminaire;
         let looking = Looking {
             points,
             outline: within.corners(),
@@ -241,21 +269,8 @@ impl View<'_> {
         factors.clear();
         factors.resize(points.len(), 0.0);
         self.screens.add_form_factors(looking, (self.normal, 1.0), (view, borders), factors);
-        let mut values = areas.iter().zip(factors).map(|(area, factor)| area * *factor);
-        patches.map(|patch| (patch, values.by_ref().take(order * order).sum()))
+        factors.iter_mut().zip(areas).for_each(|(factor, area)| *factor *= *area);
     }
-}
-
-/// Returns the quarters of a patch, followed by the patch itself.
-fn with_quarters(patch: &Patch) -> [Patch; 5] {
-    let [a, b, c, d] = patch.quarters();
-    [a, b, c, d, *patch]
-}
-
-/// Returns the quarters of a patch whose integral is `whole`, each with a quarter of the change.
-fn parts(quarters: [(Patch, f64); 4], whole: f64) -> [Part; 4] {
-    let change = quarters.iter().map(|(_, area)| area).sum::<f64>() - whole;
-    quarters.map(|(patch, area)| Part { patch, area, change: 0.25 * change })
 }
 
 impl PartialEq for Part {
@@ -271,6 +286,6 @@ impl PartialOrd for Part {
 }
 impl Ord for Part {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.change.abs().total_cmp(&other.change.abs())
+        self.doubt.total_cmp(&other.doubt)
     }
 }

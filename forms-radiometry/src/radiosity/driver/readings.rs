@@ -32,7 +32,7 @@ pub(crate) struct Place {
 impl Place {
     /// Returns the place that is all of a face.
     pub(crate) fn of_face(face: &Face) -> Self {
-        Self { outline: face.vertices.clone(), normal: Some(face.normal) }
+        Self { outline: face.vertices.to_vec(), normal: Some(face.normal) }
     }
 }
 

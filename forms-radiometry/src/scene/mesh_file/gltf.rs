@@ -28,7 +28,8 @@ const EXTENSIONS: [&str; 2] = ["KHR_mesh_quantization", "KHR_texture_transform"]
 
 pub(super) fn read(file: &str, bytes: &[u8], open: &Open) -> Result<Read, Vec<SceneError>> {
     let nowhere = Source::new(file, "");
-    let fault = |message: String| told(&nowhere, vec![Fault::new(0..0, message, "")], 0);
+    let fault =
+        |message: String| told(&nowhere, vec![Fault::new(0..0, message, "a complete glTF 2.0 file")], 0);
     let (text, binary) = parts(bytes).map_err(fault)?;
     let source = Source::new(file, &String::from_utf8_lossy(text));
     let document: Document = serde_json::from_slice(text).map_err(|error| {
@@ -36,7 +37,7 @@ pub(super) fn read(file: &str, bytes: &[u8], open: &Open) -> Result<Read, Vec<Sc
         let byte = line.map(str::len).sum::<usize>() + error.column().saturating_sub(1);
         let message = error.to_string();
         let message = message.split(" at line ").next().unwrap_or_default().to_owned();
-        told(&source, vec![Fault::new(byte..byte + 1, message, "")], 0)
+        told(&source, vec![Fault::new(byte..byte + 1, message, "the JSON of glTF 2.0")], 0)
     })?;
     supported(&document).map_err(fault)?;
     let data = Data::open(&document, binary, open).map_err(fault)?;

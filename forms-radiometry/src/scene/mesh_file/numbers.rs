@@ -63,7 +63,7 @@ impl<'b> Numbers<'b> {
 
     fn ended(&self, what: &str) -> Fault {
         let end = self.bytes.len();
-        Fault::new(end..end, format!("the file ends where {what} is expected"), "")
+        Fault::new(end..end, format!("the file ends where {what} is expected"), "a complete file")
     }
 
     /// Passes over the rest of the line before the numbers of a section, if they are binary.

@@ -6,7 +6,9 @@ use crate::geometry::{Corners, FaceList, Mesh, PolygonError, Repaired, Vector, r
 use crate::scene::SceneError;
 use crate::scene::place::{Place, Source};
 use forms::core::diagnostic::counted;
+use rustc_hash::FxHasher;
 use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -62,6 +64,7 @@ impl Elements {
 #[derive(Default)]
 struct Changed {
     dropped: usize,
+    repeated: usize,
     shortened: usize,
     triangulated: usize,
 }
@@ -141,7 +144,13 @@ impl Parts {
         let (mut list, mut group_of, mut changed) = (FaceList::default(), Vec::new(), Changed::default());
         let mut faults = Vec::new();
         let (mut normals, mut texture) = (FaceList::default(), FaceList::default());
+        let repeated = self.repeated();
+        changed.repeated = repeated.len();
+        let mut repeated = repeated.into_iter().peekable();
         for index in 0..self.faces.len() {
+            if repeated.next_if_eq(&(index as u32)).is_some() {
+                continue;
+            }
             let face = self.faces.get(index);
             let polygons = match self.polygons_of(face) {
                 Ok(polygons) => polygons,
@@ -165,6 +174,43 @@ impl Parts {
         faults.into_iter().for_each(|fault| self.fault(fault));
         (self.normals.indices, self.texture.indices) = (normals, texture);
         (list, group_of, changed)
+    }
+
+    /// Returns the faces, in order, that have the same vertices in the same order as an earlier one,
+    /// wherever they begin: they would emit and reflect twice. A face and its reverse are two sides.
+    fn repeated(&self) -> Vec<u32> {
+        let bits = |index: u32| {
+            let vertex = self.vertices.get(index as usize);
+            vertex.map_or([u64::from(index); 3], |v| v.coordinates().map(|x| (x + 0.0).to_bits()))
+        };
+        let cycle = |face: usize| {
+            let corners = self.faces.get(face);
+            let first = (0..corners.len()).min_by_key(|&place| bits(corners[place])).unwrap_or(0);
+            corners[first..].iter().chain(&corners[..first]).map(|&corner| bits(corner))
+        };
+        let hash = |face: u32| {
+            let mut hasher = FxHasher::default();
+            cycle(face as usize).for_each(|bits| bits.hash(&mut hasher));
+            (hasher.finish(), face)
+        };
+        let mut all: Vec<(u64, u32)> = (0..self.faces.len() as u32).map(hash).collect();
+        all.sort_unstable();
+        let same = all.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() > 1);
+        let mut repeated: Vec<u32> = same
+            .flat_map(|same| {
+                let is_again = |place: usize| {
+                    same[..place]
+                        .iter()
+                        .any(|&(_, other)| cycle(other as usize).eq(cycle(same[place].1 as usize)))
+                };
+                (1..same.len())
+                    .filter(|&place| is_again(place))
+                    .map(|place| same[place].1)
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+        repeated.sort_unstable();
+        repeated
     }
 
     /// Returns what a face stands for, or what is wrong with it and what was expected.
@@ -226,13 +272,14 @@ impl Changed {
 
     /// Describes the changes, each kind once.
     fn notes(&self) -> Vec<String> {
-        let &Self { dropped, shortened, triangulated } = self;
+        let &Self { dropped, repeated, shortened, triangulated } = self;
         let note = |count: usize, done: &str| {
             let was = if count == 1 { "was" } else { "were" };
             (count > 0).then(|| format!("{} {was} {done}", counted(count, "face")))
         };
         let notes = [
             note(dropped, "dropped for want of an area"),
+            note(repeated, "dropped, being there twice"),
             note(shortened, "read without a repeated vertex"),
             note(triangulated, "divided into triangles, not being planar"),
         ];
@@ -244,7 +291,7 @@ impl Changed {
 /// say where they are.
 pub(super) fn told(source: &Arc<Source>, faults: Vec<Fault>, more: usize) -> Vec<SceneError> {
     let error = |fault: Fault| match source.text.is_empty() {
-        true => SceneError::of_file(&source.file, fault.message),
+        true => SceneError::of_file(&source.file, fault.message).expecting(fault.expected),
         false => SceneError::new(&Place::new(source, fault.range), fault.message, fault.expected),
     };
     let mut errors: Vec<SceneError> = faults.into_iter().map(error).collect();

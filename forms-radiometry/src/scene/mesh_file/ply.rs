@@ -83,6 +83,9 @@ impl Parts {
                 "{rows} with more numbers than the header declares: the last ones are ignored"
             ));
         }
+        if let Some(rest) = rows.rest() {
+            self.note(format!("{rest} after the rows that the header declares: ignored"));
+        }
     }
 
     fn row(&mut self, element: &Element, row: u64, rows: &mut impl Rows) -> Result<(), Stop> {

@@ -90,7 +90,11 @@ impl Header {
                 ["element", name, _] => {
                     let rows = line_words[2].whole()?;
                     let rows = u64::try_from(rows).map_err(|_| {
-                        Fault::new(line_words[2].range.clone(), "the number of rows is negative", "")
+                        Fault::new(
+                            line_words[2].range.clone(),
+                            "the number of rows is negative",
+                            "zero or more rows",
+                        )
                     })?;
                     elements.push(Element { name: name.to_owned(), rows, properties: Vec::new(), place });
                 }
@@ -114,7 +118,7 @@ impl Header {
         for element in &self.elements {
             if element.properties.is_empty() {
                 let message = format!("the element `{}` has no properties", element.name);
-                return Err(Fault::new(element.place.clone(), message, ""));
+                return Err(Fault::new(element.place.clone(), message, "`property` lines after it"));
             }
         }
         Ok(self)

@@ -3,7 +3,11 @@
 use super::Fault;
 use super::ply_header::{Element, Format, Scalar};
 use super::words::{Word, extent, words};
+use forms::core::diagnostic::counted;
 use std::ops::Range;
+
+/// What is missing in a file that ends too early.
+const DECLARED: &str = "as many rows as the header declares";
 
 /// A sequence of rows of numbers.
 pub(super) trait Rows {
@@ -13,6 +17,8 @@ pub(super) trait Rows {
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop>;
     /// Whether the row has more numbers.
     fn has_more(&self) -> bool;
+    /// Returns what follows the last row: "3 lines", "20 bytes"; `None` if nothing does.
+    fn rest(&mut self) -> Option<String>;
     /// Returns the place of the last number, or of the declaration of its element.
     fn place(&self) -> Range<usize>;
     /// Returns the place of the whole row.
@@ -55,7 +61,7 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
             }
         }
         let message = format!("the file ends before {} {} of {}", element.name, row + 1, element.rows);
-        Err(Stop { fault: Fault::new(self.end_of_text..self.end_of_text, message, ""), for_good: true })
+        Err(Stop { fault: Fault::new(self.end_of_text..self.end_of_text, message, DECLARED), for_good: true })
     }
 
     fn number(&mut self, scalar: Scalar) -> Result<f64, Stop> {
@@ -83,6 +89,11 @@ impl<'t, L: Iterator<Item = (usize, &'t str)>> Rows for TextRows<'t, L> {
 
     fn has_more(&self) -> bool {
         self.next < self.row.len()
+    }
+
+    fn rest(&mut self) -> Option<String> {
+        let lines = self.lines.by_ref().filter(|(_, line)| !line.trim().is_empty()).count();
+        (lines > 0).then(|| counted(lines, "line"))
     }
 
     fn place(&self) -> Range<usize> {
@@ -146,12 +157,17 @@ impl Rows for ByteRows<'_> {
         };
         number.ok_or_else(|| {
             let message = format!("{}the file ends within this row", self.row);
-            Stop { fault: Fault::new(self.place.clone(), message, ""), for_good: true }
+            Stop { fault: Fault::new(self.place.clone(), message, DECLARED), for_good: true }
         })
     }
 
     fn has_more(&self) -> bool {
         false
+    }
+
+    fn rest(&mut self) -> Option<String> {
+        let rest = self.bytes[self.next..].trim_ascii();
+        (!rest.is_empty()).then(|| counted(rest.len(), "byte"))
     }
 
     fn place(&self) -> Range<usize> {

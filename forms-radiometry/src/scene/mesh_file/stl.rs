@@ -8,6 +8,7 @@ use super::{Fault, Read};
 use crate::geometry::Vector;
 use crate::scene::SceneError;
 use crate::scene::place::Source;
+use forms::core::diagnostic::counted;
 use rustc_hash::FxHashMap;
 use std::ops::Range;
 
@@ -30,8 +31,8 @@ pub(super) fn read(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
 /// not look like a text.
 fn triangles(bytes: &[u8]) -> Option<usize> {
     let count = u32::from_le_bytes(*bytes.get(HEAD - 4..)?.first_chunk()?) as usize;
-    let is_text =
-        bytes.trim_ascii_start().starts_with(b"solid") && bytes.windows(5).any(|word| word == b"facet");
+    let is_text = bytes.trim_ascii_start().starts_with(b"solid")
+        && (bytes.windows(5).any(|word| word == b"facet") || !bytes.contains(&0));
     let is_binary = bytes.len() == HEAD + TRIANGLE * count || !is_text;
     is_binary.then_some(count)
 }
@@ -62,18 +63,23 @@ impl Reader {
 
     /// Reads triangles in binary form.
     fn bytes(&mut self, body: &[u8], count: usize) {
+        if let Some(rest) = body.get(TRIANGLE * count..).filter(|rest| !rest.is_empty()) {
+            let (rest, count) = (counted(rest.len(), "byte"), counted(count, "triangle"));
+            self.parts.note(format!("{rest} after the {count} that the file declares: ignored"));
+        }
         for index in 0..count {
             let place = TRIANGLE * index;
-            let fault = |message: &str| {
+            let fault = |message: &str, expected: String| {
                 let message = format!("triangle {} of {count} (byte {}): {message}", index + 1, HEAD + place);
-                Fault::new(0..0, message, "")
+                Fault::new(0..0, message, expected)
             };
             let Some(bytes) = body.get(place..place + TRIANGLE) else {
-                return self.parts.fault(fault("the file ends within it"));
+                let expected = "as many triangles as the file declares".to_owned();
+                return self.parts.fault(fault("the file ends within it", expected));
             };
             match corners(bytes) {
                 Ok(corners) => self.triangle(corners, 0..0),
-                Err(wrong) => self.parts.fault(fault(&wrong.message)),
+                Err(wrong) => self.parts.fault(fault(&wrong.message, wrong.expected)),
             }
         }
     }

@@ -18,7 +18,13 @@ use vtkio::model::{DataSet, IOBuffer, Piece, PolyDataPiece, UnstructuredGridPiec
 /// Reads an XML file.
 pub(super) fn read_xml(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>> {
     let source = Source::new(file, "");
-    let fault = |message: String| told(&source, vec![Fault::new(0..0, message, "")], 0);
+    let fault = |message: String| {
+        told(
+            &source,
+            vec![Fault::new(0..0, message, "an unstructured grid or polygons, with all data in the file")],
+            0,
+        )
+    };
     let vtk = Vtk::parse_xml(bytes).map_err(|error| {
         not_xml(file, bytes).unwrap_or_else(|| fault(format!("the file is not a VTK file: {error}")))
     })?;
@@ -38,7 +44,7 @@ pub(super) fn read_xml(file: &str, bytes: &[u8]) -> Result<Read, Vec<SceneError>
 fn not_xml(file: &str, bytes: &[u8]) -> Option<Vec<SceneError>> {
     let source = Source::new(file, str::from_utf8(bytes).ok()?);
     let (byte, message) = xml::parsed(&source.text).err()?;
-    Some(told(&source, vec![Fault::new(byte..byte, message, "")], 0))
+    Some(told(&source, vec![Fault::new(byte..byte, message, "well-formed XML")], 0))
 }
 
 /// Returns the pieces of a file. Pieces in other files are refused.

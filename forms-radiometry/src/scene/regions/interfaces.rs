@@ -2,7 +2,8 @@
 
 use super::boundary::boundary;
 use crate::geometry::{Disk, Mesh, Polygon, Quadric, Sphere, Vector, Welded, closeness};
-use crate::scene::model::{Scene, Shape};
+use crate::scene::model::{Scene, Shape, Surface};
+use std::iter::once;
 
 /// A piece of a surface.
 pub(crate) struct Interface {
@@ -45,35 +46,39 @@ impl Interface {
 
 /// Returns the sheets of a scene in which nothing asks for their edges: each flat part of a mesh is
 /// one sheet, or each face where receivers measure these.
-pub(crate) fn sheets_without_edges(scene: &Scene) -> Vec<Interface> {
+pub(crate) fn sheets_without_edges(scene: &Scene) -> impl Iterator<Item = Interface> {
     let are_measured = scene.are_faces_measured();
-    sheets(scene, |surface, mesh| match are_measured[surface] {
-        true => mesh.polygons().collect(),
-        false => mesh.flat_parts().collect(),
+    sheets(scene, move |surface, mesh| match are_measured[surface] {
+        true => Box::new(mesh.polygons()),
+        false => Box::new(mesh.flat_parts()),
     })
 }
 
+/// The polygons of a mesh, one at a time: there can be millions.
+type Polygons<'m> = Box<dyn Iterator<Item = Polygon> + 'm>;
+
 /// Returns the sheets of a scene, with these polygons of meshes. Their faces have no edges yet.
-fn sheets(scene: &Scene, polygons: impl Fn(usize, &Mesh) -> Vec<Polygon>) -> Vec<Interface> {
-    let mut pieces = Vec::new();
-    for (surface, shape) in scene.surfaces.iter().map(|surface| &surface.shape).enumerate() {
-        match shape {
-            Shape::Polygon(polygon) => pieces.push((surface, 0, Piece::Face(polygon.clone(), Vec::new()))),
-            Shape::Mesh(mesh) => {
-                let faces = polygons(surface, mesh).into_iter().enumerate();
-                pieces.extend(faces.map(|(part, polygon)| (surface, part, Piece::Face(polygon, Vec::new()))));
-            }
-            Shape::Sphere(sphere) => pieces.push((surface, 0, Piece::Sphere(*sphere))),
-            Shape::Disk(disk) => pieces.push((surface, 0, Piece::Disk(*disk))),
-            Shape::Quadric(quadric) => pieces.push((surface, 0, Piece::Quadric(*quadric))),
-        }
-    }
-    pieces.into_iter().map(|(surface, part, shape)| Interface { surface, part, shape }).collect()
+fn sheets<'s>(
+    scene: &'s Scene,
+    polygons: impl Fn(usize, &'s Mesh) -> Polygons<'s>,
+) -> impl Iterator<Item = Interface> {
+    let face = |polygon| Piece::Face(polygon, Vec::new());
+    let of_surface = move |(surface, Surface { shape, .. }): (usize, &'s Surface)| {
+        let pieces: Box<dyn Iterator<Item = Piece>> = match shape {
+            Shape::Polygon(polygon) => Box::new(once(face(polygon.clone()))),
+            Shape::Mesh(mesh) => Box::new(polygons(surface, mesh).map(face)),
+            Shape::Sphere(sphere) => Box::new(once(Piece::Sphere(*sphere))),
+            Shape::Disk(disk) => Box::new(once(Piece::Disk(*disk))),
+            Shape::Quadric(quadric) => Box::new(once(Piece::Quadric(*quadric))),
+        };
+        pieces.enumerate().map(move |(part, shape)| Interface { surface, part, shape })
+    };
+    scene.surfaces.iter().enumerate().flat_map(of_surface)
 }
 
 /// Returns the sheets of a scene, and the numbered vertices of their faces.
 pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
-    let mut interfaces = sheets(scene, |_, mesh| mesh.polygons().collect());
+    let mut interfaces: Vec<Interface> = sheets(scene, |_, mesh| Box::new(mesh.polygons())).collect();
     let polygons = interfaces.iter().filter_map(|interface| match &interface.shape {
         Piece::Face(polygon, _) => Some(polygon),
         Piece::Sphere(_) | Piece::Disk(_) | Piece::Quadric(_) => None,
@@ -81,7 +86,8 @@ pub(crate) fn interfaces(scene: &Scene) -> (Vec<Interface>, Vec<Vector>) {
     let mut welded = Welded::new(closeness(polygons.flat_map(Polygon::vertices).copied()));
     for interface in &mut interfaces {
         if let Piece::Face(polygon, edges) = &mut interface.shape {
-            let mut numbers = |outline: &[Vector]| outline.iter().map(|&v| welded.number(v)).collect();
+            let mut numbers =
+                |outline: &[Vector]| outline.iter().map(|&v| welded.number(v) as usize).collect();
             let outline: Vec<usize> = numbers(polygon.vertices());
             let holes: Vec<Vec<usize>> = polygon.holes().iter().map(|hole| numbers(hole)).collect();
             *edges = boundary(&outline, &holes, &welded.vertices);

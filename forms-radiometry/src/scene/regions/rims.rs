@@ -33,7 +33,7 @@ pub(super) fn rims(interfaces: &[Interface]) -> Vec<Edge> {
     let resolution = closeness(corners);
     let mut welded = Welded::new(resolution);
     let mut circles: Vec<Vec<(usize, Rim)>> = Vec::new();
-    let mut of_centers: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
+    let mut of_centers: FxHashMap<u32, Vec<usize>> = FxHashMap::default();
     for (index, rim) in rims {
         let known = of_centers.entry(welded.number(rim.center)).or_default();
         let is_same = |&circle: &usize| circles[circle][0].1.is_same(&rim, resolution);

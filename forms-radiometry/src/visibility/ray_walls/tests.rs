@@ -8,7 +8,7 @@ const UP: Vector = Vector::new(0.0, 0.0, 1.0);
 fn square(half: f64, height: f64, at: Vector) -> Wall {
     let corner = |x: f64, y: f64| at + Vector::new(x * half, y * half, height);
     let vertices = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
-    Wall::Polygon { vertices, normal: UP }
+    Wall::Polygon { vertices: vertices.into(), normal: UP }
 }
 
 #[test]
@@ -67,9 +67,9 @@ fn cube(center: Vector, scale: f64) -> Vec<Wall> {
     };
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let wall = |face: [usize; 4]| {
-        let vertices: Vec<Vector> = face.map(corner).to_vec();
+        let vertices = face.map(corner);
         let normal = (vertices[1] - vertices[0]).cross(vertices[3] - vertices[0]).unit();
-        Wall::Polygon { vertices, normal: normal.expect("a face has a normal") }
+        Wall::Polygon { vertices: vertices.as_slice().into(), normal: normal.expect("a face has a normal") }
     };
     faces.map(wall).to_vec()
 }
