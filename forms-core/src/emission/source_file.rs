@@ -122,7 +122,7 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
 ///     .iter()
 ///     .map(|kernel| {
 ///         let program = compile_kernel(&mut theory.pool, kernel).unwrap().optimised;
-///         Source { program, docs: KernelDocs::default(), within: None }
+///         Source { program, docs: KernelDocs::default(), within: None, approximated: None }
 ///     })
 ///     .collect();
 /// let names = FileNames { prefix: "acme_", file: "beams" };
