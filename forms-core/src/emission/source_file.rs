@@ -115,15 +115,12 @@ pub fn emit(kernels: &[Source], target: Target, precision: Precision) -> Result<
 ///
 /// ```
 /// use forms_core::{check::read_theory, compile::compile_kernel};
-/// use forms_core::emission::{FileNames, KernelDocs, Precision, Source, Target, emit_possible};
+/// use forms_core::emission::{FileNames, Precision, Source, Target, emit_possible};
 /// let (mut theory, _) = read_theory("kernel half(x) = x/2; kernel thick(x) = expint3(x) where x > 0;");
 /// let kernels = theory.kernels.clone();
 /// let sources: Vec<Source> = kernels
 ///     .iter()
-///     .map(|kernel| {
-///         let program = compile_kernel(&mut theory.pool, kernel).unwrap().optimised;
-///         Source { program, docs: KernelDocs::default(), within: None, approximated: None }
-///     })
+///     .map(|kernel| compile_kernel(&mut theory.pool, kernel).unwrap().into())
 ///     .collect();
 /// let names = FileNames { prefix: "acme_", file: "beams" };
 /// let emitted = emit_possible(&sources, Target::C, Precision::F64, names).unwrap();
