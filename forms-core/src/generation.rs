@@ -222,6 +222,18 @@ pub(crate) fn form_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
     }
 }
 
+/// Whether a form is proved equal to the formula of a kernel, wherever both have a value.
+pub(crate) fn form_is_equal(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+    form_claim::is_equal(pool, kernel, form)
+}
+
+/// Whether a form is shown to have a value wherever the formula of a kernel has one, and its pieces
+/// to agree where those of the formula do.
+pub(crate) fn form_has_values(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+    definedness::is_kept_by_form(pool, kernel, form)
+        && with_form(kernel, form).is_none_or(|form| seam::faults(pool, &form).is_empty())
+}
+
 /// Returns the kernel with this form as its formula, if there is a form.
 fn with_form(kernel: &Kernel, form: &[Expr]) -> Option<Kernel> {
     let mut with_form = (!form.is_empty()).then(|| kernel.clone())?;

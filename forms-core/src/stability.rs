@@ -14,8 +14,10 @@
 //! The search is bounded and deterministic. A kernel for which no form was chosen is computed by
 //! the result of the rules alone, without a search.
 
+mod bounds;
 mod choice;
 mod crossing;
+mod form;
 mod locate;
 mod proof;
 mod regimes;
@@ -28,9 +30,10 @@ pub use choice::key;
 #[cfg(not(feature = "internals"))]
 pub(crate) use choice::key;
 pub use choice::{Choices, EXTENSION, written};
-pub(crate) use rules::by_rules;
 #[cfg(feature = "internals")]
-pub use search::Form;
+pub use form::Form;
 #[cfg(not(feature = "internals"))]
-pub(crate) use search::Form;
-pub use search::{Budget, Found, search};
+pub(crate) use form::Form;
+pub use form::Found;
+pub(crate) use rules::by_rules;
+pub use search::{Budget, search};

@@ -11,6 +11,9 @@ const TYPICAL_EXPONENT: i32 = 6;
 /// Exponents of the powers of two between which zeros of the formula's parts are searched for.
 const GRID_EXPONENTS: std::ops::RangeInclusive<i32> = -24..=24;
 
+/// Numbers up to 2ⁿ times the typical ones are drawn for exponentials.
+const EXPONENTIAL_REACH: f64 = 5.0;
+
 /// A deterministic sequence of arguments of one kernel: the same seed gives the same arguments.
 pub(super) struct Arguments<'a> {
     pub(super) edges: &'a Edges,
@@ -122,10 +125,26 @@ impl Arguments<'_> {
         Some(point)
     }
 
+    /// Draws a point where two vectors are nearly parallel.
+    fn parallel(&mut self) -> Vec<f64> {
+        let mut point = self.typical();
+        let vectors = &self.edges.vectors[self.below(self.edges.vectors.len())];
+        let ratio = self.sign() * self.power_of_two(-3.0, 3.0);
+        let nearness = self.distance(1.0);
+        for &(a, b) in vectors {
+            point[b] = ratio * point[a] * (1.0 + self.sign() * nearness * (0.5 + self.unit()));
+        }
+        point
+    }
+
     /// Draws a point where the arguments of groups are close to each other, or are moved away from
-    /// zero together.
+    /// zero together, or where two vectors are nearly parallel.
     fn coincident(&mut self) -> Option<Vec<f64>> {
-        if self.edges.groups.is_empty() {
+        let (groups, vectors) = (!self.edges.groups.is_empty(), !self.edges.vectors.is_empty());
+        if vectors && (!groups || self.coin()) {
+            return Some(self.parallel());
+        }
+        if !groups {
             return None;
         }
         let groups = self.edges.groups.clone();
@@ -201,8 +220,12 @@ impl Arguments<'_> {
         let reach = f64::from(self.width.largest_exponent() - TYPICAL_EXPONENT);
         let from = f64::from(TYPICAL_EXPONENT);
         // in half of the draws only up to the fourth root of the range, where squares and products
-        // stay in range
-        let reach = if self.coin() { reach / 4.0 } else { reach };
+        // stay in range, and in some of these only up to where exponentials leave it
+        let reach = match (self.coin(), self.below(3)) {
+            (true, 0) => from + EXPONENTIAL_REACH,
+            (true, _) => reach / 4.0,
+            (false, _) => reach,
+        };
         let factor = self.power_of_two(from, reach);
         let factor = if direction > 0 { factor } else { factor.recip() };
         let (all, first) = (self.coin(), self.below(free.len()));

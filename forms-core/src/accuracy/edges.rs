@@ -18,6 +18,8 @@ pub(super) struct Edges {
     pub(super) ranges: Vec<(Option<f64>, Option<f64>)>,
     /// Groups of arguments that are subtracted from each other.
     pub(super) groups: Vec<Vec<usize>>,
+    /// Pairs of vectors, by the arguments that are multiplied in their scalar products.
+    pub(super) vectors: Vec<Vec<(usize, usize)>>,
     /// The parts of the formula that are hard where they vanish, as one program.
     vanishing: Option<Program>,
 }
@@ -25,11 +27,11 @@ pub(super) struct Edges {
 impl Edges {
     pub(super) fn of(pool: &mut Pool, kernel: &Kernel) -> Self {
         let ranges = ranges(pool, kernel);
-        let groups = groups(pool, kernel);
+        let (groups, vectors) = (groups(pool, kernel), vectors(pool, kernel));
         let parts = vanishing_parts(pool, kernel);
         let source =
             KernelSource { arguments: kernel.arguments.clone(), outputs: parts, ..KernelSource::default() };
-        Edges { ranges, groups, vanishing: lower(pool, &source).ok() }
+        Edges { ranges, groups, vectors, vanishing: lower(pool, &source).ok() }
     }
 
     /// Returns the number of tracked parts.
@@ -128,6 +130,30 @@ fn groups(pool: &Pool, kernel: &Kernel) -> Vec<Vec<usize>> {
     }
     let members = |name: usize| (0..group.len()).filter(|&place| group[place] == name).collect::<Vec<_>>();
     (0..group.len()).map(members).filter(|members| members.len() > 1).collect()
+}
+
+/// Returns the pairs of arguments that are multiplied in each sum of products of different arguments.
+fn vectors(pool: &Pool, kernel: &Kernel) -> Vec<Vec<(usize, usize)>> {
+    let argument = |expression: Expr| match *pool.node(expression) {
+        Node::Symbol(symbol) => kernel.arguments.iter().position(|&known| known == symbol),
+        _ => None,
+    };
+    let mut found: Vec<Vec<(usize, usize)>> = Vec::new();
+    for expression in pool.reachable(&kernel.outputs) {
+        let mut pairs: Vec<(usize, usize)> = Vec::new();
+        for (term, _) in pool.summands(expression) {
+            let Node::Multiply(a, b) = *pool.node(term) else { continue };
+            let (Some(a), Some(b)) = (argument(a), argument(b)) else { continue };
+            let is_used = |place: usize| pairs.iter().any(|&(p, q)| p == place || q == place);
+            if a != b && !is_used(a) && !is_used(b) {
+                pairs.push((a, b));
+            }
+        }
+        if pairs.len() > 1 && !found.contains(&pairs) {
+            found.push(pairs);
+        }
+    }
+    found
 }
 
 /// Returns divisors, radicands, arguments of logarithms and their distance from 1, sums, and the

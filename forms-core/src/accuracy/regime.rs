@@ -12,7 +12,8 @@ pub enum Regime {
     LowerEdge,
     /// Close to the upper end of the range of an argument.
     UpperEdge,
-    /// Arguments that are subtracted from each other are close together, or all far from zero.
+    /// Arguments that are subtracted from each other are close together, or all far from zero; vectors
+    /// are nearly parallel.
     Coincident,
     /// Close to a zero of a part of the formula: a divisor, a radicand, a sum whose terms cancel.
     Singular,

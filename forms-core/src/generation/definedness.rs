@@ -100,6 +100,11 @@ pub(crate) fn is_kept(pool: &mut Pool, conditions: &[Condition], before: Expr, a
     open_obligations(pool, conditions, before, obligations).is_ok_and(|open| open.is_empty())
 }
 
+/// Whether a form is shown to have a value wherever the kernel's formula has one, on its domain.
+pub(super) fn is_kept_by_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+    not_shown(pool, kernel, form).is_ok_and(|open| open.is_empty())
+}
+
 /// Decides whether a form has a value wherever the kernel's formula has one, on its domain.
 pub(crate) fn of_form(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Definedness {
     let open = match not_shown(pool, kernel, form) {

@@ -34,8 +34,24 @@ pub(super) struct Known<'a> {
     contradictions: usize,
 }
 
+/// Returns q ≠ 0 for every condition √q ≠ 0.
+fn radicands_not_zero(pool: &Pool, conditions: &[Condition]) -> Vec<Condition> {
+    let radicand = |condition: &Condition| match *pool.node(condition.left) {
+        Node::Power(left, exponent) if exponent.is_positive() && pool.is_zero(condition.right) => {
+            Some(Condition { left, ..*condition })
+        }
+        _ => None,
+    };
+    conditions
+        .iter()
+        .filter(|condition| condition.relation == Relation::NotEqual)
+        .filter_map(radicand)
+        .collect()
+}
+
 impl<'a> Known<'a> {
-    pub(super) fn new(pool: &'a mut Pool, conditions: Vec<Condition>) -> Self {
+    pub(super) fn new(pool: &'a mut Pool, mut conditions: Vec<Condition>) -> Self {
+        conditions.extend(radicands_not_zero(pool, &conditions));
         let mut difference = |c: &Condition| {
             let difference = pool.subtract(c.left, c.right);
             (terms_of(pool, difference, false), c.relation)
@@ -73,14 +89,18 @@ impl<'a> Known<'a> {
             return false;
         }
         self.contradictions += 1;
+        let is_inequation = condition.relation == Relation::NotEqual && self.pool.is_zero(condition.right);
+        if is_inequation && self.is_stated_otherwise(condition.left) {
+            return true;
+        }
         if holds(self.pool, condition, &self.conditions) {
             return true;
         }
         // a product is non-zero where all its factors are
-        let zero = self.pool.integer(0);
-        if condition.relation != Relation::NotEqual || !self.pool.is_zero(condition.right) {
+        if !is_inequation {
             return false;
         }
+        let zero = self.pool.integer(0);
         let factors = self.pool.factors_that_may_vanish(condition.left);
         factors.len() > 1
             && factors.into_iter().all(|left| {
@@ -102,7 +122,7 @@ impl<'a> Known<'a> {
     }
 
     /// Whether a condition states in another form that the expression is non-zero: exp q − 1 ≠ 0
-    /// for expm1 q.
+    /// for expm1 q, (a² + b²)(c² + d²) ≠ 0 for (ac + bd)² + (ad − bc)².
     fn is_stated_otherwise(&mut self, part: Expr) -> bool {
         let not_zero: Vec<Condition> =
             self.conditions.iter().filter(|c| Sign::NotZero.follows_from(c.relation)).copied().collect();

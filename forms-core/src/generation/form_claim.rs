@@ -11,10 +11,10 @@
 use super::approximation_claim;
 use super::definedness::{self, Breach, Definedness};
 use super::fault::{Claim, Fault};
-use super::translation::{FORM, Translation, equality};
+use super::translation::{EFFORT, FORM, Translation, equality};
 use crate::decide::{UnknownReason, Witness};
 use crate::diagnostic::Diagnostic;
-use crate::expression::Pool;
+use crate::expression::{Expr, Pool};
 use crate::theory::Kernel;
 
 /// Returns the fault of a form given after `by` that is not proved to have the value of the
@@ -45,6 +45,13 @@ pub(super) fn fault(pool: &mut Pool, kernel: &Kernel) -> Option<Fault> {
         Definedness::Broken(breach) => Some(broken(kernel, &breach)),
         Definedness::Undecided { reason } => Some(undefined(kernel, reason)),
     }
+}
+
+/// Whether a form is proved equal to the formula wherever both have a value, with the budget of a
+/// search. No points are searched for that refute it.
+pub(super) fn is_equal(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+    let mut outputs = form.iter().zip(&kernel.outputs);
+    outputs.all(|(&form, &formula)| equality(pool, &[(form, formula)], &kernel.domain, EFFORT).is_proved())
 }
 
 fn broken(kernel: &Kernel, breach: &Breach) -> Fault {

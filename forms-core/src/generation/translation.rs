@@ -11,9 +11,10 @@ use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
 use crate::decide::{Budget, Equations, Finding, KernelReason, UnknownReason, Witness};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Condition, Expr, Pool, Relation};
+use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
 use crate::kernel::Program;
 use crate::theory::Kernel;
+use rustc_hash::FxHashMap;
 use std::fmt;
 
 /// Budget for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
@@ -120,7 +121,56 @@ pub(super) fn equality(
     if by_pieces(pool, &opaque, &[], budget).is_proved() {
         return Translation::Proved;
     }
-    by_pieces(pool, &different, conditions, budget)
+    let different = with_roots(pool, &different);
+    let whole = by_pieces(pool, &different, conditions, budget);
+    if matches!(whole, Translation::Unknown { .. }) && by_operands(pool, &different, conditions, budget) {
+        return Translation::Proved;
+    }
+    whole
+}
+
+/// Writes hypot(x, y) as √(x² + y²), of which the prover knows more.
+fn with_roots(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
+    let (mut images, mut squares): (FxHashMap<Expr, Expr>, FxHashMap<Expr, Expr>) = Default::default();
+    for part in pool.reachable(expressions) {
+        let node = pool.node(part).clone();
+        let image = if let Node::Apply(Operation::Hypot, sides) = &node {
+            // of a hypotenuse, the square is the sum of squares that its root is taken of
+            let square = |pool: &mut Pool, side: &Expr| {
+                squares.get(side).copied().unwrap_or_else(|| pool.power(images[side], 2.into()))
+            };
+            let (x2, y2) = (square(pool, &sides[0]), square(pool, &sides[1]));
+            let sum = pool.add(x2, y2);
+            squares.insert(part, sum);
+            pool.sqrt(sum)
+        } else {
+            pool.image(part, node, &images)
+        };
+        images.insert(part, image);
+    }
+    expressions.iter().map(|expression| images[expression]).collect()
+}
+
+/// Whether the two expressions apply the same operation to operands that are proved equal, wherever
+/// these are defined.
+fn by_operands(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budget: Budget) -> bool {
+    let [a, b] = *different else { return false };
+    let pairs = match (pool.node(a).clone(), pool.node(b).clone()) {
+        (Node::Power(a, exponent), Node::Power(b, other)) if exponent == other => vec![(a, b)],
+        (Node::Negate(a), Node::Negate(b)) => vec![(a, b)],
+        (Node::Apply(operation, a), Node::Apply(other, b)) if operation == other => {
+            a.iter().copied().zip(b.iter().copied()).collect()
+        }
+        (Node::Multiply(a, c), Node::Multiply(b, d))
+        | (Node::Add(a, c), Node::Add(b, d))
+        | (Node::Divide(a, c), Node::Divide(b, d))
+            if a == b || c == d =>
+        {
+            vec![(a, b), (c, d)]
+        }
+        _ => return false,
+    };
+    pairs.into_iter().all(|(a, b)| a == b || equality(pool, &[(a, b)], conditions, budget).is_proved())
 }
 
 /// Decides whether each expression at an even index equals the next one under the conditions, piece

@@ -94,12 +94,7 @@ impl<T: Real> Interpreter<'_, T> {
     /// Evaluates the outputs at these arguments; all are NaN outside the kernel's domain. A missing
     /// argument is NaN.
     pub fn values(&self, arguments: &[T]) -> Vec<T> {
-        let mut values: Vec<T> = Vec::with_capacity(self.program.instructions.len());
-        for (instruction, constant) in self.program.instructions.iter().zip(&self.constants) {
-            let of = |value: Value| values[value.place()];
-            let value = constant.unwrap_or_else(|| value_of(instruction, arguments, of));
-            values.push(value);
-        }
+        let values = self.steps(arguments);
         let of = |value: Value| values[value.place()];
         let inside = |output: T| {
             self.program.domain.iter().rev().fold(output, |value, condition| {
@@ -108,6 +103,17 @@ impl<T: Real> Interpreter<'_, T> {
             })
         };
         self.program.outputs.iter().map(|&output| inside(of(output))).collect()
+    }
+
+    /// Evaluates every instruction at these arguments, inside or outside the kernel's domain.
+    pub(crate) fn steps(&self, arguments: &[T]) -> Vec<T> {
+        let mut values: Vec<T> = Vec::with_capacity(self.program.instructions.len());
+        for (instruction, constant) in self.program.instructions.iter().zip(&self.constants) {
+            let of = |value: Value| values[value.place()];
+            let value = constant.unwrap_or_else(|| value_of(instruction, arguments, of));
+            values.push(value);
+        }
+        values
     }
 }
 

@@ -9,8 +9,8 @@
 //! rules. An entry with another key is ignored, and the kernel is computed by the result of the
 //! rules alone. Generation proves each form again.
 
+use super::form::{Form, Found, MOST_UNITS};
 use super::rules::VERSION;
-use super::search::{Form, Found};
 use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Pool, Shape, Symbol, TABLE, number_text};
@@ -29,8 +29,9 @@ const MOST_LOSS: f64 = 1.0;
 /// Maximum mean loss in bits in one regime, with the same consequence.
 const MOST_LOSS_OF_A_REGIME: f64 = 2.0;
 
-/// Error bound that such a kernel then promises, in units of 2⁻⁵³.
-const WITHIN: u32 = 2;
+/// Error bounds, in units of 2⁻⁵³, of which such a kernel promises the least that most of its values
+/// keep without more precision.
+const PROMISES: [f64; 4] = [2.0, 4.0, 8.0, MOST_UNITS];
 
 /// Header of every file of choices.
 const HEAD: &str = "\
@@ -73,10 +74,11 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
         let mut form = found.chosen();
-        // where a bound (`within`) is promised anyway, a form must halve the formula's loss to be
-        // used
-        if form.loss > found.written.loss || is_open(form) && form.loss > found.written.loss / 2.0 {
+        if form.loss > found.written.loss {
             form = &found.written;
+        }
+        if is_open(form) {
+            form = found.most_settled();
         }
         if (form.outputs != kernel.outputs || is_open(form)) && !kernel.has_form() {
             entry(pool, kernel, found, form, &mut text);
@@ -88,6 +90,11 @@ pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
 /// Whether a form is not accurate enough.
 fn is_open(form: &Form) -> bool {
     form.loss > MOST_LOSS || form.regimes.iter().any(|(_, loss)| *loss > MOST_LOSS_OF_A_REGIME)
+}
+
+/// Returns the error bound to promise for a form that is not accurate enough, in units of 2⁻⁵³.
+fn promised(form: &Form) -> f64 {
+    PROMISES.into_iter().find(|&units| form.bound <= units).unwrap_or(MOST_UNITS)
 }
 
 fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
@@ -104,7 +111,7 @@ fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut St
         None => written(&form.outputs),
     };
     let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
-    let promise = if is_open(form) { format!("\n    within {WITHIN}") } else { String::new() };
+    let promise = if is_open(form) { format!("\n    within {}", promised(form)) } else { String::new() };
     let _ = write!(
         text,
         "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",

@@ -25,7 +25,9 @@ pub(super) fn lossy(
     let source =
         KernelSource { arguments: arguments.to_vec(), outputs: nodes.clone(), ..KernelSource::default() };
     let Ok(program) = lower(pool, &source) else { return Vec::new() };
+    // several nodes can become one instruction, such as those of a minimum
     let losses = losses(&program, samples);
+    let losses: Vec<f64> = program.outputs().iter().map(|value| losses[value.place()]).collect();
     let mut ranked: Vec<usize> = (0..nodes.len()).filter(|&place| losses[place] >= LEAST_LOSS).collect();
     ranked.sort_by(|&a, &b| losses[b].total_cmp(&losses[a]));
     ranked.truncate(most);
@@ -60,7 +62,7 @@ fn losses(program: &Program, samples: &[&Sample]) -> Vec<f64> {
     let interpreter = program.interpreter::<Exact>();
     for sample in samples {
         let arguments: Vec<Exact> = sample.arguments.iter().map(|&value| Exact::from_f64(value)).collect();
-        let exact: Vec<f64> = interpreter.values(&arguments).into_iter().map(Real::to_f64).collect();
+        let exact: Vec<f64> = interpreter.steps(&arguments).into_iter().map(Real::to_f64).collect();
         for (place, loss) in losses.iter_mut().enumerate() {
             let computed = program.step(place, &sample.arguments, &exact);
             if !exact[place].is_nan() {

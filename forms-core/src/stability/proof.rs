@@ -2,21 +2,24 @@
 //! conditions hold, and that its pieces agree where they meet. Generation repeats the same proof.
 
 use crate::expression::{Expr, Node, Pool, Rational, Seam};
-use crate::generation::{form_faults, guarded};
+use crate::generation::{form_faults, form_has_values, form_is_equal, guarded};
 use crate::theory::Kernel;
 use rustc_hash::FxHashMap;
 
 /// Returns the form if it is proved, or else the form with the formula used wherever the form is
 /// not proved to have a value; `None` if neither is proved.
 pub(super) fn provable(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> Option<Vec<Expr>> {
-    if proved(pool, kernel, form, None) {
+    if !form_is_equal(pool, kernel, form) {
+        return None;
+    }
+    if form_has_values(pool, kernel, form) {
         return Some(form.to_vec());
     }
-    // a form that has the formula's value everywhere agrees at its seams wherever the formula does,
-    // so it can be proved without a claim there
+    // the formula in the place of an equal form changes no value. A form that has the formula's value
+    // everywhere agrees at its seams wherever the formula does, so no claim is needed there
     let guarded = guarded(pool, kernel, form)?;
     let jumping = with_jumps(pool, &guarded);
-    [guarded, jumping].into_iter().find(|other| other != form && proved(pool, kernel, other, None))
+    [guarded, jumping].into_iter().find(|other| other != form && form_has_values(pool, kernel, other))
 }
 
 /// Returns the form with no claim of agreement at its seams.
@@ -36,12 +39,13 @@ fn with_jumps(pool: &mut Pool, form: &[Expr]) -> Vec<Expr> {
     form.iter().map(|output| images[output]).collect()
 }
 
-/// Whether a form is proved to have the value of the kernel's formula, or to be within a tolerance of
-/// it.
-pub(super) fn proved(pool: &mut Pool, kernel: &Kernel, form: &[Expr], tolerance: Option<&Rational>) -> bool {
-    let computed = if form == kernel.outputs { Vec::new() } else { form.to_vec() };
-    let mut kernel = kernel.clone();
-    kernel.computed = computed;
-    kernel.approximation = tolerance.cloned();
-    form_faults(pool, &kernel).is_empty()
+/// Whether a form is proved to have the value of the kernel's formula.
+pub(super) fn proved(pool: &mut Pool, kernel: &Kernel, form: &[Expr]) -> bool {
+    form == kernel.outputs || form_is_equal(pool, kernel, form) && form_has_values(pool, kernel, form)
+}
+
+/// Whether a form is proved to be within a tolerance of the kernel's formula.
+pub(super) fn proved_close(pool: &mut Pool, kernel: &Kernel, form: &[Expr], tolerance: &Rational) -> bool {
+    let (computed, approximation) = (form.to_vec(), Some(tolerance.clone()));
+    form_faults(pool, &Kernel { computed, approximation, ..kernel.clone() }).is_empty()
 }

@@ -8,6 +8,7 @@ mod direct;
 mod exponential;
 mod factors;
 mod fractions;
+mod lagrange;
 mod radical;
 mod scaling;
 mod sums;
@@ -24,7 +25,7 @@ use rustc_hash::FxHashMap;
 
 /// Version number of the rules and the search; incremented with every change, so that existing
 /// choices are made again.
-pub(super) const VERSION: u32 = 3;
+pub(super) const VERSION: u32 = 4;
 
 /// Maximum length of a text that is simplified: nobody would read a longer result, and a kernel
 /// should not compute it.
@@ -51,6 +52,7 @@ const RULES: &[Rule] = &[
     sums::factored,
     sums::regrouped,
     sums::shared_function,
+    lagrange::identity,
     radical::conjugate,
     radical::beside_its_root,
     radical::rationalised,
@@ -63,16 +65,21 @@ const RULES: &[Rule] = &[
     exponential::less_one,
     exponential::difference,
     exponential::hyperbolic,
+    exponential::hyperbolic_tangent,
     exponential::over_less_one,
     exponential::reciprocal,
     exponential::near_one,
     exponential::logarithms,
+    exponential::logarithm_of_a_sum,
+    exponential::complementary_error_function,
     trigonometric::versine,
     trigonometric::differences,
     trigonometric::of_a_sum,
     trigonometric::half_angle,
     trigonometric::arc_tangents,
     trigonometric::from_the_other_leg,
+    lagrange::angle,
+    scaling::hypotenuse,
     scaling::scaled_root,
     scaling::beside_a_square,
 ];
@@ -313,6 +320,19 @@ mod tests {
             ("sin(x)**2/x**2", "(sin(x)/x)**2"),
             ("sqrt(a**2 + x**2)", "a*sqrt(1 + x/a*(x/a))"),
             ("(x - sin(x))/x**3", "(1 - sin(x)/x)/x**2"),
+            ("1 - (1 - x*a)**2", "x*a*(1 + (1 - x*a))"),
+            ("sqrt(a**2 + b**2 + x**2)", "hypot(hypot(a, b), x)"),
+            ("sqrt((1 - b)*a**2 + b*x**2)", "hypot(sqrt(1 - b)*a, sqrt(b)*x)"),
+            ("log(exp(a) + exp(x))", "max(a, x) + log1p(exp(-abs(a - x)))"),
+            ("log1p(exp(x))", "max(x, 0) + log1p(exp(-abs(x)))"),
+            ("hypot(a, x) - a", "x**2/(hypot(a, x) + a)"),
+            ("2*sinh(x/a)/(2*cosh(x/a))", "tanh(x/a)"),
+            ("cbrt(x + 1) - cbrt(x)", "1/(cbrt(x + 1)*cbrt(x + 1) + cbrt(x + 1)*cbrt(x) + cbrt(x)*cbrt(x))"),
+            ("1 + erf(x/a)", "erfc(-(x/a))"),
+            ("2 - 2*erf(x)", "2*erfc(x)"),
+            ("(a**2 + b**2)*(x**2 + 1) - (a*x + b)**2", "(a - b*x)**2"),
+            ("(a*x + b)**2 - (a**2 + b**2)*(x**2 + 1 - b)", "-(-b*(a**2 + b**2) + (a - b*x)**2)"),
+            ("acos((a*x + b)/sqrt((a**2 + b**2)*(x**2 + 1)))", "atan2"),
         ] {
             let found = proposed(formula);
             assert!(found.iter().any(|text| text == expected), "{formula}: {found:#?}");

@@ -1,12 +1,14 @@
 //! Best-first search from the formula as written, bounded by the number of expanded forms.
 
+use super::bounds::Bounds;
+use super::form::{Form, Found, PARETO_STEP, SAMPLE_STEP, front};
 use super::locate::lossy;
-use super::proof::{provable, proved};
+use super::proof::{provable, proved, proved_close};
 use super::regimes::{cuts, joined, mean};
 use super::rules::{Rewriting, tolerance};
 use super::validation::Validation;
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
-use crate::expression::{Expr, Pool, Rational};
+use crate::expression::{Expr, Pool};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -22,11 +24,13 @@ pub struct Budget {
     pub places: usize,
     /// Number of forms that are proved.
     pub proofs: usize,
+    /// Number of proofs that can fail before the search is content with the forms that are proved.
+    pub failures: usize,
 }
 
 impl Default for Budget {
     fn default() -> Self {
-        Budget { samples: 48, expansions: 48, places: 8, proofs: 24 }
+        Budget { samples: 48, expansions: 48, places: 8, proofs: 24, failures: 10 }
     }
 }
 
@@ -43,49 +47,13 @@ const EXPANSIONS_IF_GOOD: usize = 8;
 /// Maximum number of nodes of a form for which every operation is rewritten.
 const SMALL: usize = 16;
 
-/// Minimum gain in bits for which a form is kept in addition to a cheaper one.
-const PARETO_STEP: f64 = 0.02;
+/// Minimum gain in bits, in the mean and in a regime, for which another form is proved that costs as
+/// much as a proved one.
+const WORTH_A_PROOF: f64 = 0.05;
+const REGIME_STEP: f64 = 0.25;
 
 /// Maximum size of a form, as a multiple of the formula's size.
 const LARGEST_GROWTH: usize = 6;
-
-/// One way to compute a kernel.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Form {
-    /// Expression that computes each output.
-    pub outputs: Vec<Expr>,
-    /// Largest relative error before rounding, if the form is an approximation.
-    pub approximation: Option<Rational>,
-    /// Mean loss in bits in `f64`, with equal weight for every regime.
-    pub loss: f64,
-    /// Mean loss in each regime.
-    pub regimes: Vec<(Regime, f64)>,
-    /// Cost in units of an addition.
-    pub cost: u32,
-}
-
-/// Difference of the mean losses, in bits, up to which a cheaper form is preferred to a more
-/// accurate one.
-const WORTH: f64 = 0.12;
-
-/// Result of a search.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Found {
-    /// Formula as written.
-    pub written: Form,
-    /// Pareto front of the forms proved equal to the formula: none is both cheaper and more
-    /// accurate than another. The most accurate comes first.
-    pub forms: Vec<Form>,
-}
-
-impl Found {
-    /// Returns the form to use: the cheapest form whose loss is close to the smallest.
-    pub fn chosen(&self) -> &Form {
-        let best = self.forms.first().unwrap_or(&self.written);
-        let good = self.forms.iter().filter(|form| form.loss <= best.loss + WORTH);
-        good.min_by_key(|form| form.cost).unwrap_or(best)
-    }
-}
 
 /// Form with its loss at each sample.
 struct Candidate {
@@ -96,6 +64,13 @@ struct Candidate {
     /// Whether it contains a series, which is only close to what it replaces.
     is_close: bool,
     expanded: bool,
+}
+
+impl Candidate {
+    /// Returns the largest loss at a sample.
+    fn worst(&self) -> f64 {
+        self.losses.iter().copied().fold(0.0, f64::max)
+    }
 }
 
 /// Searches for forms of a kernel that lose fewer bits. The pool is the kernel's; forms are added
@@ -236,68 +211,96 @@ impl<'a> Search<'a> {
     /// Returns the Pareto front of the proved forms and of their combination by regimes.
     fn finish(mut self) -> Option<Found> {
         let written = self.form(&self.candidates.first()?.outputs.clone(), false)?;
-        let mut proved: Vec<usize> = Vec::new();
-        for place in self.finalists() {
-            let outputs = self.candidates[place].outputs.clone();
-            let form = if place == 0 {
-                Some(outputs)
-            } else if self.candidates[place].is_close {
-                self::proved(self.pool, self.kernel, &outputs, Some(&tolerance())).then_some(outputs)
-            } else {
-                provable(self.pool, self.kernel, &outputs)
-            };
-            if let Some(place) = form.and_then(|form| self.place_of(form, self.candidates[place].is_close))
-                && !proved.contains(&place)
-            {
-                proved.push(place);
-            }
-        }
+        let validation = Validation::new(self.pool, self.kernel);
+        let proved = self.proved(&validation);
         let mut forms: Vec<Form> = Vec::new();
         let is_close = proved.iter().any(|&place| self.candidates[place].is_close);
-        if let Some(outputs) = self.joined(&proved)
-            && self::proved(self.pool, self.kernel, &outputs, is_close.then(tolerance).as_ref())
-        {
-            forms.extend(self.form(&outputs, is_close));
+        if let Some(outputs) = self.joined(&proved) {
+            let is_proved = if is_close {
+                proved_close(self.pool, self.kernel, &outputs, &tolerance())
+            } else {
+                self::proved(self.pool, self.kernel, &outputs)
+            };
+            forms.extend(is_proved.then(|| self.form(&outputs, is_close)).flatten());
         }
         for place in proved {
             let Candidate { outputs, is_close, .. } = &self.candidates[place];
             forms.extend(self.form(&outputs.clone(), *is_close));
         }
-        let validation = Validation::new(self.pool, self.kernel);
-        forms.retain(|form| {
-            let program = |outputs: &[Expr]| program(self.pool, self.kernel, outputs);
-            let (Some(of_form), Some(of_formula)) = (program(&form.outputs), program(&self.kernel.outputs))
-            else {
-                return false;
-            };
-            form.outputs == self.kernel.outputs || validation.loses_no_more(&of_form, &of_formula)
-        });
-        forms.sort_by(|a, b| a.loss.total_cmp(&b.loss).then(a.cost.cmp(&b.cost)));
-        let mut front: Vec<Form> = Vec::new();
-        for form in forms {
-            let is_beaten =
-                front.iter().any(|other| other.cost <= form.cost && other.loss <= form.loss + PARETO_STEP);
-            // a more expensive form whose gain is too small for its cost is removed
-            if let Some(last) = front.last()
-                && form.loss <= last.loss + PARETO_STEP
-                && form.cost < last.cost
-            {
-                front.pop();
-            }
-            if !is_beaten {
-                front.push(form);
-            }
-        }
-        Some(Found { written, forms: front })
+        forms.retain(|form| self.is_valid(&form.outputs, &validation));
+        Some(Found { written, forms: front(forms) })
     }
 
-    /// Returns the forms to prove: the best over all samples, then the best of each regime, and the
-    /// formula.
+    /// Proves finalists, unless one that is proved and valid makes the proof pointless.
+    fn proved(&mut self, validation: &Validation) -> Vec<usize> {
+        let (mut proved, mut valid, mut failed) = (Vec::new(), Vec::new(), 0);
+        for place in self.finalists() {
+            let is_pointless = valid.iter().any(|&known| self.is_no_better(place, known));
+            if is_pointless || failed == self.budget.failures && place != 0 {
+                continue;
+            }
+            let Candidate { outputs, is_close, .. } = &self.candidates[place];
+            let (outputs, is_close) = (outputs.clone(), *is_close);
+            let form = if place == 0 {
+                Some(outputs)
+            } else if is_close {
+                proved_close(self.pool, self.kernel, &outputs, &tolerance()).then_some(outputs)
+            } else {
+                provable(self.pool, self.kernel, &outputs)
+            };
+            let Some(place) = form.and_then(|form| self.place_of(form, is_close)) else {
+                failed += 1;
+                continue;
+            };
+            if !proved.contains(&place) {
+                proved.push(place);
+                valid.extend(self.is_valid(&self.candidates[place].outputs, validation).then_some(place));
+            }
+        }
+        proved
+    }
+
+    /// Whether a form loses no more than the formula at arguments that the search has not seen.
+    fn is_valid(&self, outputs: &[Expr], validation: &Validation) -> bool {
+        let program = |outputs: &[Expr]| program(self.pool, self.kernel, outputs);
+        outputs == self.kernel.outputs
+            || program(outputs)
+                .zip(program(&self.kernel.outputs))
+                .is_some_and(|(form, formula)| validation.loses_no_more(&form, &formula))
+    }
+
+    /// Whether a form costs at least as much as a proved one and loses no fewer bits, in the mean, in
+    /// each regime and at the worst sample.
+    fn is_no_better(&self, place: usize, proved: usize) -> bool {
+        let [form, proved] = [place, proved].map(|place| &self.candidates[place]);
+        let loses_more =
+            |regime| self.regime_loss(form, regime) + REGIME_STEP >= self.regime_loss(proved, regime);
+        form.cost >= proved.cost
+            && form.loss + WORTH_A_PROOF >= proved.loss
+            && form.worst() + SAMPLE_STEP >= proved.worst()
+            && (0..self.samples.len()).all(loses_more)
+    }
+
+    /// Returns the forms to prove: those of which none is both cheaper and more accurate, the best
+    /// over all samples, then the best of each regime, and the formula.
     fn finalists(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.candidates.len()).collect();
+        order.sort_by_key(|&place| self.candidates[place].cost);
+        let mut least = f64::INFINITY;
+        let mut chosen: Vec<usize> = order
+            .iter()
+            .copied()
+            .filter(|&place| {
+                let is_better = self.candidates[place].loss < least - PARETO_STEP;
+                least = least.min(self.candidates[place].loss);
+                is_better
+            })
+            .collect();
+        chosen.reverse();
         let key = |&place: &usize| (self.candidates[place].loss * 50.0).round() as u64;
         order.sort_by_key(|place| (key(place), self.candidates[*place].cost));
-        let mut chosen: Vec<usize> = order.into_iter().take(self.budget.proofs).collect();
+        chosen.truncate(self.budget.proofs);
+        chosen.extend(order.into_iter().take(self.budget.proofs));
         for regime in 0..self.samples.len() {
             let best = (0..self.candidates.len()).min_by(|&a, &b| {
                 let loss = |place: usize| self.regime_loss(&self.candidates[place], regime);
@@ -349,7 +352,13 @@ impl<'a> Search<'a> {
         let known = &self.candidates[place];
         let regimes = self.samples.iter().enumerate();
         let regimes = regimes.map(|(place, regime)| (regime.regime, self.regime_loss(known, place)));
+        let program = program(self.pool, self.kernel, &known.outputs)?;
+        let Bounds { typical: bound, unsettled } =
+            Bounds::of(&program, &self.points, &self.weights, self.samples[0].samples.len());
         Some(Form {
+            worst: known.worst(),
+            bound,
+            unsettled,
             approximation: known.is_close.then(tolerance),
             outputs: known.outputs.clone(),
             loss: known.loss,

@@ -182,7 +182,7 @@ fn rules_alone_lose_no_value_at_the_ends_of_the_range() {
 
 #[test]
 fn forms_that_a_search_chooses_lose_no_value_at_the_ends_of_the_range() {
-    let budget = Budget { samples: 16, expansions: 12, places: 6, proofs: 8 };
+    let budget = Budget { samples: 16, expansions: 12, places: 6, proofs: 8, failures: 4 };
     let mut random = Random::new(41);
     let count = number_of("FORMS_KERNELS", 300).div_ceil(100);
     let mut chosen = 0;

@@ -2,7 +2,7 @@
 
 use super::Rewriting;
 use super::factors::factors;
-use crate::expression::{Condition, Expr, Node, Operation, Rational, Relation, Seam};
+use crate::expression::{Condition, Expr, Extremum, Node, Operation, Rational, Relation, Seam};
 use num_traits::Signed;
 
 /// Applies eᵃ − 1 = expm1 a, also among the terms of a longer sum, and with a common factor of both
@@ -88,6 +88,22 @@ pub(super) fn hyperbolic(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
         }
     }
     found
+}
+
+/// Applies sinh a/cosh a = tanh a.
+pub(super) fn hyperbolic_tangent(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Node::Divide(p, q) = *rewriting.pool.node(expression) else { return Vec::new() };
+    let ((c, p), (k, q)) = (rewriting.scaled(p), rewriting.scaled(q));
+    let (Some(a), Some(b)) =
+        (rewriting.argument_of(Operation::Sinh, p), rewriting.argument_of(Operation::Cosh, q))
+    else {
+        return Vec::new();
+    };
+    if a != b {
+        return Vec::new();
+    }
+    let (ratio, tangent) = (rewriting.pool.divide(c, k), rewriting.pool.apply(Operation::Tanh, &[a]));
+    vec![rewriting.pool.multiply(ratio, tangent)]
 }
 
 /// Applies eᵃ/q(eᵃ) = 1/(q(eᵃ) e⁻ᵃ), which does not overflow, and eᵃ/expm1 a = −1/expm1(−a).
@@ -186,6 +202,45 @@ pub(super) fn logarithms(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec
         let logarithm = rewriting.pool.apply(Operation::Log1p, &[ratio]);
         let form = rewriting.pool.multiply(c, logarithm);
         found.push(unless_divisor_is_tiny(rewriting, expression, form, (difference, b)));
+    }
+    found
+}
+
+/// Applies log(eᵃ + eᵇ) = max(a, b) + log1p(e^−|a − b|), also with b = 0 for 1 and for log1p(eᵃ):
+/// nothing overflows.
+pub(super) fn logarithm_of_a_sum(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let (zero, one) = (rewriting.pool.integer(0), rewriting.pool.integer(1));
+    let exponents = if let Some(a) = rewriting.argument_of(Operation::Log1p, expression) {
+        [rewriting.argument_of(Operation::Exp, a), Some(zero)]
+    } else {
+        let sum = rewriting.argument_of(Operation::Log, expression);
+        let Some((p, q)) = sum.and_then(|sum| rewriting.two_terms(sum)) else { return Vec::new() };
+        [p, q].map(|term| if term == one { Some(zero) } else { rewriting.argument_of(Operation::Exp, term) })
+    };
+    let [Some(a), Some(b)] = exponents else { return Vec::new() };
+    let largest = rewriting.pool.extremum(Extremum::Greatest, a, b);
+    let difference = rewriting.difference(a, b);
+    let distance = rewriting.pool.apply(Operation::Abs, &[difference]);
+    let opposite = rewriting.pool.negate(distance);
+    let ratio = rewriting.pool.apply(Operation::Exp, &[opposite]);
+    let rest = rewriting.pool.apply(Operation::Log1p, &[ratio]);
+    vec![rewriting.pool.add(largest, rest)]
+}
+
+/// Applies c + c erf a = c erfc(−a), c − c erf a = c erfc a.
+pub(super) fn complementary_error_function(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some((first, second)) = rewriting.two_terms(expression) else { return Vec::new() };
+    let mut found = Vec::new();
+    for (constant, term) in [(first, second), (second, first)] {
+        let (c, core) = rewriting.scaled(term);
+        let Some(a) = rewriting.argument_of(Operation::Erf, core) else { continue };
+        let opposite = rewriting.pool.negate(a);
+        for (sign, a) in [(c, opposite), (rewriting.pool.negate(c), a)] {
+            if sign == constant {
+                let value = rewriting.pool.apply(Operation::Erfc, &[a]);
+                found.push(rewriting.pool.multiply(constant, value));
+            }
+        }
     }
     found
 }

@@ -97,10 +97,14 @@ pub(super) fn term_by_term(rewriting: &mut Rewriting<'_>, expression: Expr) -> V
     found
 }
 
-/// Applies p q/(r s) = (p/r)(q/s) = ((p/r)/s) q, so that no product leaves the floating-point
-/// range.
+/// Applies p q/(r s) = ((p/r) q)/s = ((p/r)/s) q = (p/r)(q/s), so that no product leaves the
+/// floating-point range; a square among the factors is two of them.
 pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let (above, below, negative) = factors(rewriting.pool, expression);
+    let above: Vec<Expr> = above
+        .into_iter()
+        .flat_map(|factor| rewriting.squared(factor).map_or(vec![factor], |base| vec![base; 2]))
+        .collect();
     let is_product = matches!(rewriting.pool.node(expression), Node::Divide(..) | Node::Multiply(..));
     if !is_product || below.is_empty() || above.len() + below.len() > MOST_FACTORS {
         return Vec::new();
@@ -127,6 +131,14 @@ pub(super) fn reordered(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<
     }
     for &top in above.iter().skip(1) {
         value = rewriting.pool.multiply(value, top);
+    }
+    found.push(value);
+    // quotients of one factor by one other
+    let mut value = one;
+    for place in 0..above.len().max(below.len()) {
+        let [top, bottom] = [&above, &below].map(|list| list.get(place).copied().unwrap_or(one));
+        let ratio = rewriting.pool.divide(top, bottom);
+        value = rewriting.pool.multiply(value, ratio);
     }
     found.push(value);
     if negative {

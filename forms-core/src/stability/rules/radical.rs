@@ -162,9 +162,12 @@ fn is_of_squares(pool: &Pool, expression: Expr) -> bool {
 /// Whether a factor is a root of this degree.
 fn has_root(rewriting: &mut Rewriting<'_>, term: Expr, degree: i64) -> bool {
     let (above, below, _) = factors(rewriting.pool, term);
-    above.iter().chain(&below).any(
-        |&factor| matches!(rewriting.pool.node(factor), Node::Power(_, exponent) if *exponent.denom() == degree),
-    )
+    above.iter().chain(&below).any(|&factor| match rewriting.pool.node(factor) {
+        Node::Power(_, exponent) => *exponent.denom() == degree,
+        Node::Apply(Operation::Cbrt, _) => degree == 3,
+        Node::Apply(Operation::Hypot, _) => degree == 2,
+        _ => false,
+    })
 }
 
 /// Applies p/(a + b) = p (a − b)/(a² − b²) where a or b has a square root.

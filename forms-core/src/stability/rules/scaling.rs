@@ -2,7 +2,42 @@
 
 use super::Rewriting;
 use super::factors::{factors, quotient};
-use crate::expression::{Expr, Relation, Seam};
+use crate::expression::{Expr, Operation, Relation, Seam};
+
+/// Maximum number of terms of a root that is written as a hypotenuse.
+const MOST_LEGS: usize = 4;
+
+/// Applies √(c a² + d b² + …) = hypot(√c a, √d b, …), where no square leaves the range.
+pub(super) fn hypotenuse(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
+    let Some(radicand) = rewriting.radicand(expression) else { return Vec::new() };
+    let terms = rewriting.terms(radicand);
+    if !(2..=MOST_LEGS).contains(&terms.len()) {
+        return Vec::new();
+    }
+    let legs: Option<Vec<Expr>> = terms.iter().map(|&term| leg(rewriting, term)).collect();
+    let Some((&first, others)) = legs.as_deref().and_then(<[Expr]>::split_first) else { return Vec::new() };
+    let mut length = first;
+    for &other in others {
+        length = rewriting.pool.apply(Operation::Hypot, &[length, other]);
+    }
+    vec![length]
+}
+
+/// Returns √c a for a term c a² with a factor that is a square.
+fn leg(rewriting: &mut Rewriting<'_>, term: Expr) -> Option<Expr> {
+    if let Some(a) = rewriting.squared(term) {
+        return Some(a);
+    }
+    let (above, below, negative) = factors(rewriting.pool, term);
+    let place = above.iter().position(|&factor| rewriting.squared(factor).is_some());
+    let (place, false) = (place?, negative) else { return None };
+    let mut others = above;
+    let a = others.remove(place);
+    let a = rewriting.squared(a)?;
+    let c = quotient(rewriting.pool, &others, &below);
+    let root = rewriting.pool.sqrt(c);
+    Some(rewriting.pool.multiply(root, a))
+}
 
 /// Applies √(a² ± b²) = |a| √(1 ± (b/a)²) where |a| ≥ |b|, and vice versa.
 pub(super) fn scaled_root(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {

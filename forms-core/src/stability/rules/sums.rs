@@ -7,7 +7,8 @@ use crate::expression::{Expr, Node, Operation};
 /// Maximum number of terms of a sum that is regrouped.
 const MOST_TERMS: usize = 6;
 
-/// Applies a² − b² = (a − b)(a + b), and a b − a c = a (b − c).
+/// Applies a² − b² = (a − b)(a + b), where a − b is also a difference of sums with common terms, and
+/// a b − a c = a (b − c).
 pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<Expr> {
     let terms = rewriting.terms(expression);
     let mut found = Vec::new();
@@ -19,6 +20,9 @@ pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
         found.push(rewriting.pool.multiply(difference, sum));
         let (difference, sum) = (rewriting.pool.subtract(a, b), rewriting.pool.add(a, b));
         found.push(rewriting.pool.multiply(difference, sum));
+        if let Some(difference) = without_common_terms(rewriting, a, b) {
+            found.push(rewriting.pool.multiply(difference, sum));
+        }
     }
     if terms.len() < 2 {
         return found;
@@ -41,6 +45,24 @@ pub(super) fn factored(rewriting: &mut Rewriting<'_>, expression: Expr) -> Vec<E
         }
     }
     found
+}
+
+/// Returns a − b without the terms that both have, each other term as it is written; `None` if they
+/// have none in common.
+fn without_common_terms(rewriting: &mut Rewriting<'_>, a: Expr, b: Expr) -> Option<Expr> {
+    let list = |rewriting: &mut Rewriting<'_>, sum: Expr| {
+        let terms = rewriting.terms(sum);
+        if terms.is_empty() { vec![sum] } else { terms }
+    };
+    let (mut rest, subtracted) = (list(rewriting, a), list(rewriting, b));
+    let count = rest.len() + subtracted.len();
+    for term in subtracted {
+        match rest.iter().position(|&known| known == term) {
+            Some(place) => drop(rest.remove(place)),
+            None => rest.push(rewriting.pool.negate(term)),
+        }
+    }
+    (rest.len() < count).then(|| rewriting.total(&rest))
 }
 
 /// Returns a for an expression a², and 1 for 1.
