@@ -372,7 +372,7 @@ mod tests {
     fn what_is_outside_the_class_is_not_called_proved() {
         // Ramanujan: (2^(1/3) − 1)^(1/3) = (1/9)^(1/3) − (2/9)^(1/3) + (4/9)^(1/3)
         let found = compared(
-            "kernel k(x) = (2**(1/3) - 1)**(1/3)*x;
+            "kernel k(x) = x*(2**(1/3) - 1)**(1/3);
              kernel l(x) = ((1/9)**(1/3) - (2/9)**(1/3) + (4/9)**(1/3))*x where x > 0;",
         );
         assert!(matches!(found, Translation::Unknown { points: 1.., .. }), "{found:?}");

@@ -24,7 +24,7 @@ pub const EXTENSION: &str = "stable";
 
 /// Maximum mean loss in bits over all regimes. If the best form loses more, no form is good enough,
 /// and the kernel is computed with as much precision as its arguments require.
-const MOST_LOSS: f64 = 1.0;
+const MOST_LOSS: f64 = 0.9;
 
 /// Maximum mean loss in bits in one regime, with the same consequence.
 const MOST_LOSS_OF_A_REGIME: f64 = 2.0;

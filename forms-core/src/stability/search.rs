@@ -8,7 +8,7 @@ use super::regimes::{cuts, joined, mean};
 use super::rules::{Rewriting, tolerance};
 use super::validation::Validation;
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
-use crate::expression::{Expr, Pool};
+use crate::expression::{Expr, Node, Pool};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -133,7 +133,7 @@ impl<'a> Search<'a> {
 
     /// Scores a form and adds it to the candidates, unless it is known or too large.
     fn add(&mut self, outputs: Vec<Expr>, is_close: bool) {
-        if !self.seen.insert(outputs.clone()) || self.pool.reachable(&outputs).len() > self.largest {
+        if !self.seen.insert(outputs.clone()) || !self.is_writable(&outputs) {
             return;
         }
         let Some(program) = program(self.pool, self.kernel, &outputs) else { return };
@@ -146,6 +146,17 @@ impl<'a> Search<'a> {
         let loss = mean(&losses, &self.weights);
         let cost = program.cost();
         self.candidates.push(Candidate { outputs, losses, loss, cost, is_close, expanded: false });
+    }
+
+    /// Whether a form is not too large and applies no function that has the name of the kernel, which
+    /// would stand for the kernel in its text.
+    fn is_writable(&self, outputs: &[Expr]) -> bool {
+        let parts = self.pool.reachable(outputs);
+        let is_own_name = |part: &Expr| match self.pool.node(*part) {
+            Node::Apply(operation, _) => operation.row().name == self.kernel.name,
+            _ => false,
+        };
+        parts.len() <= self.largest && !parts.iter().any(is_own_name)
     }
 
     /// Returns the form to expand next: the best of those not yet expanded, judged in turn over all
