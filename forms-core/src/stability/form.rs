@@ -21,8 +21,8 @@ pub struct Form {
     /// Error bound in units of 2⁻⁵³ that the arithmetic with bounds shows in `f64` for most typical
     /// arguments.
     pub bound: f64,
-    /// Share of the samples, with equal weight for every regime, for which it shows no bound of
-    /// [`MOST_UNITS`].
+    /// Share of the samples, with equal weight for every regime, for which it shows no bound of 16
+    /// units.
     pub unsettled: f64,
 }
 
