@@ -5,7 +5,8 @@
 //! is accurate for nearly parallel vectors, too.
 
 use super::Rewriting;
-use super::factors::{factors, product, quotient};
+use super::factors::{factors, product};
+use super::radical::without;
 use super::sums::root_of;
 use crate::expression::{Expr, Operation};
 
@@ -112,7 +113,7 @@ fn parallelogram(
     let mut b = vec![None; a.len()];
     for &term in &products {
         let (place, other) = a.iter().enumerate().find_map(|(place, &a)| {
-            let other = without(rewriting, term, a)?;
+            let (other, ()) = without(rewriting, term, |_, factor| (factor == a).then_some(()))?;
             b[place].is_none().then_some((place, other))
         })?;
         b[place] = Some(other);
@@ -133,14 +134,6 @@ fn parallelogram(
         }
     }
     Some(Parallelogram { area: rewriting.total(&areas), rest: rewriting.total(&rest) })
-}
-
-/// Returns a product without one of its factors.
-fn without(rewriting: &mut Rewriting<'_>, term: Expr, factor: Expr) -> Option<Expr> {
-    let (mut above, below, negative) = factors(rewriting.pool, term);
-    above.remove(above.iter().position(|&known| known == factor)?);
-    let rest = quotient(rewriting.pool, &above, &below);
-    Some(if negative { rewriting.pool.negate(rest) } else { rest })
 }
 
 /// Whether two expressions are equal or opposite.

@@ -131,7 +131,7 @@ fn norm(rewriting: &mut Rewriting<'_>, root: Expr, other: Expr) -> Option<Norm> 
 }
 
 /// Returns a product without its first factor for which `find` succeeds, and the result of `find`.
-fn without<T>(
+pub(super) fn without<T>(
     rewriting: &mut Rewriting<'_>,
     product: Expr,
     find: impl Fn(&Rewriting<'_>, Expr) -> Option<T>,
