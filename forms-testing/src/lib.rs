@@ -9,6 +9,7 @@
 //! A test that skips a check passes, and the test runner prints nothing about a test that passes.
 //! Therefore the line is written directly to standard error, which the runner does not capture.
 
+pub mod alternation;
 mod exact;
 pub mod formula;
 mod nvrtc;
