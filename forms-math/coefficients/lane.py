@@ -2,6 +2,7 @@
 
     python coefficients/lane.py > src/lane/coefficients.rs
     python coefficients/lane.py error_function > src/special/error_function/coefficients.rs
+    python coefficients/lane.py double_double > src/double_double/error_function/coefficients.rs
 
 A polynomial interpolates its function at the Chebyshev nodes of its interval, which is within a small factor of the best
 approximation, and has the least degree whose error, times `weight` there, is below 2^-(precision + 4); its
@@ -18,16 +19,17 @@ mp.prec = 300
 class Format:
     """A floating-point format: its precision in bits, and the numbers that its range and precision lead to."""
 
-    def __init__(self, rust, precision, multiple_bits, scale_bits, half_pi_parts, erf_is_one):
+    def __init__(self, rust, precision, multiple_bits, scale_bits, half_pi_parts, erf_is_one, erfc_is_zero):
         self.rust = rust
         self.precision = precision
         self.multiple_bits = multiple_bits  # bits of the largest multiple of pi/2 that is taken off an angle
         self.scale_bits = scale_bits  # bits of the largest exponent of two
         self.half_pi_parts = half_pi_parts
         self.erf_is_one = erf_is_one  # from here on erf rounds to 1
+        self.erfc_is_zero = erfc_is_zero  # from here on erfc rounds to 0
 
 
-FORMATS = [Format("f64", 53, 20, 11, 4, 6), Format("f32", 24, 12, 8, 5, 4)]
+FORMATS = [Format("f64", 53, 20, 11, 4, 6, 28), Format("f32", 24, 12, 8, 5, 4, 10.5)]
 
 
 def rounded(x, bits):
@@ -145,10 +147,23 @@ def table(form):
         of_square(lambda x: (erf(x) - 2 * x / sqrt(pi)) / x**3), lambda z: z, tiny, mpf(1), form)
     yield "ln_erfc", "ln erfc(1 + t) of t >= 0, to where erf rounds to 1", polynomial(
         log_erfc, erfc_weight, mpf(0), last, form, fits)
+    yield "erfc_is_zero", "From here on erfc x rounds to 0", mpf(form.erfc_is_zero)
+    end = (form.erfc_is_zero - SHIFT) / (form.erfc_is_zero + SHIFT)
+    yield "erfc", "(x + 2) e^(x^2) erfc x in (x - 2)/(x + 2), of x >= 0, to where erfc rounds to 0", polynomial(
+        scaled_erfc, lambda t: 1 / scaled_erfc(t), mpf(-1), end, form)
+
+
+SHIFT = mpf(2)  # of the argument of erfc
+
+
+def scaled_erfc(t):
+    """(x + SHIFT) e^(x^2) erfc x with t = (x - SHIFT)/(x + SHIFT)."""
+    x = SHIFT * (1 + t) / (1 - t)
+    return (x + SHIFT) * exp(x * x) * erfc(x)
 
 
 # what lanes and single values of `f64` have in common
-SHARED = ("erf_is_one", "two_over_root_pi", "erf", "ln_erfc")
+SHARED = ("erf_is_one", "two_over_root_pi", "erf", "ln_erfc", "erfc_is_zero", "erfc")
 APPROXIMATE = '#![allow(clippy::approx_constant, reason = "coefficients are as the search found them")]\n'
 
 
@@ -181,19 +196,9 @@ def emit():
         print("};")
 
 
-SHIFT = mpf(2)  # of the argument of erfc
-ERFC_IS_ZERO = mpf(28)
-
-
-def scaled_erfc(t):
-    """(x + SHIFT) e^(x^2) erfc x with t = (x - SHIFT)/(x + SHIFT)."""
-    x = SHIFT * (1 + t) / (1 - t)
-    return (x + SHIFT) * exp(x * x) * erfc(x)
-
-
 def emit_error_function():
     form = FORMATS[0]
-    print("//! The polynomials and constants of erf in `f64`, with the constant term first; computed by `coefficients/lane.py`.")
+    print("//! The polynomials and constants of erf and erfc in `f64`, with the constant term first; computed by `coefficients/lane.py`.")
     print(APPROXIMATE)
     for name, meaning, value in table(form):
         if name not in SHARED:
@@ -203,10 +208,34 @@ def emit_error_function():
             print(f"pub(crate) const {name.upper()}: [f64; {len(value)}] = [\n{numbers(value, form, ' ' * 4)}];")
         else:
             print(f"pub(crate) const {name.upper()}: f64 = {literal(value, form)};")
-    last = (ERFC_IS_ZERO - SHIFT) / (ERFC_IS_ZERO + SHIFT)
-    value = interpolate(scaled_erfc, mpf(-1), last, 24)
-    print("/// (x + 2) e^(x^2) erfc x in (x - 2)/(x + 2), of x >= 0, to where erfc rounds to 0")
-    print(f"pub(crate) const ERFC: [f64; {len(value)}] = [\n{numbers(value, form, ' ' * 4)}];")
 
 
-emit_error_function() if "error_function" in sys.argv[1:] else emit()
+def of_two_words(name, meaning, function, low, high):
+    """Prints a polynomial for double-double."""
+    form = FORMATS[0]
+    points = [low + (high - low) * mpf(i + mpf(1) / 3) / 100 for i in range(100)]
+    least = min(abs(function(x)) for x in points)
+    for degree in range(10, 90):
+        found = interpolate(function, low, high, degree)
+        if max(abs(polyval(found[::-1], x) - function(x)) for x in points) < least * mpf(2) ** -112:
+            break
+    else:
+        raise SystemExit("no degree is good enough")
+    print(f"/// {meaning}")
+    print(f"pub(super) const {name}: [[f64; 2]; {degree + 1}] = [")
+    for c in found:
+        print(f"    [{', '.join(literal(part, form) for part in parts(c, [form.precision] * 2, form))}],")
+    print("];")
+
+
+def emit_double_double():
+    print("//! The polynomials of erf and erfc in double-double, with the constant term first; computed by `coefficients/lane.py`.")
+    print(APPROXIMATE)
+    tiny = mpf(2) ** -100
+    of_two_words("ERF", "(erf x)/x in x^2, of |x| <= 1/2", lambda z: erf(sqrt(z)) / sqrt(z), tiny, mpf(1) / 4)
+    end = (FORMATS[0].erfc_is_zero - SHIFT) / (FORMATS[0].erfc_is_zero + SHIFT)
+    of_two_words("ERFC", "(x + 2) e^(x^2) erfc x in (x - 2)/(x + 2), of x >= 0, to where erfc rounds to 0", scaled_erfc, mpf(-1), end)
+
+
+PARTS = {"error_function": emit_error_function, "double_double": emit_double_double}
+PARTS.get("".join(sys.argv[1:]), emit)()

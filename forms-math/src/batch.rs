@@ -10,18 +10,18 @@
 //! recomputed, so that a NaN in an output is a NaN of the formula.
 
 mod block;
-mod instructions;
+mod compiled;
 mod length;
 mod method;
 
 use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
+use crate::instructions::Instructions;
 use crate::lane::{Bounded, Lane64};
 use block::{Kernel, STEP};
-pub use instructions::Instructions;
 pub use length::{Column, LengthMismatch};
-use method::BLOCK;
-use method::{Element, Method, Plain, Within};
+use method::{BLOCK, Element, Plain};
+use method::{Method, Within};
 use std::ops::Range;
 
 /// Computes the values of a formula in `f64`, one row for each position of the columns.

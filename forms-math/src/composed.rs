@@ -81,12 +81,6 @@ macro_rules! composed_functions {
             crate::elementary::hyperbolic_tangent(self)
         }
         $crate::composed::special_functions!(Self, Self::PRECISION);
-        fn erf(self) -> Self {
-            crate::special::error_function(self, Self::PRECISION)
-        }
-        fn erfc(self) -> Self {
-            crate::special::complementary_error_function(self, Self::PRECISION)
-        }
         fn hypot(self, y: Self) -> Self {
             crate::elementary::hypotenuse(self, y)
         }

@@ -10,6 +10,7 @@
 mod arithmetic;
 mod circular;
 mod ends;
+mod error_function;
 mod exponential;
 mod real;
 

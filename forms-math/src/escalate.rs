@@ -1,8 +1,8 @@
 //! Evaluation of a kernel in the precision that its arguments need for the promised accuracy.
 //!
 //! ```text
-//! Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ tape ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ … ─▶ <256>
-//!       └─ each output from the first that bounds its error sufficiently
+//! one lane ─▶ Guarded<f64> ─▶ Guarded<DoubleDouble> ─▶ tape ─▶ Guarded<Wide<4>> ─▶ <8> ─▶ … ─▶ <256>
+//!    └─ each output from the first that bounds its error sufficiently
 //! ```
 //! Results of two words start with the second type ([`double_double`]). Numbers of words have
 //! exponents of 60 bits, so that nothing underflows or overflows on the way to a result that `f64`
@@ -10,6 +10,7 @@
 //! requested.
 
 mod double_double;
+mod lane;
 mod rounding;
 mod tape;
 
@@ -87,7 +88,10 @@ pub fn escalate<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [f64; O] {
-    escalate_with_tier::<F, A, O>(arguments, within).map(|(value, _)| value)
+    match lane::in_one_lane::<F, A, O>(arguments, within) {
+        Some(values) => values,
+        None => beyond_lane::<F, A, O>(arguments, within).map(|(value, _)| value),
+    }
 }
 
 /// Computes [`escalate`], with an error if a value is not known to this accuracy.
@@ -124,6 +128,17 @@ pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [(f64, Tier); O] {
+    match lane::in_one_lane::<F, A, O>(arguments, within) {
+        Some(values) => values.map(|value| (value, Tier::Double)),
+        None => beyond_lane::<F, A, O>(arguments, within),
+    }
+}
+
+#[inline(never)]
+fn beyond_lane<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: [f64; A],
+    within: f64,
+) -> [(f64, Tier); O] {
     rounded::<F, A, O, _>(arguments, ToDouble { units: within })
 }
 
@@ -133,7 +148,11 @@ pub fn escalate_f32<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f32; A],
     within: f64,
 ) -> [f32; O] {
-    rounded::<F, A, O, _>(arguments.map(f64::from), ToSingle { units: within }).map(|(value, _)| value)
+    let arguments = arguments.map(f64::from);
+    match lane::in_one_lane_for_f32::<F, A, O>(arguments, within) {
+        Some(values) => values,
+        None => rounded::<F, A, O, _>(arguments, ToSingle { units: within }).map(|(value, _)| value),
+    }
 }
 
 #[inline]

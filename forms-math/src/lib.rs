@@ -18,6 +18,7 @@ mod escalate;
 mod formula;
 mod guarded;
 mod hardware;
+mod instructions;
 mod lane;
 mod number;
 mod quadrature;
@@ -29,8 +30,8 @@ mod table;
 mod wide;
 
 pub use batch::{
-    Column, Instructions, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within,
-    batch_within_by, row_within,
+    Column, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within, batch_within_by,
+    row_within,
 };
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
@@ -41,6 +42,7 @@ pub use escalate::{
 };
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
+pub use instructions::Instructions;
 pub use lane::{Lane32, Lane64};
 pub use number::Number;
 pub use real::Real;

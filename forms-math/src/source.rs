@@ -3,7 +3,7 @@
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Lanes and batches are omitted: the pasted text is for single values.
+//! Batches are omitted: the pasted text is for single values.
 
 /// Files that are pasted, by their path without `.rs`.
 const FILES: &[(&str, &str)] = &[
@@ -12,6 +12,11 @@ const FILES: &[(&str, &str)] = &[
     ("double_double/arithmetic", include_str!("double_double/arithmetic.rs")),
     ("double_double/circular", include_str!("double_double/circular.rs")),
     ("double_double/ends", include_str!("double_double/ends.rs")),
+    ("double_double/error_function", include_str!("double_double/error_function.rs")),
+    (
+        "double_double/error_function/coefficients",
+        include_str!("double_double/error_function/coefficients.rs"),
+    ),
     ("double_double/exponential", include_str!("double_double/exponential.rs")),
     ("double_double/real", include_str!("double_double/real.rs")),
     ("elementary", include_str!("elementary.rs")),
@@ -22,6 +27,7 @@ const FILES: &[(&str, &str)] = &[
     ("error_free", include_str!("error_free.rs")),
     ("escalate", include_str!("escalate.rs")),
     ("escalate/double_double", include_str!("escalate/double_double.rs")),
+    ("escalate/lane", include_str!("escalate/lane.rs")),
     ("escalate/rounding", include_str!("escalate/rounding.rs")),
     ("escalate/tape", include_str!("escalate/tape.rs")),
     ("formula", include_str!("formula.rs")),
@@ -34,6 +40,21 @@ const FILES: &[(&str, &str)] = &[
     ("guarded/real", include_str!("guarded/real.rs")),
     ("guarded/special", include_str!("guarded/special.rs")),
     ("hardware", include_str!("hardware.rs")),
+    ("instructions", include_str!("instructions.rs")),
+    ("lane", include_str!("lane.rs")),
+    ("lane/bounded", include_str!("lane/bounded.rs")),
+    ("lane/bounded/functions", include_str!("lane/bounded/functions.rs")),
+    ("lane/bounded/real", include_str!("lane/bounded/real.rs")),
+    ("lane/coefficients", include_str!("lane/coefficients.rs")),
+    ("lane/error_function", include_str!("lane/error_function.rs")),
+    ("lane/exponential", include_str!("lane/exponential.rs")),
+    ("lane/inverse", include_str!("lane/inverse.rs")),
+    ("lane/logarithm", include_str!("lane/logarithm.rs")),
+    ("lane/pair", include_str!("lane/pair.rs")),
+    ("lane/power", include_str!("lane/power.rs")),
+    ("lane/real", include_str!("lane/real.rs")),
+    ("lane/trigonometric", include_str!("lane/trigonometric.rs")),
+    ("lane/word", include_str!("lane/word.rs")),
     ("number", include_str!("number.rs")),
     ("quadrature", include_str!("quadrature.rs")),
     ("real", include_str!("real.rs")),
@@ -63,23 +84,9 @@ const FILES: &[(&str, &str)] = &[
 const OTHER_FILES: &[(&str, &str)] = &[
     ("batch", include_str!("batch.rs")),
     ("batch/block", include_str!("batch/block.rs")),
-    ("batch/instructions", include_str!("batch/instructions.rs")),
+    ("batch/compiled", include_str!("batch/compiled.rs")),
     ("batch/length", include_str!("batch/length.rs")),
     ("batch/method", include_str!("batch/method.rs")),
-    ("lane", include_str!("lane.rs")),
-    ("lane/bounded", include_str!("lane/bounded.rs")),
-    ("lane/bounded/functions", include_str!("lane/bounded/functions.rs")),
-    ("lane/bounded/real", include_str!("lane/bounded/real.rs")),
-    ("lane/coefficients", include_str!("lane/coefficients.rs")),
-    ("lane/error_function", include_str!("lane/error_function.rs")),
-    ("lane/exponential", include_str!("lane/exponential.rs")),
-    ("lane/inverse", include_str!("lane/inverse.rs")),
-    ("lane/logarithm", include_str!("lane/logarithm.rs")),
-    ("lane/pair", include_str!("lane/pair.rs")),
-    ("lane/power", include_str!("lane/power.rs")),
-    ("lane/real", include_str!("lane/real.rs")),
-    ("lane/trigonometric", include_str!("lane/trigonometric.rs")),
-    ("lane/word", include_str!("lane/word.rs")),
 ];
 
 /// Returns this crate as files of a folder, by their relative paths, for compilation with kernels
@@ -98,7 +105,7 @@ pub fn crate_files() -> Vec<(String, String)> {
 }
 
 /// Returns `mod forms_math { … }` for the root of a crate: `f32`, `f64`,
-/// [`DoubleDouble`](crate::DoubleDouble) and [`Wide`](crate::Wide) as [`Real`](crate::Real)s,
+/// [`DoubleDouble`](crate::DoubleDouble), lanes and [`Wide`](crate::Wide) as [`Real`](crate::Real)s,
 /// without module comments and tests.
 ///
 /// ```

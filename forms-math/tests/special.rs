@@ -120,6 +120,26 @@ fn of_digits(text: &str) -> Wide<8> {
 }
 
 #[test]
+fn erf_and_erfc_of_two_words_are_accurate_everywhere() {
+    let inside = (-130..520).map(|step| f64::from(step) / 20.0 + 1e-3);
+    let sizes = (-140..0).map(|half| (f64::from(half) / 2.0).exp2());
+    for x in inside.chain(sizes).chain([0.5, -0.5, 9.0]) {
+        let (narrow, wide) = (DoubleDouble::from_f64(x), Wide::<4>::from_f64(x));
+        for (name, value, exact) in [("erf", narrow.erf(), wide.erf()), ("erfc", narrow.erfc(), wide.erfc())] {
+            let words = Wide::<4>::from_f64(value.high()) + Wide::from_f64(value.low());
+            let relative = ((words - exact) / exact).to_f64().abs();
+            // below 2⁻⁹⁰⁰ the second word loses digits
+            let is_small = exact.to_f64() < 2.0_f64.powi(-900);
+            assert!(is_small || relative <= 128.0 * 2.0_f64.powi(-106), "{name} {x:e}: {relative:e}");
+        }
+    }
+    let [infinity, nan] = [f64::INFINITY, f64::NAN].map(DoubleDouble::from_f64);
+    assert!(nan.erf().high().is_nan() && nan.erfc().high().is_nan());
+    let values = [infinity.erf(), -infinity.erf(), infinity.erfc(), (-infinity).erfc()];
+    assert_eq!(values.map(DoubleDouble::high), [1.0, -1.0, 0.0, 2.0]);
+}
+
+#[test]
 fn erfc_has_its_digits_where_one_minus_erf_has_none() {
     for (x, digits) in ERFC {
         let exact = of_digits(digits);

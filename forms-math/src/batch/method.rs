@@ -1,6 +1,6 @@
 //! Evaluation of the rows of a batch: in lanes, and again as single numbers where lanes give NaN.
 
-use crate::lane::Bounded;
+use crate::lane::values_within;
 use crate::{Formula, Lane32, Lane64, Real, escalate};
 use std::marker::PhantomData;
 use std::ops::BitOr;
@@ -113,15 +113,7 @@ impl<F: Formula<A, O>, const A: usize, const O: usize> Method<f64, A, O> for Wit
     const MAY_GIVE_UP: bool = true;
     #[inline(always)]
     fn in_lanes<const FMA: bool>(self, arguments: [f64; A]) -> [f64; O] {
-        let mut lanes = [Bounded::<Lane64<FMA>>::nan(); A];
-        for (lane, argument) in lanes.iter_mut().zip(arguments) {
-            *lane = Bounded::lane(argument);
-        }
-        let mut values = [0.0; O];
-        for (value, lane) in values.iter_mut().zip(F::value(lanes)) {
-            *value = lane.value_within(self.units);
-        }
-        values
+        values_within::<F, FMA, A, O>(arguments, self.units)
     }
     fn in_one_number(self, arguments: [f64; A]) -> [f64; O] {
         escalate::<F, A, O>(arguments, self.units)

@@ -54,6 +54,12 @@ impl Real for DoubleDouble {
     fn exp_m1(self) -> Self {
         self.exponential_minus_one()
     }
+    fn erf(self) -> Self {
+        self.error_function()
+    }
+    fn erfc(self) -> Self {
+        self.complementary_error_function()
+    }
     composed_functions!();
 }
 

@@ -45,6 +45,10 @@ pub(crate) struct Coefficients<W: 'static> {
     pub(crate) erf: &'static [W],
     /// ln erfc(1 + t) of t >= 0, to where erf rounds to 1
     pub(crate) ln_erfc: &'static [W],
+    /// From here on erfc x rounds to 0
+    pub(crate) erfc_is_zero: W,
+    /// (x + 2) e^(x^2) erfc x in (x - 2)/(x + 2), of x >= 0, to where erfc rounds to 0
+    pub(crate) erfc: &'static [W],
 }
 
 /// Of `f64`.
@@ -163,6 +167,8 @@ pub(crate) const F64: Coefficients<f64> = Coefficients {
     ],
     erf: &error_function::ERF,
     ln_erfc: &error_function::LN_ERFC,
+    erfc_is_zero: error_function::ERFC_IS_ZERO,
+    erfc: &error_function::ERFC,
 };
 
 /// Of `f32`.
@@ -196,4 +202,19 @@ pub(crate) const F32: Coefficients<f32> = Coefficients {
     asin: &[0.16666666, 0.07500094, 0.044599403, 0.031100662, 0.017149238, 0.033690847],
     erf: &[-0.37612638, 0.1128379, -0.026865946, 0.005222611, -0.0008508545, 0.00011451737, -1.0216748e-5],
     ln_erfc: &[-1.8496056, -2.6389668, -0.8431178, -0.041503053, 0.009895253, -0.0018296357, 0.00018655171],
+    erfc_is_zero: 10.5,
+    erfc: &[
+        1.0215827,
+        -0.6871607,
+        0.2794721,
+        -0.036442112,
+        -0.021510689,
+        0.0064777588,
+        0.003089432,
+        -0.0008308853,
+        -0.00065368705,
+        2.4343437e-5,
+        0.00011966578,
+        3.1111336e-5,
+    ],
 };

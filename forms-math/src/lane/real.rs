@@ -106,9 +106,9 @@ macro_rules! real {
                 inverse: asin, acos, atan;
                 exponential: exp, exp_m1, sinh, cosh, tanh;
                 logarithm: ln, ln_1p;
-                error_function: erf;
+                error_function: erf, erfc;
             }
-            unknown!(erfc, expint1, expint2, expint3, dilog, clausen);
+            unknown!(expint1, expint2, expint3, dilog, clausen);
             #[inline(always)]
             fn quadrature(_: Self, _: Self, _: impl Fn(Self) -> Self) -> Self {
                 Self::nan()

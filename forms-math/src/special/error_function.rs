@@ -9,8 +9,7 @@ mod coefficients;
 use super::exponential_integral::continued_fraction;
 use crate::error_free::two_product;
 use crate::scalar::Scalar;
-use coefficients::ERFC;
-pub(crate) use coefficients::{ERF, ERF_IS_ONE, LN_ERFC, TWO_OVER_ROOT_PI};
+pub(crate) use coefficients::{ERF, ERF_IS_ONE, ERFC, ERFC_IS_ZERO, LN_ERFC, TWO_OVER_ROOT_PI};
 
 /// Numbers below this are so small that x³ does not count, and that the rounding error of a product
 /// can underflow.
@@ -34,9 +33,6 @@ pub(crate) fn error_function_of_double(x: f64) -> f64 {
     let beyond = if size > ERF_IS_ONE { ERF_IS_ONE } else { size } - 1.0;
     (1.0 - polynomial(&LN_ERFC, beyond).exp()).copysign(x)
 }
-
-/// From here on erfc x rounds to 0.
-const ERFC_IS_ZERO: f64 = 28.0;
 
 /// erfc x: 1 − erf x where little cancels, and beyond e^(−x²) p/(|x| + 2) with a polynomial p of
 /// (|x| − 2)/(|x| + 2), which is subtracted from 2 for negative x.

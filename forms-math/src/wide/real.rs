@@ -39,6 +39,12 @@ impl<const LIMBS: usize> Real for Wide<LIMBS> {
     fn exp_m1(self) -> Self {
         self.exponential_minus_one()
     }
+    fn erf(self) -> Self {
+        crate::special::error_function(self, Self::PRECISION)
+    }
+    fn erfc(self) -> Self {
+        crate::special::complementary_error_function(self, Self::PRECISION)
+    }
     composed_functions!();
 }
 

@@ -2,7 +2,7 @@
 //! with columns that do not match.
 
 use crate::arguments::Draw;
-use crate::formulas::{Clausen, Erfc, Sin};
+use crate::formulas::{Clausen, Sin};
 use forms_math::{Column, Formula, Instructions, LengthMismatch, Real, batch, batch_by, batch_f32};
 
 /// Lengths around those of blocks, which are powers of two.
@@ -75,8 +75,6 @@ fn values_that_lanes_do_not_reach_are_those_of_the_formula() {
     assert!(x.iter().zip(&values).all(|(x, value)| close(*value, x.sin(), 3e-16)));
     batch::<Clausen, 1, 1>([&x[1..3]], [&mut values[..2]]).expect("columns have one length");
     assert_eq!(values[..2], [x[1].clausen(), x[2].clausen()]);
-    batch::<Erfc, 1, 1>([&x[1..3]], [&mut values[..2]]).expect("columns have one length");
-    assert_eq!(values[..2], [Real::erfc(x[1]), Real::erfc(x[2])]);
 }
 
 #[test]

@@ -1,13 +1,20 @@
 //! Batches in `f64` compared with 256-bit values, with every set of instructions of the processor:
-//! at most 2 units in the last place. `FORMS_MATH_CASES` sets the number of arguments of each
+//! at most 2 units in the last place, and 5 for erfc. `FORMS_MATH_CASES` sets the number of arguments of each
 //! function.
 
 use crate::arguments::{Draw, arguments};
 use crate::formulas::*;
 use forms_math::{Formula, Instructions, Real, Wide, batch_by};
 
-/// Allowed error.
-const LIMIT: f64 = 2.0;
+/// Returns the allowed error of a function: those that bounded lanes rely on.
+fn limit(name: &str) -> f64 {
+    match name {
+        "exp" | "ln" | "ln_1p" | "sin" | "cos" | "asin" | "acos" | "sinh" | "cosh" | "tanh" => 1.0,
+        "atan" | "atan2" | "exp_m1" => 1.5,
+        "erfc" => 5.0,
+        _ => 2.0,
+    }
+}
 
 /// Largest angle that lanes compute.
 const REACH: f64 = 1_647_000.0;
@@ -51,7 +58,7 @@ fn report<F: Formula<A, 1>, const A: usize>(name: &str, columns: &[Vec<f64>; A])
     for (instructions, error, place) in &worst {
         println!("{name:10} {instructions:9} {error:.3} at {place:?}");
     }
-    worst.iter().all(|(_, error, _)| *error <= LIMIT)
+    worst.iter().all(|(_, error, _)| *error <= limit(name))
 }
 
 fn between<F: Formula<1, 1>>(name: &str, low: f64, high: f64) -> bool {
@@ -75,8 +82,9 @@ fn elementary_functions_are_accurate() {
         between::<Cosh>("cosh", -710.4, 710.4),
         between::<Tanh>("tanh", -400.0, 400.0),
         between::<Erf>("erf", -7.0, 7.0),
+        between::<Erfc>("erfc", -7.0, 26.0),
     ];
-    assert!(results.iter().all(|within| *within), "a function is not within {LIMIT} units; see the output");
+    assert!(results.iter().all(|within| *within), "a function is not accurate; see the output");
 }
 
 #[test]
@@ -96,7 +104,7 @@ fn powers_are_accurate() {
         between::<Power<5, 12>>("5/12", 1e-300, 1e300),
         between::<Power<-11, 5>>("-11/5", 1e-100, 1e100),
     ];
-    assert!(results.iter().all(|within| *within), "a power is not within {LIMIT} units; see the output");
+    assert!(results.iter().all(|within| *within), "a power is not accurate; see the output");
 }
 
 /// Angle of the point (x, y).

@@ -1,12 +1,14 @@
 //! Batches in `f32` compared with batches in `f64`, over all bit patterns or evenly spaced ones,
-//! with every set of instructions of the processor: at most 2 units in the last place, and correct
+//! with every set of instructions of the processor: at most 2 units in the last place (erfc: 5), and correct
 //! NaN, ∞ and signs of zero.
 
 use crate::formulas::*;
 use forms_math::{Formula, Instructions, batch_by, batch_f32_by};
 
-/// Allowed error.
-const LIMIT: f64 = 2.0;
+/// Returns the allowed error of a function.
+fn limit(name: &str) -> f64 {
+    if name == "erfc" { 5.0 } else { 2.0 }
+}
 
 /// Number of values compared at once.
 const CHUNK: usize = 1 << 14;
@@ -78,7 +80,7 @@ fn report<F: Formula<1, 1>>(name: &str, choice: &Choice) -> bool {
     for ((error, place), instructions) in worst.iter().zip(&choice.instructions) {
         println!("{name:10} {:9} {error:.3} at {place:e}", instructions.name());
     }
-    worst.iter().all(|(error, _)| *error <= LIMIT)
+    worst.iter().all(|(error, _)| *error <= limit(name))
 }
 
 /// Tests every function, on the part of its range in lanes that `choice` selects.
@@ -99,12 +101,13 @@ fn assert_accurate(choice: impl Fn(f32, f32) -> Choice) {
         report::<Cosh>("cosh", &choice(-91.0, 91.0)),
         report::<Tanh>("tanh", &choice(-20.0, 20.0)),
         report::<Erf>("erf", &choice(-5.0, 5.0)),
+        report::<Erfc>("erfc", &choice(-5.0, 20.0)),
         report::<Power<1, 3>>("power 1/3", &choice(1e-28, 1e36)),
         report::<Power<-3, 2>>("power -3/2", &choice(1e-19, 1e19)),
         report::<Power<-2, 1>>("power -2", &choice(1e-14, 1e18)),
         report::<Power<5, 12>>("power 5/12", &choice(1e-28, 1e36)),
     ];
-    assert!(results.iter().all(|within| *within), "a function is not within {LIMIT} units; see the output");
+    assert!(results.iter().all(|within| *within), "a function is not accurate; see the output");
 }
 
 /// Returns the stride between bit patterns: from `FORMS_MATH_STRIDE`, or a default that unoptimised

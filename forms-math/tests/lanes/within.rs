@@ -26,6 +26,7 @@ formulas! {
     Logarithms: |x| x.ln() * x.ln_1p() - x.exp().ln();
     Products: |x| T::difference_of_products(x, x + T::from_f64(1.0), x + x, x / T::from_f64(3.0));
     Chosen: |x| T::if_less(x.sin(), x.cos(), x.exp(), (x + T::from_f64(1.0)).abs().sqrt());
+    Tails: |x| x.erfc() * (x * x).exp() - (x + T::from_f64(1.0)).erfc();
     Exchange: |x| x.expint3() * x.exp();
 }
 
@@ -57,6 +58,7 @@ fn batches_keep_their_promise() {
     assert_within::<Versine, 16>("versine", 1e-100, 1e5);
     assert_within::<Emission, 8>("emission", -700.0, 700.0);
     assert_within::<Circular, 8>("circular", -1e5, 1e5);
+    assert_within::<Tails, 8>("tails", -20.0, 20.0);
     assert_within::<Inverse, 8>("inverse", -1.0, 1.0);
     assert_within::<Roots, 16>("roots", 1e-200, 1e200);
     assert_within::<Hyperbolic, 8>("hyperbolic", -300.0, 300.0);

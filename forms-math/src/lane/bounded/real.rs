@@ -72,14 +72,14 @@ impl<W: Word> Real for Bounded<W> {
         self.value.to_double()
     }
 
-    /// The value of lanes is within 2 ulp if no rest of a product is lost to underflow, in addition
-    /// to the roundings of the rests themselves.
+    /// The differences of the products' heads and of their rests are each rounded, as is their sum:
+    /// 2 u |v| + 4 u² (|a b| + |c d|) with u = 2^−p, if no rest of a product is lost to underflow.
     #[inline(always)]
     fn difference_of_products(a: Self, b: Self, c: Self, d: Self) -> Self {
         let (left, right) = (two_product(a.value, b.value), two_product(c.value, d.value));
         let value = (left.head - right.head) + (left.tail - right.tail);
         let sizes = left.head.magnitude() + right.head.magnitude();
-        let unit = W::two_to(2 - W::PRECISION);
+        let unit = W::two_to(1 - W::PRECISION);
         let rounding = (value.magnitude() + sizes * unit) * unit;
         let propagated = a.error_of_product(b) + c.error_of_product(d);
         let certain = (a.is_zero() | b.is_zero()) & (c.is_zero() | d.is_zero());
@@ -136,8 +136,9 @@ impl<W: Word> Real for Bounded<W> {
         cosh: hyperbolic_cosine;
         tanh: hyperbolic_tangent;
         erf: error_function;
+        erfc: complementary_error_function;
     }
-    unknown!(erfc, expint1, expint2, expint3, dilog, clausen);
+    unknown!(expint1, expint2, expint3, dilog, clausen);
     #[inline(always)]
     fn quadrature(_: Self, _: Self, _: impl Fn(Self) -> Self) -> Self {
         Self::unknown()

@@ -1,8 +1,5 @@
-//! Choice of the vector instructions of batches, with the functions that are compiled for them and
-//! are unsafe to call elsewhere.
+//! Choice of the instructions of lanes.
 
-use super::block::{Arguments, Kernel, Values, rows_of};
-use super::method::{Element, Method};
 use std::sync::OnceLock;
 
 /// Instructions chosen for this program.
@@ -10,10 +7,10 @@ static CHOSEN: OnceLock<Instructions> = OnceLock::new();
 
 /// Vector instructions supported by this processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Instructions(Set);
+pub struct Instructions(pub(crate) Set);
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Set {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd)]
+pub(crate) enum Set {
     /// Instructions of every processor of the architecture: SSE2, or NEON with fused multiply-add.
     Baseline,
     /// 256-bit vectors and fused multiply-add.
@@ -34,6 +31,12 @@ impl Instructions {
     /// bits on all processors that support them; returns whether no others were chosen before.
     pub fn choose(self) -> bool {
         *CHOSEN.get_or_init(|| self) == self
+    }
+
+    /// Whether chosen instructions, or else those of the processor, contain a fused multiply-add.
+    #[inline]
+    pub(crate) fn best_are_fused() -> bool {
+        CHOSEN.get().map_or_else(|| Set::FUSED.is_available(), |chosen| chosen.0 >= Set::FUSED)
     }
 
     fn fastest() -> Self {
@@ -69,22 +72,15 @@ impl Instructions {
             Set::Avx512 => "AVX-512",
         }
     }
-
-    /// Returns the loop over a block, compiled for these instructions.
-    pub(super) fn kernel<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
-        self,
-    ) -> Kernel<M, E, A, O> {
-        match self.0 {
-            Set::Baseline => baseline::<M, E, A, O>,
-            #[cfg(target_arch = "x86_64")]
-            Set::Avx2 => avx2::<M, E, A, O>,
-            #[cfg(target_arch = "x86_64")]
-            Set::Avx512 => avx512::<M, E, A, O>,
-        }
-    }
 }
 
 impl Set {
+    /// The smallest set with fused multiply-add.
+    #[cfg(target_arch = "x86_64")]
+    const FUSED: Self = Self::Avx2;
+    #[cfg(not(target_arch = "x86_64"))]
+    const FUSED: Self = Self::Baseline;
+
     fn is_available(self) -> bool {
         match self {
             Self::Baseline => true,
@@ -99,40 +95,4 @@ impl Set {
             }
         }
     }
-}
-
-fn baseline<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
-    method: M,
-    columns: &Arguments<'_, E, A>,
-    rows: usize,
-    values: &mut Values<E, O>,
-) -> bool {
-    // NEON has fused multiply-add; on other processors it can be missing, and would be a function
-    // call.
-    #[cfg(target_arch = "aarch64")]
-    return rows_of::<M, E, true, A, O>(method, columns, rows, values);
-    #[cfg(not(target_arch = "aarch64"))]
-    rows_of::<M, E, false, A, O>(method, columns, rows, values)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn avx2<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
-    method: M,
-    columns: &Arguments<'_, E, A>,
-    rows: usize,
-    values: &mut Values<E, O>,
-) -> bool {
-    rows_of::<M, E, true, A, O>(method, columns, rows, values)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
-fn avx512<M: Method<E, A, O>, E: Element, const A: usize, const O: usize>(
-    method: M,
-    columns: &Arguments<'_, E, A>,
-    rows: usize,
-    values: &mut Values<E, O>,
-) -> bool {
-    rows_of::<M, E, true, A, O>(method, columns, rows, values)
 }
