@@ -25,6 +25,7 @@ mod opaque;
 mod pieces;
 mod ratios;
 mod residue;
+mod roots;
 mod seam;
 mod sign;
 mod special_points;

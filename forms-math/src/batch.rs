@@ -17,7 +17,7 @@ mod method;
 use crate::Formula;
 use crate::escalate::{Computation, escalate_computation};
 use crate::instructions::Instructions;
-use crate::lane::{Bounded, Lane64};
+use crate::lane::{Bounded, in_fused_lanes};
 use block::{Kernel, STEP};
 pub use length::{Column, LengthMismatch};
 use method::{BLOCK, Element, Plain};
@@ -127,14 +127,19 @@ pub fn row_within(
     outputs: usize,
     within: f64,
 ) -> Vec<f64> {
-    let lanes: Vec<_> = arguments.iter().map(|&argument| Bounded::<Lane64<true>>::lane(argument)).collect();
-    let values: Vec<f64> =
-        computation.values(&lanes).into_iter().map(|value| value.value_within(within)).collect();
+    let values = in_fused_lanes(computation, arguments);
+    let values: Vec<f64> = values.into_iter().map(|value| value.value_within(within)).collect();
     if values.iter().any(|value| value.is_nan()) {
         let values = escalate_computation(computation, arguments, outputs, within);
         return values.into_iter().map(|(value, _)| value).collect();
     }
     values
+}
+
+/// Returns the bounds that lanes with fused multiply-add show for the relative errors, in units of
+/// 2⁻⁵³; ∞ where they show none.
+pub fn bounds_in_lanes(computation: &impl Computation, arguments: &[f64]) -> Vec<f64> {
+    in_fused_lanes(computation, arguments).into_iter().map(Bounded::units).collect()
 }
 
 /// Computes [`batch`] on all processors.

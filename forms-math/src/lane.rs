@@ -30,5 +30,5 @@ mod real;
 mod trigonometric;
 mod word;
 
-pub(crate) use bounded::{Bounded, values_within};
+pub(crate) use bounded::{Bounded, in_fused_lanes, values_within};
 pub use word::{Lane32, Lane64};

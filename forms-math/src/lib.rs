@@ -31,7 +31,7 @@ mod wide;
 
 pub use batch::{
     Column, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within, batch_within_by,
-    row_within,
+    bounds_in_lanes, row_within,
 };
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};

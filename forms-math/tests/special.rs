@@ -125,7 +125,8 @@ fn erf_and_erfc_of_two_words_are_accurate_everywhere() {
     let sizes = (-140..0).map(|half| (f64::from(half) / 2.0).exp2());
     for x in inside.chain(sizes).chain([0.5, -0.5, 9.0]) {
         let (narrow, wide) = (DoubleDouble::from_f64(x), Wide::<4>::from_f64(x));
-        for (name, value, exact) in [("erf", narrow.erf(), wide.erf()), ("erfc", narrow.erfc(), wide.erfc())] {
+        for (name, value, exact) in [("erf", narrow.erf(), wide.erf()), ("erfc", narrow.erfc(), wide.erfc())]
+        {
             let words = Wide::<4>::from_f64(value.high()) + Wide::from_f64(value.low());
             let relative = ((words - exact) / exact).to_f64().abs();
             // below 2⁻⁹⁰⁰ the second word loses digits

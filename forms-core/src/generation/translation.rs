@@ -9,12 +9,12 @@ use super::cuts::Cuts;
 use super::opaque::{Depth, opaque};
 use super::pieces::{MOST_PIECES, pieces};
 use super::ratios::equal_by_ratios;
+use super::roots::{with_one_root, with_roots};
 use crate::decide::{Budget, Equations, Finding, KernelReason, UnknownReason, Witness};
 use crate::diagnostic::Diagnostic;
-use crate::expression::{Condition, Expr, Node, Operation, Pool, Relation};
+use crate::expression::{Condition, Expr, Node, Pool, Relation};
 use crate::kernel::Program;
 use crate::theory::Kernel;
-use rustc_hash::FxHashMap;
 use std::fmt;
 
 /// Budget for a kernel. A kernel is generated inside its user's compiler, so less is spent on it
@@ -123,32 +123,23 @@ pub(super) fn equality(
     }
     let different = with_roots(pool, &different);
     let whole = by_pieces(pool, &different, conditions, budget);
-    if matches!(whole, Translation::Unknown { .. }) && by_operands(pool, &different, conditions, budget) {
+    if !matches!(whole, Translation::Unknown { .. }) {
+        return whole;
+    }
+    if by_operands(pool, &different, conditions, budget) || by_one_root(pool, &different, conditions, budget)
+    {
         return Translation::Proved;
     }
     whole
 }
 
-/// Writes hypot(x, y) as √(x² + y²), of which the prover knows more.
-fn with_roots(pool: &mut Pool, expressions: &[Expr]) -> Vec<Expr> {
-    let (mut images, mut squares): (FxHashMap<Expr, Expr>, FxHashMap<Expr, Expr>) = Default::default();
-    for part in pool.reachable(expressions) {
-        let node = pool.node(part).clone();
-        let image = if let Node::Apply(Operation::Hypot, sides) = &node {
-            // of a hypotenuse, the square is the sum of squares that its root is taken of
-            let square = |pool: &mut Pool, side: &Expr| {
-                squares.get(side).copied().unwrap_or_else(|| pool.power(images[side], 2.into()))
-            };
-            let (x2, y2) = (square(pool, &sides[0]), square(pool, &sides[1]));
-            let sum = pool.add(x2, y2);
-            squares.insert(part, sum);
-            pool.sqrt(sum)
-        } else {
-            pool.image(part, node, &images)
-        };
-        images.insert(part, image);
-    }
-    expressions.iter().map(|expression| images[expression]).collect()
+/// Whether the two expressions are proved equal with one root in the place of each product of roots. The
+/// one root is defined wherever the product is, and perhaps elsewhere: only a proof carries over.
+fn by_one_root(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budget: Budget) -> bool {
+    let one_root = with_one_root(pool, different);
+    one_root != different
+        && (by_operands(pool, &one_root, conditions, budget)
+            || by_pieces(pool, &one_root, conditions, budget).is_proved())
 }
 
 /// Whether the two expressions apply the same operation to operands that are proved equal, wherever

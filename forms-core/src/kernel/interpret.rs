@@ -6,8 +6,8 @@
 use super::program::{Instruction, Program, Value};
 use crate::expression::Relation;
 use forms_math::{
-    Computation, DoubleDouble, Real, Tier, escalate_computation, escalate_double_double_computation,
-    row_within,
+    Computation, DoubleDouble, Real, Tier, bounds_in_lanes, escalate_computation,
+    escalate_double_double_computation, row_within,
 };
 
 /// Program with its numbers rounded to one precision.
@@ -72,6 +72,12 @@ impl Program {
     /// errors allows it.
     pub fn interpret_row_within(&self, arguments: &[f64], within: f64) -> Vec<f64> {
         row_within(&InAnyPrecision(self), arguments, self.outputs.len(), within)
+    }
+
+    /// Returns the bounds of the relative errors that lanes show at these arguments, in units of 2⁻⁵³;
+    /// ∞ where they show none.
+    pub fn bounds_in_lanes(&self, arguments: &[f64]) -> Vec<f64> {
+        bounds_in_lanes(&InAnyPrecision(self), arguments)
     }
 
     /// Evaluates the outputs in double-double to at least 29 digits, in the precision that this

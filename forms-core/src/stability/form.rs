@@ -41,6 +41,9 @@ pub struct Found {
     /// Pareto front of the forms proved equal to the formula: none is both cheaper and more
     /// accurate than another. The most accurate comes first.
     pub forms: Vec<Form>,
+    /// Pareto front of the proved forms that have no value, or a worse one, in `f64` at some arguments
+    /// at which the formula has one: they serve where such values get more precision.
+    pub incomplete: Vec<Form>,
 }
 
 impl Found {
@@ -56,7 +59,7 @@ impl Found {
     /// Returns the form whose `f64` values have a known bound most often: the one to compute with
     /// where other values need more precision.
     pub(super) fn most_settled(&self) -> &Form {
-        let forms = self.forms.iter().chain([&self.written]);
+        let forms = self.forms.iter().chain(&self.incomplete).chain([&self.written]);
         // where few values have a bound, the more accurate form needs less precision
         let key = |form: &&Form| {
             ((form.unsettled.min(0.5) * 20.0).round() as u32, (form.loss * 8.0) as u32, form.cost)

@@ -25,7 +25,7 @@ use rustc_hash::FxHashMap;
 
 /// Version number of the rules and the search; incremented with every change, so that existing
 /// choices are made again.
-pub(super) const VERSION: u32 = 4;
+pub(super) const VERSION: u32 = 5;
 
 /// Maximum length of a text that is simplified: nobody would read a longer result, and a kernel
 /// should not compute it.

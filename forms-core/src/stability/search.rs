@@ -238,8 +238,9 @@ impl<'a> Search<'a> {
             let Candidate { outputs, is_close, .. } = &self.candidates[place];
             forms.extend(self.form(&outputs.clone(), *is_close));
         }
-        forms.retain(|form| self.is_valid(&form.outputs, &validation));
-        Some(Found { written, forms: front(forms) })
+        let is_valid = |form: &Form| self.is_valid(&form.outputs, &validation);
+        let (valid, incomplete): (Vec<Form>, Vec<Form>) = forms.into_iter().partition(is_valid);
+        Some(Found { written, forms: front(valid), incomplete: front(incomplete) })
     }
 
     /// Proves finalists, unless one that is proved and valid makes the proof pointless.

@@ -5,9 +5,9 @@
 //! Where fused multiply-add is missing, its replacement would cost as much as guarded numbers: there is no such
 //! attempt.
 
-use crate::Formula;
 use crate::instructions::Instructions;
-use crate::lane::values_within;
+use crate::lane::{in_fused_lanes, values_within};
+use crate::{Computation, Formula};
 
 /// Returns the outputs if one lane bounds the relative error of each by `units` · 2⁻⁵³.
 #[inline(always)]
@@ -15,13 +15,32 @@ pub(super) fn in_one_lane<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     units: f64,
 ) -> Option<[f64; O]> {
-    if cfg!(not(any(target_arch = "x86_64", target_arch = "aarch64"))) || !Instructions::best_are_fused() {
+    if !is_available() {
         return None;
     }
     // SAFETY: the processor has the instructions.
     #[allow(unused_unsafe, reason = "safe where every processor has them")]
     let values = unsafe { fused::<F, A, O>(arguments, units) };
     values.iter().all(|value| !value.is_nan()).then_some(values)
+}
+
+/// The same for a formula that is known only at run time.
+pub(super) fn in_one_lane_computed(
+    computation: &impl Computation,
+    arguments: &[f64],
+    units: f64,
+) -> Option<Vec<f64>> {
+    if !is_available() {
+        return None;
+    }
+    let values = in_fused_lanes(computation, arguments).into_iter().map(|value| value.value_within(units));
+    values.map(|value| (!value.is_nan()).then_some(value)).collect()
+}
+
+/// Whether the processor has fused multiply-add, and it is among the chosen instructions.
+#[inline]
+fn is_available() -> bool {
+    cfg!(any(target_arch = "x86_64", target_arch = "aarch64")) && Instructions::best_are_fused()
 }
 
 /// Units of 2⁻⁵³ in a unit of 2⁻²⁴, in which errors of `f32` are stated.

@@ -16,7 +16,7 @@ mod real;
 
 use super::pair::{two_product, two_sum};
 use super::word::{Lane64, Word};
-use crate::{Formula, Real};
+use crate::{Computation, Formula, Real};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Number whose exact value is at most `error` away; nothing is known about it if `error` is ∞ or
@@ -44,6 +44,15 @@ pub(crate) fn values_within<F: Formula<A, O>, const FMA: bool, const A: usize, c
     values
 }
 
+/// Computes a formula that is known only at run time, in lanes with fused multiply-add.
+pub(crate) fn in_fused_lanes(
+    computation: &impl Computation,
+    arguments: &[f64],
+) -> Vec<Bounded<Lane64<true>>> {
+    let lanes: Vec<_> = arguments.iter().map(|&argument| Bounded::lane(argument)).collect();
+    computation.values(&lanes)
+}
+
 /// Factors slightly above and slightly below 1, by the maximum number of roundings of a bound.
 #[inline(always)]
 fn above_one<W: Word>() -> W {
@@ -59,6 +68,19 @@ impl<const FMA: bool> Bounded<Lane64<FMA>> {
     #[inline(always)]
     pub(crate) fn lane(value: f64) -> Self {
         Self::exact(Lane64(value))
+    }
+
+    /// Returns the bound of the relative error in units of 2⁻⁵³; ∞ without a bound.
+    pub(crate) fn units(self) -> f64 {
+        let [value, error] = [self.value.0.abs(), self.error.0];
+        let units = error / (below_one::<Lane64<FMA>>().0 * (value - error)) * 2f64.powi(53);
+        if error == 0.0 {
+            0.0
+        } else if units >= 0.0 {
+            units
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Returns the value if its error is at most `within` · 2⁻⁵³ of it, otherwise NaN.
