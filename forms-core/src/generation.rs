@@ -40,7 +40,7 @@ use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::notation::results;
-use crate::theory::Kernel;
+use crate::theory::{FormTarget, Kernel, TargetForm};
 
 /// Programs of a kernel.
 #[derive(Clone, Debug)]
@@ -62,9 +62,40 @@ pub struct Generated {
     pub bounded: Option<f64>,
     /// Largest relative error of the form before rounding; 0 unless it is an approximation.
     pub approximation: f64,
+    /// Programs of the forms for one precision or target language.
+    pub target_forms: Vec<TargetProgram>,
     /// Whether the kernel has an approximation that is not computed, because no bound shows that it
     /// keeps the promise.
     pub is_dropped: bool,
+}
+
+/// Program by which a kernel is computed in one precision or target language.
+#[derive(Clone, Debug)]
+pub struct TargetProgram {
+    /// Where it is computed.
+    pub target: FormTarget,
+    /// The form at least cost, with products that cancel computed without loss.
+    pub program: Program,
+    /// Largest relative error of the form before rounding; 0 unless it is an approximation.
+    pub approximation: f64,
+}
+
+impl TargetProgram {
+    /// Describes in a sentence how the program relates to the formula.
+    pub fn account(&self) -> String {
+        if self.approximation > 0.0 {
+            return account_of_approximation(self.approximation);
+        }
+        let target = self.target.name();
+        format!("{} Computed by its form for `{target}`.", Translation::Proved)
+    }
+}
+
+/// Describes an approximation in a sentence.
+fn account_of_approximation(error: f64) -> String {
+    // the bound is the float above the stated one
+    let stated = error.next_down();
+    format!("Proved to differ from its formula by at most {stated:e} of the value, before rounding.")
 }
 
 /// Length of the longest form that is quoted.
@@ -85,6 +116,12 @@ impl Generated {
         self.promise.filter(|_| self.bounded.is_none())
     }
 
+    /// Returns the program that is computed in `f32`.
+    pub fn single(&self) -> &Program {
+        let form = self.target_forms.iter().find(|form| form.target == FormTarget::F32);
+        form.map_or(&self.optimised, |form| &form.program)
+    }
+
     /// Returns the program whose value is that of the formula in every precision.
     pub fn exact(&self) -> &Program {
         if self.approximation > 0.0 { &self.written } else { &self.optimised }
@@ -93,11 +130,7 @@ impl Generated {
     /// Describes in sentences how the program relates to the formula.
     pub fn account(&self) -> String {
         if self.approximation > 0.0 {
-            // the bound is the float above the stated one
-            return format!(
-                "Proved to differ from its formula by at most {:e} of the value, before rounding.",
-                self.approximation.next_down()
-            );
+            return account_of_approximation(self.approximation);
         }
         if self.is_dropped {
             return format!(
@@ -165,6 +198,7 @@ pub(crate) fn generate(
         Some(objection) => Err(vec![objection]),
         None => {
             let (rewritten, promise) = (pool.texts(rewritten), kernel.within.as_ref().map(nearest_f64));
+            let target_forms = target_programs(pool, kernel)?;
             Ok(Generated {
                 written,
                 optimised,
@@ -173,9 +207,32 @@ pub(crate) fn generate(
                 promise,
                 bounded,
                 approximation,
+                target_forms,
                 is_dropped: false,
             })
         }
+    }
+}
+
+/// Generates the forms of a kernel for one precision or target language.
+fn target_programs(pool: &mut Pool, kernel: &Kernel) -> Result<Vec<TargetProgram>, Vec<Diagnostic>> {
+    let programs = kernel.target_forms.iter().map(|form| {
+        let Generated { optimised, approximation, .. } =
+            generate(pool, &with_target_form(kernel, form), &[])?;
+        Ok(TargetProgram { target: form.target, program: optimised, approximation })
+    });
+    programs.collect()
+}
+
+/// Returns the kernel that is computed by one of its forms for a target, where it promises nothing.
+fn with_target_form(kernel: &Kernel, form: &TargetForm) -> Kernel {
+    Kernel {
+        computed: form.outputs.clone(),
+        approximation: form.approximation.clone(),
+        span: form.span,
+        target_forms: Vec::new(),
+        within: None,
+        ..kernel.clone()
     }
 }
 
@@ -200,14 +257,21 @@ pub fn makes_claims(pool: &Pool, kernel: &Kernel) -> bool {
     let expressions: Vec<Expr> = kernel.outputs.iter().chain(&kernel.computed).copied().collect();
     let is_claim = |part: &Expr| matches!(pool.node(*part), Node::Select { seam: Seam::Agrees, .. });
     !kernel.computed.is_empty()
+        || !kernel.target_forms.is_empty()
         || !kernel.effects.is_empty()
         || pool.reachable(&expressions).iter().any(is_claim)
 }
 
 /// Returns the faults of a kernel apart from its effects.
 fn own_faults(pool: &mut Pool, kernel: &Kernel) -> Vec<Fault> {
-    let faults = seam::faults(pool, kernel);
-    if faults.is_empty() { form_faults(pool, kernel) } else { faults }
+    let mut faults = seam::faults(pool, kernel);
+    if faults.is_empty() {
+        faults = form_faults(pool, kernel);
+        for form in &kernel.target_forms {
+            faults.extend(form_faults(pool, &with_target_form(kernel, form)));
+        }
+    }
+    faults
 }
 
 /// Returns the faults of the form that a kernel is computed by. If the form has the value of the

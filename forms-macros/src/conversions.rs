@@ -10,13 +10,14 @@ use forms_core::expression::{Parameter, Shape, Signature};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// Emits `at` and `at_f32` of a kernel, given the names of all numbers among its arguments; nothing
-/// for a kernel without arrays.
+/// Emits `at` and `at_f32` of a kernel, given the names of all numbers among its arguments and the
+/// formula computed in `f32`; nothing for a kernel without arrays.
 pub(crate) fn functions(
     kernel: &Ident,
     signature: &Signature,
     arguments: &[Ident],
     within: Option<f64>,
+    single: &TokenStream,
 ) -> TokenStream {
     let shapes = signature.parameters.iter().map(|parameter| &parameter.shape);
     if shapes.chain(&signature.results).all(|&shape| shape == Shape::Number) {
@@ -24,12 +25,13 @@ pub(crate) fn functions(
     }
     let outputs: usize = signature.results.iter().map(|shape| shape.entries()).sum();
     let count = arguments.len();
-    let stable = quote!(<Stable as ::forms::math::Formula<#count, #outputs>>::value([#(#arguments),*]));
+    let value = |formula: &TokenStream| quote!(<#formula as ::forms::math::Formula<#count, #outputs>>::value([#(#arguments),*]));
+    let (stable, of_single) = (value(&quote!(Stable)), value(single));
     let promised = within.map(
         |within| quote!(::forms::math::escalate::<Stable, #count, #outputs>([#(#arguments),*], #within)),
     );
     let double = function(kernel, signature, "at", &quote!(f64), promised.as_ref().unwrap_or(&stable));
-    let single = function(kernel, signature, "at_f32", &quote!(f32), &stable);
+    let single = function(kernel, signature, "at_f32", &quote!(f32), &of_single);
     quote!(#double #single)
 }
 

@@ -42,19 +42,31 @@ pub(crate) fn module(
         let stable = formula(program, "Stable")?;
         quote!(pub enum Stable {} #stable)
     };
+    let (single, of_single) = match generated.single() {
+        own if own != program => (quote!(Single), {
+            let own = formula(own, "Single")?;
+            quote! {
+                #[doc = " The form for `f32`."]
+                pub enum Single {}
+                #own
+            }
+        }),
+        _ => (quote!(Stable), TokenStream::new()),
+    };
     let tiers = Tiers::of(program);
     // more precision brings an approximation no closer to the formula
     let exact = if generated.approximation > 0.0 { quote!(Plain) } else { quote!(Stable) };
     let mut functions =
-        vec![tiers.plain(), tiers.f32(promise.is_some()), tiers.dd(promise.is_some(), &exact)];
+        vec![tiers.plain(), tiers.f32(promise.is_some(), &single), tiers.dd(promise.is_some(), &exact)];
     if let Some(promise) = promise {
         functions.extend([tiers.checked(promise, &exact), tiers.unguarded()]);
     }
-    functions.extend(batches(within, promise.is_some()).into_iter().map(|batch| tiers.batch(batch)));
+    let batches = batches(within, promise.is_some(), &single);
+    functions.extend(batches.into_iter().map(|batch| tiers.batch(batch)));
     if cfg!(feature = "ndarray") {
         functions.push(tiers.batch_rows(within));
     }
-    functions.push(conversions::functions(&tiers.name, &tiers.signature, &tiers.arguments, within));
+    functions.push(conversions::functions(&tiers.name, &tiers.signature, &tiers.arguments, within, &single));
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
@@ -68,6 +80,7 @@ pub(crate) fn module(
             #plain
             #[doc = " The stable form, by which the kernel is computed, for any number type."]
             #stable
+            #of_single
             #[doc = " Number of operations per value: arithmetic, function calls and selections."]
             pub const OPERATIONS: usize = #count;
             #(#functions)*
@@ -109,20 +122,29 @@ struct Batch<'a> {
     function: &'a str,
     /// Number type.
     number: &'a str,
+    /// Formula that it computes.
+    formula: TokenStream,
     /// Promised error bound, in units of 2⁻⁵³.
     within: Option<f64>,
 }
 
 /// Lists the batches of a kernel with this promised error bound, if it takes precision to keep it.
-fn batches(within: Option<f64>, is_promised: bool) -> Vec<Batch<'static>> {
-    let batch = |name, function, within| Batch { name, function, number: "f64", within };
+fn batches(within: Option<f64>, is_promised: bool, single: &TokenStream) -> Vec<Batch<'static>> {
+    let batch =
+        |name, function, within| Batch { name, function, number: "f64", formula: quote!(Stable), within };
     let [one, all] = match within {
         Some(_) => ["batch_within", "batch_within_parallel"],
         None => ["batch", "batch_parallel"],
     };
     let mut batches = vec![
         batch("batch", one, within),
-        Batch { name: "batch_f32", function: "batch_f32", number: "f32", within: None },
+        Batch {
+            name: "batch_f32",
+            function: "batch_f32",
+            number: "f32",
+            formula: single.clone(),
+            within: None,
+        },
     ];
     if cfg!(feature = "rayon") {
         batches.push(batch("batch_parallel", all, within));
@@ -162,14 +184,14 @@ impl Tiers {
     }
 
     /// Emits the stable form in `f32`. A promise does not apply to it.
-    fn f32(&self, promised: bool) -> TokenStream {
+    fn f32(&self, promised: bool, form: &TokenStream) -> TokenStream {
         let promise = if promised {
             ", by its form alone: the accuracy promised by `within` is not ensured"
         } else {
             ""
         };
         let docs = format!(" `{}` in `f32`{promise}.", self.name);
-        self.scalar(&docs, &format_ident!("f32"), &quote!(f32), &quote!(Stable))
+        self.scalar(&docs, &format_ident!("f32"), &quote!(f32), form)
     }
 
     /// Emits the stable form, or the formula if this form is an approximation, in double-double
@@ -237,7 +259,7 @@ impl Tiers {
     }
 
     /// Emits a function of columns that calls a function of `forms_math`.
-    fn batch(&self, Batch { name, function, number, within }: Batch) -> TokenStream {
+    fn batch(&self, Batch { name, function, number, formula, within }: Batch) -> TokenStream {
         let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
         let how = match name {
             "batch_parallel" => ", on all processors",
@@ -262,7 +284,7 @@ impl Tiers {
                 #output: #column,
             ) -> ::core::result::Result<(), ::forms::math::LengthMismatch> {
                 #unpacked
-                ::forms::math::#function::<Stable, #count, #outputs>([#(#arguments),*], #columns #within)
+                ::forms::math::#function::<#formula, #count, #outputs>([#(#arguments),*], #columns #within)
             }
         }
     }

@@ -106,6 +106,7 @@ pub fn sheet(pool: &Pool, kernel: &Kernel, generated: &Generated, count: usize, 
         let (program, within) = match (variant.stable, is_wide) {
             (false, _) => (&generated.written, None),
             (true, true) => (generated.exact(), generated.promise),
+            (true, false) if variant.width() == Width::Single => (generated.single(), None),
             (true, false) => (&generated.optimised, generated.within()),
         };
         let samples = if variant.width() == Width::Single { &single } else { &double };

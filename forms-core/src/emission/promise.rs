@@ -120,6 +120,7 @@ pub fn promised_by_bound(within: &Rational, units: f64) -> String {
 /// ```
 pub fn broken_promises(kernels: &[Source], target: Target, precision: Precision) -> Vec<String> {
     let line = |source: &Source| {
+        let source = &source.in_target(target, precision);
         let within = source.within.as_ref()?;
         check(&source.program, target, precision).ok()?;
         let promise = promise(source, within, target, precision);

@@ -142,9 +142,9 @@ pub fn emit_possible(
     }
     let (mut possible, mut omitted) = (Vec::new(), Vec::new());
     for kernel in kernels {
+        let mut kernel = kernel.in_target(target, precision);
         match check(&kernel.program, target, precision) {
             Ok(()) => {
-                let mut kernel = kernel.clone();
                 kernel.program.name.insert_str(0, file.prefix);
                 possible.push(kernel);
             }

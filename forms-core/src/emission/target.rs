@@ -4,6 +4,8 @@ use super::docs::KernelDocs;
 use crate::expression::Rational;
 use crate::generation::Generated;
 use crate::kernel::Program;
+use crate::rounding;
+use crate::theory::FormTarget;
 use std::fmt;
 
 /// A language that kernels are emitted in.
@@ -160,6 +162,45 @@ pub struct Source {
     pub within: Option<Rational>,
     /// The formula, if the program only approximates it.
     pub approximated: Option<Approximated>,
+    /// Forms for one precision or target, the first of which that applies is computed.
+    pub target_forms: Vec<SourceOfTarget>,
+}
+
+/// Form of a kernel for one precision or target.
+#[derive(Clone, Debug)]
+pub struct SourceOfTarget {
+    /// Where it is computed.
+    pub target: FormTarget,
+    /// Its program.
+    pub program: Program,
+    /// The formula, if the program only approximates it.
+    pub approximated: Option<Approximated>,
+    /// Sentence about its relation to the formula.
+    pub account: String,
+}
+
+/// Whether a form given for a precision or target is computed in this precision of this target.
+fn applies(form: FormTarget, target: Target, precision: Precision) -> bool {
+    match form {
+        FormTarget::F32 => precision == Precision::F32,
+        FormTarget::C => target == Target::C,
+        FormTarget::Cuda => target == Target::Cuda,
+        FormTarget::Wgsl => target == Target::Wgsl,
+    }
+}
+
+impl Source {
+    /// Returns the kernel as it is computed in this precision of this target.
+    pub(super) fn in_target(&self, target: Target, precision: Precision) -> Source {
+        let mut source = self.clone();
+        let own = self.target_forms.iter().find(|form| applies(form.target, target, precision));
+        if let Some(SourceOfTarget { program, approximated, account, .. }) = own.cloned() {
+            source.docs.rounding = rounding::sentence(&program).unwrap_or_default();
+            source.docs.translation = account;
+            (source.program, source.approximated) = (program, approximated);
+        }
+        source
+    }
 }
 
 /// Formula of a kernel whose form is an approximation.
@@ -174,9 +215,23 @@ pub struct Approximated {
 impl From<Generated> for Source {
     /// Takes the programs and the approximation of a kernel, without documentation and promise.
     fn from(generated: Generated) -> Self {
-        let Generated { written, optimised, approximation, .. } = generated;
-        let of_formula = Approximated { formula: written, error: approximation };
-        let approximated = (approximation > 0.0).then_some(of_formula);
-        Source { program: optimised, docs: KernelDocs::default(), within: None, approximated }
+        let Generated { written, optimised, approximation, target_forms, .. } = generated;
+        let approximated = |error: f64| {
+            let formula = written.clone();
+            (error > 0.0).then_some(Approximated { formula, error })
+        };
+        let target_forms = target_forms.into_iter().map(|form| SourceOfTarget {
+            account: form.account(),
+            target: form.target,
+            approximated: approximated(form.approximation),
+            program: form.program,
+        });
+        Source {
+            target_forms: target_forms.collect(),
+            program: optimised,
+            docs: KernelDocs::default(),
+            within: None,
+            approximated: approximated(approximation),
+        }
     }
 }

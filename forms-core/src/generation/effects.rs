@@ -104,6 +104,7 @@ fn without(pool: &mut Pool, kernel: &Kernel, effect: &Effect) -> Result<Kernel, 
     let domain = domain.into_iter().filter(|condition| condition.decided(pool) != Some(true)).collect();
     let mut without = kernel.clone();
     (without.outputs, without.computed) = (outputs, computed);
+    without.target_forms = Vec::new();
     (without.domain, without.effects) = (domain, effects);
     let mut without = at_less_cost(pool, without);
     without.formula = pool.texts(&without.outputs);

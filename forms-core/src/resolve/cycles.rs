@@ -71,9 +71,10 @@ fn callable(item: &ItemKind) -> Option<(&Name, &ItemKind)> {
 fn called(item: &ItemKind, places: &FxHashMap<&str, usize>) -> Vec<usize> {
     let mut pending: Vec<&Expr> = match item {
         ItemKind::Definition { value, .. } => vec![value],
-        ItemKind::Kernel { outputs, computed, conditions, within, .. } => {
+        ItemKind::Kernel { outputs, computed, target_forms, conditions, within, .. } => {
             let sides = conditions.iter().flat_map(Condition::sides);
-            outputs.iter().chain(computed).chain(sides).chain(within).collect()
+            let forms = target_forms.iter().flat_map(|form| &form.computed);
+            outputs.iter().chain(computed).chain(forms).chain(sides).chain(within).collect()
         }
         _ => vec![],
     };

@@ -54,6 +54,7 @@ impl Resolver {
             outputs,
             approximation: approximation.filter(|_| !computed.is_empty()),
             computed,
+            target_forms: Vec::new(),
             within: None,
             effects: Vec::new(),
             formula,

@@ -10,7 +10,7 @@ use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Parameter, Rational, Shape, Signature, Symbol, SymbolKind};
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
 use crate::theory::names::unusable;
-use crate::theory::{Array, Effect, Kernel, KernelUnits, Named, Value, describe};
+use crate::theory::{Array, Effect, FormTarget, Kernel, KernelUnits, Named, TargetForm, Value, describe};
 use num_traits::Signed;
 use std::collections::BTreeSet;
 
@@ -22,9 +22,13 @@ struct Body {
     defined: Vec<Condition>,
     domain: Vec<Condition>,
     approximation: Option<Rational>,
+    target_forms: Vec<TargetForm>,
     within: Option<Rational>,
     effects: Vec<Effect>,
 }
+
+/// Precision of the form after `by`.
+const DOUBLE: &str = "f64";
 
 /// Results of a kernel: their shapes, and all numbers in them.
 #[derive(Clone, Default)]
@@ -57,6 +61,7 @@ impl Resolver {
             outputs,
             computed,
             approximation: body.approximation,
+            target_forms: body.target_forms,
             domain: body.domain,
             within: body.within,
             effects: body.effects,
@@ -72,29 +77,93 @@ impl Resolver {
 
     /// Evaluates everything after the head of a kernel.
     fn kernel_body(&mut self, item: &Item, symbols: &[Symbol]) -> Evaluated<Body> {
-        let ItemKind::Kernel { name, outputs, computed, approximation, conditions, within, effects, .. } =
-            &item.kind
+        let ItemKind::Kernel {
+            name,
+            outputs,
+            computed,
+            approximation,
+            target_forms,
+            conditions,
+            within,
+            effects,
+            ..
+        } = &item.kind
         else {
             return Err(Diagnostic::new(item.span, "expected a kernel"));
+        };
+        let of_double = target_forms.iter().find(|form| form.target.text == DOUBLE);
+        let (computed, approximation) = match of_double {
+            Some(form) if !computed.is_empty() => {
+                return Err(Diagnostic::new(form.target.span, "the form after `by` is the one for `f64`")
+                    .with_help("write `for f32 { by … }` for the form of another precision"));
+            }
+            Some(form) => (&form.computed, &form.approximation),
+            None => (computed, approximation),
         };
         let ((results, mentioned, narrowing), defined, _) = self.evaluate(|evaluator| {
             let results = evaluator.kernel_results(outputs, symbols)?;
             let scope = &evaluator.scope;
             Ok((results, scope.mentioned().clone(), scope.narrowing().clone()))
         })?;
-        let ((computed, of_form), ..) = self.evaluate(|evaluator| {
-            let results = evaluator.kernel_results(computed, symbols)?;
-            Ok((results, evaluator.scope.narrowing().clone()))
-        })?;
-        check_count(&results.numbers, &computed.numbers, name, item.span)?;
-        check_shapes(&results, &computed, name, item.span)?;
+        let mut form = |computed: &[ast::Expr], span: Span| {
+            let ((form, narrowing), ..) = self.evaluate(|evaluator| {
+                let results = evaluator.kernel_results(computed, symbols)?;
+                Ok((results, evaluator.scope.narrowing().clone()))
+            })?;
+            check_count(&results.numbers, &form.numbers, name, span)?;
+            check_shapes(&results, &form, name, span)?;
+            Ok((form.numbers, narrowing))
+        };
+        let (computed, mut narrowings) = form(computed, item.span)?;
+        let mut forms = Vec::new();
+        for given in target_forms.iter().filter(|given| given.target.text != DOUBLE) {
+            let (outputs, narrowing) = form(&given.computed, given.target.span)?;
+            narrowings.extend(narrowing);
+            forms.push(outputs);
+        }
         let domain = self.kernel_domain(conditions, symbols)?;
-        self.check_integrals(name, narrowing.into_iter().chain(of_form), &domain)?;
+        self.check_integrals(name, narrowing.into_iter().chain(narrowings), &domain)?;
         let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
         let approximation = approximation.as_ref().map(|given| self.tolerance(given)).transpose()?;
+        let target_forms = self.target_forms(target_forms, forms)?;
         let effects = self.kernel_effects(effects, symbols)?;
-        let computed = computed.numbers;
-        Ok(Body { results, computed, approximation, mentioned, defined, domain, within, effects })
+        Ok(Body {
+            results,
+            computed,
+            approximation,
+            target_forms,
+            mentioned,
+            defined,
+            domain,
+            within,
+            effects,
+        })
+    }
+
+    /// Returns the forms for other precisions and targets than `f64`, given the outputs of each.
+    fn target_forms(
+        &mut self,
+        given: &[ast::TargetForm],
+        outputs: Vec<Vec<Expr>>,
+    ) -> Evaluated<Vec<TargetForm>> {
+        let mut forms: Vec<TargetForm> = Vec::new();
+        let given = given.iter().filter(|given| given.target.text != DOUBLE);
+        for (ast::TargetForm { target: Name { text, span }, approximation, .. }, outputs) in
+            given.zip(outputs)
+        {
+            let Some(target) = FormTarget::ALL.into_iter().find(|target| target.name() == text) else {
+                let message =
+                    format!("`{text}` is not a precision or target that can have a form of its own");
+                let help = "`f32`, `f64`, `c`, `cuda` and `wgsl` can; Rust computes the form for `f64`";
+                return Err(Diagnostic::new(*span, message).with_help(help));
+            };
+            if forms.iter().any(|form| form.target == target) {
+                return Err(Diagnostic::new(*span, format!("a kernel has at most one form for `{text}`")));
+            }
+            let approximation = approximation.as_ref().map(|given| self.tolerance(given)).transpose()?;
+            forms.push(TargetForm { target, outputs, approximation, span: *span });
+        }
+        Ok(forms)
     }
 
     /// Rejects a kernel if the value of an integral in it is only valid under a condition that the

@@ -265,6 +265,7 @@ impl Resolver {
             outputs,
             computed,
             approximation: None,
+            target_forms: Vec::new(),
             domain,
             within,
             effects: Vec::new(),

@@ -83,6 +83,8 @@ pub enum ItemKind {
         computed: Vec<Expr>,
         /// Tolerance given by `approx` for this form.
         approximation: Option<Expr>,
+        /// Forms given by `for f32 { by … }`.
+        target_forms: Vec<TargetForm>,
         conditions: Vec<Condition>,
         /// Bound given by `within`.
         within: Option<Expr>,
@@ -92,6 +94,17 @@ pub enum ItemKind {
     Derivatives { name: Name, which: Derivatives, of: Name, by: Vec<Name> },
     /// `warp name(p; u, v) = (x, y, z) onto C density E of w inverse (…) where …;`
     Warp(Box<Warp>),
+}
+
+/// Form of a kernel for one precision or target language: `for f32 { by … approx … }`.
+#[derive(Clone, Debug)]
+pub struct TargetForm {
+    /// The precision or target language.
+    pub target: Name,
+    /// The form.
+    pub computed: Vec<Expr>,
+    /// Tolerance given by `approx`.
+    pub approximation: Option<Expr>,
 }
 
 /// Kernel made of the derivatives of another kernel.

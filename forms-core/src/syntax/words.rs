@@ -23,7 +23,7 @@ pub const INSIDE: &[&str] = &["pub", "where", "on", "if", "else", "jump", "effec
 
 /// Contextual keywords: they have a meaning where an item expects them, and can be names elsewhere.
 pub const CONTEXTUAL: &[&str] =
-    &["by", "approx", "within", "onto", "density", "of", "inverse", "jacobian", "value_and_jacobian"];
+    &["by", "approx", "for", "within", "onto", "density", "of", "inverse", "jacobian", "value_and_jacobian"];
 
 /// Functions of arrays, and repetition: a file can give these names another meaning.
 pub const ARRAY_FUNCTIONS: &[&str] = &["dot", "cross", "transpose", "sum", "product"];

@@ -11,7 +11,17 @@ impl Inference<'_> {
     /// Infers the units of a kernel. The names of its arguments are local unless they are declared
     /// elsewhere.
     pub(super) fn kernel(&mut self, kind: &ItemKind) {
-        let ItemKind::Kernel { name, arguments, units, outputs, computed, conditions, effects, .. } = kind
+        let ItemKind::Kernel {
+            name,
+            arguments,
+            units,
+            outputs,
+            computed,
+            target_forms,
+            conditions,
+            effects,
+            ..
+        } = kind
         else {
             return;
         };
@@ -27,7 +37,8 @@ impl Inference<'_> {
             .enumerate()
             .map(|(place, output)| self.declared_value(&subject(place), units.get(place), output))
             .collect();
-        for (place, (computed, result)) in computed.iter().zip(&results).enumerate() {
+        let forms = std::iter::once(computed).chain(target_forms.iter().map(|form| &form.computed));
+        for (place, (computed, result)) in forms.flat_map(|form| form.iter().zip(&results).enumerate()) {
             let quantity = self.quantity(computed);
             let message = format!("the form after `by` has a different unit than {}", subject(place));
             let formula = (result.clone(), "the formula");

@@ -157,7 +157,13 @@ fn a_definition_in_a_statement_is_decided_like_its_expression() {
 fn emitted(text: &str, target: Target) -> String {
     let compiled = compiled(text);
     let program = compiled.kernels.last().expect("a kernel").program().clone();
-    let source = Source { program, docs: KernelDocs::default(), within: None, approximated: None };
+    let source = Source {
+        program,
+        docs: KernelDocs::default(),
+        within: None,
+        approximated: None,
+        target_forms: Vec::new(),
+    };
     let text = emit(&[source], target, target.usual_precision()).expect("a source");
     let start = ["fn k", "void k", "double k"].iter().filter_map(|head| text.find(head)).min();
     text[start.expect("the function")..].to_string()
@@ -215,7 +221,13 @@ fn arrays_are_arrays_of_the_target() {
 fn double_doubles_have_the_declared_shapes() {
     let compiled = compiled(WITH_SLOPE);
     let program = compiled.kernel("k").expect("a kernel").program().clone();
-    let source = Source { program, docs: KernelDocs::default(), within: None, approximated: None };
+    let source = Source {
+        program,
+        docs: KernelDocs::default(),
+        within: None,
+        approximated: None,
+        target_forms: Vec::new(),
+    };
     let text = emit(&[source], Target::Rust, Precision::DoubleDouble).expect("a source");
     let number = "forms_math::DoubleDouble";
     assert!(

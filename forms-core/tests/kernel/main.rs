@@ -11,6 +11,7 @@ mod names;
 mod promises;
 mod shader;
 mod shader_functions;
+mod target_forms;
 mod targets;
 mod translation;
 mod values;

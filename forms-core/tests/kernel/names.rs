@@ -82,6 +82,7 @@ fn source(programs: &[Program], target: Target, precision: Precision) -> String 
         docs: KernelDocs::default(),
         within: None,
         approximated: None,
+        target_forms: Vec::new(),
     };
     let sources: Vec<Source> = programs.iter().map(source).collect();
     emit(&sources, target, precision).expect("every kernel can be said")

@@ -18,6 +18,7 @@ pub(crate) fn sources(programs: &[Program]) -> Vec<Source> {
         docs: KernelDocs { formula: program.name().to_string(), ..KernelDocs::default() },
         within: None,
         approximated: None,
+        target_forms: Vec::new(),
     };
     programs.iter().map(source).collect()
 }

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! kernel  = "kernel" name "(" { argument } ")" [ ":" values ] "=" values
-//!           { "by" values [ "approx" sum ] | where | "within" sum | effects }
+//!           { form | "for" name "{" form "}" | where | "within" sum | effects }
+//! form    = "by" values [ "approx" sum ]
 //!         | "kernel" name "=" ( "grad" | "jacobian" | "value_and_jacobian" ) "(" name ";" name "," … ")"
 //! warp    = "warp" name "(" [ { declared } ";" ] { declared } ")" "=" values "onto" name
 //!           "density" sum "of" sum { "inverse" values | "by" values | where | "within" sum }
@@ -12,7 +13,7 @@
 
 use super::cursor::{Parsed, Parser};
 use crate::diagnostic::Diagnostic;
-use crate::syntax::ast::{Declared, Derivatives, Effect, Expr, ItemKind, Name, Warp};
+use crate::syntax::ast::{Declared, Derivatives, Effect, Expr, ItemKind, Name, TargetForm, Warp};
 use crate::syntax::token::{Symbol, TokenKind};
 
 impl Parser<'_> {
@@ -31,15 +32,16 @@ impl Parser<'_> {
         let outputs = self.values()?;
         let (mut computed, mut conditions) = (Vec::new(), Vec::new());
         let (mut approximation, mut within, mut effects) = (None, None, Vec::new());
+        let mut target_forms = Vec::new();
         loop {
             let place = self.span();
             let repeated = if self.eat_word("by") {
                 let repeated = !computed.is_empty();
-                computed = self.values()?;
-                if self.eat_word("approx") {
-                    approximation = Some(self.expression()?);
-                }
+                (computed, approximation) = self.form_of_kernel()?;
                 repeated.then_some("`by`")
+            } else if self.eat_word("for") {
+                target_forms.push(self.target_form()?);
+                None
             } else if self.eat_word("within") {
                 within.replace(self.expression()?).map(|_| "`within`")
             } else if self.eat_word("where") {
@@ -58,6 +60,7 @@ impl Parser<'_> {
                     outputs,
                     computed,
                     approximation,
+                    target_forms,
                     conditions,
                     within,
                     effects,
@@ -67,6 +70,23 @@ impl Parser<'_> {
                 self.report(Diagnostic::new(place, format!("a kernel has at most one {word}")));
             }
         }
+    }
+
+    /// Parses the form after `by`, with its tolerance.
+    fn form_of_kernel(&mut self) -> Parsed<(Vec<Expr>, Option<Expr>)> {
+        let computed = self.values()?;
+        let approximation = if self.eat_word("approx") { Some(self.expression()?) } else { None };
+        Ok((computed, approximation))
+    }
+
+    /// Parses `f32 { by … }` after `for`.
+    fn target_form(&mut self) -> Parsed<TargetForm> {
+        let target = self.name("a precision or a target language")?;
+        let open = self.expect(Symbol::OpenBrace)?;
+        self.expect_word("by", "a form for one precision is written `for f32 { by x/2 }`")?;
+        let (computed, approximation) = self.form_of_kernel()?;
+        self.close_expression(open, Symbol::CloseBrace, "an operator, `approx` or `}`")?;
+        Ok(TargetForm { target, computed, approximation })
     }
 
     /// Returns the kind of derivatives if `= grad`, `= jacobian` or the like follows.
