@@ -21,6 +21,8 @@ mod radiometry {
         kernel one_third() = 1/3;
         pub kernel versine_ratio(x) = (1 - cos(x))/x**2 within 2 where x > 0;
         pub kernel growth(x) = exp(x) - 1;
+        pub kernel share(a, b, c) = (a*b + c)/(a*a + b*b) within 16 where a > 0;
+        pub kernel decay(x) = exp(-x) for f32 { by 1 - x approx 1e-4 } where 0 <= x <= 1/100;
         pub kernel gap(a, b) = (a**2 - b**2)/(a + b) by a - b where a + b > 0;
     }
 
@@ -287,6 +289,33 @@ fn a_promise_is_kept_at_every_size_or_an_error() {
         assert_eq!(radiometry::versine_ratio::checked(x), Ok(value));
     }
     assert!(radiometry::versine_ratio::checked(-1.0).expect("no error outside the domain").is_nan());
+}
+
+#[test]
+fn without_escalation_a_value_is_within_the_promise_or_nan() {
+    // a quotient of sums is within 16 units, but for sums that cancel
+    let columns = [[3.0, 1.0, 0.5], [1.0, 0.1 + 0.2, 0.25], [-3.0, -0.3 * 1.1, 7.0]];
+    let [mut values, mut decided] = [[0.0; 3]; 2];
+    let [a, b, c] = &columns;
+    radiometry::share::batch(a, b, c, &mut values).expect("columns of one length");
+    radiometry::share::batch_no_escalation(a, b, c, &mut decided).expect("columns of one length");
+    let alone = [0, 1, 2].map(|row| radiometry::share::no_escalation(a[row], b[row], c[row]));
+    for (row, value) in values.into_iter().enumerate() {
+        assert!(!value.is_nan());
+        assert!(
+            decided[row].is_nan() == alone[row].is_nan() && (decided[row].is_nan() || decided[row] == value)
+        );
+    }
+    assert!(!decided[2].is_nan() && radiometry::versine_ratio::no_escalation(0.5).is_nan());
+}
+
+#[test]
+fn a_form_for_f32_is_computed_in_f32_alone() {
+    let mut values = [0.0_f32; 2];
+    radiometry::decay::batch_f32(&[0.0, 0.01], &mut values).expect("columns of one length");
+    assert_eq!(values, [1.0, 0.99]);
+    assert_eq!(radiometry::decay::f32(0.01), 0.99);
+    assert_close(radiometry::decay(0.01), (-0.01_f64).exp());
 }
 
 #[test]

@@ -3,8 +3,9 @@
 //!
 //! ```text
 //! written ─ emit_formula ─▶ Plain ──┬─▶ plain
+//! for f32 ─ emit_formula ─▶ Single ─┼─▶ f32, batch_f32, at_f32, where there is such a form
 //! optimised ─ emit_formula ▶ Stable ┴─▶ f32, dd, batch, batch_f32, batch_parallel, batch_rows
-//!                                        ├─ with a promise: checked, unguarded, batch_unguarded
+//!                                        ├─ with a promise: checked, no_escalation, unguarded, and batches of the last two
 //!                                        └─ with arrays: at, at_f32
 //! ```
 //! If a kernel promises an accuracy, its batch keeps the promise; the `unguarded` functions omit
@@ -59,9 +60,10 @@ pub(crate) fn module(
     let mut functions =
         vec![tiers.plain(), tiers.f32(promise.is_some(), &single), tiers.dd(promise.is_some(), &exact)];
     if let Some(promise) = promise {
-        functions.extend([tiers.checked(promise, &exact), tiers.unguarded()]);
+        let unescalated = tiers.no_escalation(promise, &exact);
+        functions.extend([tiers.checked(promise, &exact), unescalated, tiers.unguarded()]);
     }
-    let batches = batches(within, promise.is_some(), &single);
+    let batches = batches(within, promise, &single);
     functions.extend(batches.into_iter().map(|batch| tiers.batch(batch)));
     if cfg!(feature = "ndarray") {
         functions.push(tiers.batch_rows(within));
@@ -129,7 +131,7 @@ struct Batch<'a> {
 }
 
 /// Lists the batches of a kernel with this promised error bound, if it takes precision to keep it.
-fn batches(within: Option<f64>, is_promised: bool, single: &TokenStream) -> Vec<Batch<'static>> {
+fn batches(within: Option<f64>, promise: Option<f64>, single: &TokenStream) -> Vec<Batch<'static>> {
     let batch =
         |name, function, within| Batch { name, function, number: "f64", formula: quote!(Stable), within };
     let [one, all] = match within {
@@ -149,7 +151,8 @@ fn batches(within: Option<f64>, is_promised: bool, single: &TokenStream) -> Vec<
     if cfg!(feature = "rayon") {
         batches.push(batch("batch_parallel", all, within));
     }
-    if is_promised {
+    if let Some(promise) = promise {
+        batches.push(batch("batch_no_escalation", "batch_without_escalation", Some(promise)));
         batches.push(batch("batch_unguarded", "batch", None));
     }
     batches
@@ -252,6 +255,18 @@ impl Tiers {
         }
     }
 
+    /// Emits the function that returns the values within the promise that `f64` decides.
+    fn no_escalation(&self, within: f64, exact: &TokenStream) -> TokenStream {
+        let (count, outputs, arguments) = (self.arguments.len(), self.outputs, &self.arguments);
+        let docs = format!(
+            " `{}` within its promised error where `f64` shows that bound, and NaN where more precision is needed.",
+            self.name
+        );
+        let one = quote!(::forms::math::without_escalation);
+        let value = quote!(#one::<#exact, #count, #outputs>([#(#arguments),*], #within));
+        self.function(&docs, &format_ident!("no_escalation"), &quote!(f64), value)
+    }
+
     /// Emits the stable form of a kernel with a promise, in `f64` and without the promise.
     fn unguarded(&self) -> TokenStream {
         let docs = format!(" `{}` in `f64` by its form alone, without a bound of the error.", self.name);
@@ -263,6 +278,7 @@ impl Tiers {
         let (arguments, count, outputs) = (&self.arguments, self.arguments.len(), self.outputs);
         let how = match name {
             "batch_parallel" => ", on all processors",
+            "batch_no_escalation" => ", NaN where `f64` does not show the promised bound",
             "batch_unguarded" => ", by its form alone, without a bound of the error",
             _ => "",
         };

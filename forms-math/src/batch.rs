@@ -21,7 +21,7 @@ use crate::lane::{Bounded, in_fused_lanes};
 use block::{Kernel, STEP};
 pub use length::{Column, LengthMismatch};
 use method::{BLOCK, Element, Plain};
-use method::{Method, Within};
+use method::{Method, Within, WithinDouble};
 use std::ops::Range;
 
 /// Computes the values of a formula in `f64`, one row for each position of the columns.
@@ -117,6 +117,20 @@ pub fn batch_within_by<F: Formula<A, O>, const A: usize, const O: usize>(
 ) -> Result<(), LengthMismatch> {
     length::common(&columns, &outputs)?;
     over_blocks(Within::<F>::new(within), instructions, columns, outputs);
+    Ok(())
+}
+
+/// Computes [`without_escalation`](crate::without_escalation) of each row.
+///
+/// # Errors
+/// If the length of a column differs from the first.
+pub fn batch_without_escalation<F: Formula<A, O>, const A: usize, const O: usize>(
+    columns: [&[f64]; A],
+    outputs: [&mut [f64]; O],
+    within: f64,
+) -> Result<(), LengthMismatch> {
+    length::common(&columns, &outputs)?;
+    over_blocks(WithinDouble(Within::<F>::new(within)), Instructions::best(), columns, outputs);
     Ok(())
 }
 

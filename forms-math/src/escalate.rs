@@ -123,6 +123,34 @@ pub fn escalate_checked<F: Formula<A, O>, const A: usize, const O: usize>(
     }
 }
 
+/// Computes the outputs that `f64` decides: each is within a relative error of `within` · 2⁻⁵³, or NaN where
+/// more precision is needed, and where the formula is undefined.
+///
+/// ```
+/// use forms_math::{Formula, Real, without_escalation};
+/// /// √(1 + x) − 1
+/// struct Excess;
+/// impl Formula<1, 1> for Excess {
+///     fn value<T: Real>([x]: [T; 1]) -> [T; 1] {
+///         let one = T::from_f64(1.0);
+///         [(one + x).sqrt() - one]
+///     }
+/// }
+/// assert_eq!(without_escalation::<Excess, 1, 1>([3.0], 2.0), [1.0]);
+/// assert!(without_escalation::<Excess, 1, 1>([1e-9], 2.0)[0].is_nan());
+/// ```
+pub fn without_escalation<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: [f64; A],
+    within: f64,
+) -> [f64; O] {
+    lane::in_one_lane::<F, A, O>(arguments, within).unwrap_or_else(|| {
+        let mut slots = [Slot::open(f64::NAN); O];
+        let values = F::value(arguments.map(Guarded::<f64>::from_f64));
+        take(&values, Tier::Double, (ToDouble { units: within }, 0.0), &mut slots);
+        slots.map(|slot| slot.number)
+    })
+}
+
 /// Computes [`escalate`], and returns the precision of each output.
 pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],

@@ -31,14 +31,14 @@ mod wide;
 
 pub use batch::{
     Column, LengthMismatch, batch, batch_by, batch_f32, batch_f32_by, batch_within, batch_within_by,
-    bounds_in_lanes, row_within,
+    batch_without_escalation, bounds_in_lanes, row_within,
 };
 #[cfg(feature = "rayon")]
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
 pub use double_double::DoubleDouble;
 pub use escalate::{
     Computation, NotWithin, Tier, escalate, escalate_checked, escalate_computation, escalate_double_double,
-    escalate_double_double_computation, escalate_f32, escalate_with_tier,
+    escalate_double_double_computation, escalate_f32, escalate_with_tier, without_escalation,
 };
 pub use formula::Formula;
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};

@@ -39,8 +39,8 @@ pub(crate) fn complement_of_logarithm(x: f64) -> f64 {
 
 pub(crate) fn option_price(s: f64, k: f64, t: f64, sigma: f64) -> f64 {
     let normal = |d: f64| 1.0 + libm::erf(d / 2.0_f64.sqrt());
-    let [up, down] = [1.0, -1.0]
-        .map(|sign| ((s / k).ln() + sign * sigma.powi(2) * t / 2.0) / (sigma * t.sqrt()));
+    let [up, down] =
+        [1.0, -1.0].map(|sign| ((s / k).ln() + sign * sigma.powi(2) * t / 2.0) / (sigma * t.sqrt()));
     s * normal(up) / 2.0 - k * normal(down) / 2.0
 }
 

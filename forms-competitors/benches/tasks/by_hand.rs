@@ -26,7 +26,8 @@ pub(crate) fn atmosphere(r: f64, mu: f64, top: f64) -> f64 {
 #[inline(always)]
 pub(crate) fn rotation_coefficient(t: f64) -> f64 {
     if t.abs() < 0.5 {
-        let coefficients = [6.0, -120.0, 5040.0, -362_880.0, 39_916_800.0, -6_227_020_800.0, 1_307_674_368_000.0];
+        let coefficients =
+            [6.0, -120.0, 5040.0, -362_880.0, 39_916_800.0, -6_227_020_800.0, 1_307_674_368_000.0];
         series(t * t, coefficients)
     } else {
         (t - t.sin()) / (t * t * t)

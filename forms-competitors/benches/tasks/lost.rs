@@ -51,7 +51,8 @@ pub(crate) fn by_each(task: &Task) -> Lost {
             function(&columns, &mut out);
             out.to_vec()
         };
-        let scores: Vec<Score> = samples.iter().map(|regime| Score::of(regime, Width::Double, value)).collect();
+        let scores: Vec<Score> =
+            samples.iter().map(|regime| Score::of(regime, Width::Double, value)).collect();
         let points: usize = scores.iter().map(|score| score.points).sum();
         let sum: f64 = scores.iter().map(|score| score.bits.mean * score.points as f64).sum();
         Statistics {

@@ -19,8 +19,7 @@ const HEAD: &str = "| task | as written | expert | generated | generated / exper
 
 /// Returns the rows in Markdown, after the name of the processor.
 pub(crate) fn markdown(rows: &[Row]) -> String {
-    let mut table =
-        format!("Processor: {}; {}.\n\n{HEAD}", processor(), InstructionSet::detected().name());
+    let mut table = format!("Processor: {}; {}.\n\n{HEAD}", processor(), InstructionSet::detected().name());
     for row in rows {
         let of = |author: Author| row.seconds[author as usize];
         let shown = |author: Author| format!("{:.2}", of(author) * 1e9);
@@ -36,7 +35,9 @@ pub(crate) fn markdown(rows: &[Row]) -> String {
             ratio(Author::GeneratedBatch, Author::ExpertBatch),
         ];
         cells.extend(row.lost.bits.iter().map(|bits| format!("{:.2}, {:.1}", bits.mean, bits.maximum)));
-        cells.push(row.lost.within.as_ref().map_or_else(|| "–".to_string(), |within| format!("within {within}")));
+        cells.push(
+            row.lost.within.as_ref().map_or_else(|| "–".to_string(), |within| format!("within {within}")),
+        );
         writeln!(table, "| {} |", cells.join(" | ")).expect("a String takes all text");
     }
     table

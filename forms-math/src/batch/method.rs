@@ -1,7 +1,7 @@
 //! Evaluation of the rows of a batch: in lanes, and again as single numbers where lanes give NaN.
 
 use crate::lane::values_within;
-use crate::{Formula, Lane32, Lane64, Real, escalate};
+use crate::{Formula, Lane32, Lane64, Real, escalate, without_escalation};
 use std::marker::PhantomData;
 use std::ops::BitOr;
 
@@ -117,5 +117,27 @@ impl<F: Formula<A, O>, const A: usize, const O: usize> Method<f64, A, O> for Wit
     }
     fn in_one_number(self, arguments: [f64; A]) -> [f64; O] {
         escalate::<F, A, O>(arguments, self.units)
+    }
+}
+
+/// The same without more precision than that of `f64`: NaN where it does not bound the error sufficiently.
+pub(super) struct WithinDouble<F>(pub(super) Within<F>);
+
+impl<F> Clone for WithinDouble<F> {
+    #[inline(always)]
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+impl<F> Copy for WithinDouble<F> {}
+
+impl<F: Formula<A, O>, const A: usize, const O: usize> Method<f64, A, O> for WithinDouble<F> {
+    const MAY_GIVE_UP: bool = true;
+    #[inline(always)]
+    fn in_lanes<const FMA: bool>(self, arguments: [f64; A]) -> [f64; O] {
+        self.0.in_lanes::<FMA>(arguments)
+    }
+    fn in_one_number(self, arguments: [f64; A]) -> [f64; O] {
+        without_escalation::<F, A, O>(arguments, self.0.units)
     }
 }

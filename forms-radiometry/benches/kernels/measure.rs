@@ -17,5 +17,10 @@ pub(crate) fn seconds_per_value(entry: &Entry) -> Vec<(Author, f64)> {
         move || function(black_box(columns), black_box(&mut out))
     });
     let seconds = seconds_per_call(calls);
-    entry.functions.iter().zip(seconds).map(|((author, _), seconds)| (*author, seconds / VALUES as f64)).collect()
+    entry
+        .functions
+        .iter()
+        .zip(seconds)
+        .map(|((author, _), seconds)| (*author, seconds / VALUES as f64))
+        .collect()
 }
