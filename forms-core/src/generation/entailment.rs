@@ -240,7 +240,10 @@ impl<'a> Known<'a> {
             }
             Operation::Abs => sign == Sign::NotNegative || self.has(q[0], Sign::NotZero, depth),
             Operation::Acos => sign == Sign::NotNegative,
-            Operation::Sin | Operation::Cos if sign == Sign::NotZero => self.half_angle(operation, q[0]),
+            Operation::Sin | Operation::Cos => {
+                self.within_half_a_turn(operation, q[0], sign)
+                    || sign == Sign::NotZero && self.half_angle(operation, q[0])
+            }
             _ if increases_through_zero(operation) => {
                 self.has(q[0], sign, depth)
                     || sign == Sign::NotZero && {
@@ -254,6 +257,20 @@ impl<'a> Known<'a> {
 }
 
 impl Known<'_> {
+    /// Whether sin q is not negative by 0 ≤ q ≤ π, or cos q by −π/2 ≤ q ≤ π/2; positive with < for ≤.
+    fn within_half_a_turn(&mut self, operation: Operation, q: Expr, sign: Sign) -> bool {
+        if sign == Sign::NotZero {
+            return false; // shown by the positive sign
+        }
+        let (zero, pi, two) = (self.pool.integer(0), self.pool.pi(), self.pool.integer(2));
+        let half = self.pool.divide(pi, two);
+        let (low, high) =
+            if operation == Operation::Sin { (zero, pi) } else { (self.pool.negate(half), half) };
+        let relation = sign.relation();
+        let bounds = [(q, low), (high, q)].map(|(left, right)| Condition { left, relation, right });
+        bounds.iter().all(|bound| self.by_signs(bound) || self.by_contradiction(bound))
+    }
+
     /// Whether sin q or cos q is non-zero by a condition that sin 2q = 2 sin q cos q is non-zero,
     /// or 1 ∓ cos 2q, which is 2 sin² q or 2 cos² q.
     fn half_angle(&mut self, operation: Operation, q: Expr) -> bool {
@@ -311,6 +328,10 @@ mod tests {
             ("x != 0", "x**2*y != 0, y > 0"),
             ("x/y > 0", "x*y**2 > 0, x >= 0, y >= 0"),
             ("cos(x) != 0", "1 + cos(2*x) != 0, y > 0"),
+            ("cos(x) >= 0", "x >= -pi/2, x <= pi/2"),
+            ("cos(x)*cos(y) > 0", "x > -pi/2, x < pi/2, abs(y) < 1"),
+            ("sin(x/2) >= 0", "x >= 0, x <= 2*pi"),
+            ("sin(x) > 0", "x > 0, x <= 3"),
         ] {
             assert!(shown(claim, conditions), "{claim} where {conditions}");
         }
@@ -335,6 +356,12 @@ mod tests {
             ("x != 0", "exp(x) + 1 != 0, y > 0"),
             ("x != 0", "exp(x) - 2 != 0, y > 0"),
             ("x != 0", "-exp(x) - 1 != 0, y > 0"),
+            ("cos(x) > 0", "x >= -pi/2, x <= pi/2"),
+            ("cos(x) >= 0", "x >= -pi/2, x <= 1.571"),
+            ("cos(x) >= 0", "x >= 0, x <= pi"),
+            ("sin(x) >= 0", "x >= 0, x <= 3.1416"),
+            ("sin(x) > 0", "x >= 0, x <= 3"),
+            ("cos(2*x) >= 0", "x >= -pi/2, x <= pi/2"),
         ] {
             assert!(!shown(claim, conditions), "{claim} where {conditions}");
         }

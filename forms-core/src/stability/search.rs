@@ -243,11 +243,14 @@ impl<'a> Search<'a> {
         Some(Found { written, forms: front(valid), incomplete: front(incomplete) })
     }
 
-    /// Proves finalists, unless one that is proved and valid makes the proof pointless.
+    /// Proves finalists, unless one that is proved makes the proof pointless: by being valid too, or where
+    /// the other is not.
     fn proved(&mut self, validation: &Validation) -> Vec<usize> {
         let (mut proved, mut valid, mut failed) = (Vec::new(), Vec::new(), 0);
         for place in self.finalists() {
-            let is_pointless = valid.iter().any(|&known| self.is_no_better(place, known));
+            let is_no_better = |known: &[usize]| known.iter().any(|&known| self.is_no_better(place, known));
+            let is_pointless = is_no_better(&valid)
+                || is_no_better(&proved) && !self.is_valid(&self.candidates[place].outputs, validation);
             if is_pointless || failed == self.budget.failures && place != 0 {
                 continue;
             }
