@@ -32,6 +32,7 @@ mod source_file;
 mod target;
 mod unordered;
 mod wgsl;
+mod widened;
 mod written;
 
 pub use attributes::MANY_ARGUMENTS;

@@ -144,9 +144,9 @@ impl C {
         if self.precision == Precision::F32 { "f" } else { "" }
     }
 
-    /// Writes the beginning of the file, with the helper functions that these programs need. In C
-    /// the file has the include guard `guard`.
-    pub(super) fn head(&self, programs: &[&Program], guard: &str) -> String {
+    /// Writes the beginning of the file, with the helper functions that these programs need, some of
+    /// them in double precision. In C the file has the include guard `guard`.
+    pub(super) fn head(&self, programs: &[&Program], in_double: &[&Program], guard: &str) -> String {
         let mut source = match self.flavour {
             Flavour::C => format!(
                 "#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stddef.h>\n{RESTRICT}"
@@ -155,6 +155,10 @@ impl C {
         };
         for helper in self.helpers(programs) {
             source += &self.written(&helper);
+        }
+        let double = C { flavour: self.flavour, precision: Precision::F64 };
+        for helper in double.helpers(in_double) {
+            source += &double.written(&helper);
         }
         source.trim_start().to_string()
     }
@@ -215,9 +219,19 @@ impl C {
 
     /// Writes the documented function of a kernel.
     pub(super) fn function(&self, program: &Program, docs: &KernelDocs) -> String {
+        self.documentation(program, docs) + &self.definition(program)
+    }
+
+    /// Writes the comment above the function of a kernel.
+    pub(super) fn documentation(&self, program: &Program, docs: &KernelDocs) -> String {
         let mut docs = docs.clone();
         docs.docs.extend(storage(program));
-        let mut source = documentation(program, &docs, "//") + &self.signature(program) + " {\n";
+        documentation(program, &docs, "//")
+    }
+
+    /// Writes the function of a kernel without its documentation.
+    pub(super) fn definition(&self, program: &Program) -> String {
+        let mut source = self.signature(program) + " {\n";
         let is_used = parameters::used(program, |place| names::uses(program, place));
         for (parameter, is_used) in program.signature.parameters.iter().zip(is_used) {
             if !is_used {
@@ -227,7 +241,7 @@ impl C {
         source + &body::write(self, program, &numbers(program, flat_element)) + "}\n"
     }
 
-    fn signature(&self, program: &Program) -> String {
+    pub(super) fn signature(&self, program: &Program) -> String {
         let number = self.number_type();
         let specifiers = self.specifiers();
         let declared = |Parameter { name, shape }: &Parameter| match shape {

@@ -131,13 +131,33 @@ pub(super) fn of_kernels(target: Target, names: &[String]) -> Vec<String> {
     chosen(target, Role::Kernel, names)
 }
 
-/// Returns the names of the functions that compute kernels over arrays: `NAME_batch`, different from
-/// each other and from all kernels.
-pub(super) fn of_batches(target: Target, kernels: &[String]) -> Vec<String> {
+/// Names of the functions of a kernel.
+pub(super) struct Functions {
+    /// Computes the kernel.
+    pub(super) kernel: String,
+    /// Computes it over arrays.
+    pub(super) batch: String,
+    /// Computes it in double precision for one in single precision.
+    pub(super) in_double: String,
+}
+
+/// Returns the names of the functions of the kernels of one file: those of the kernels, and with
+/// `_batch` and `_in_double` names that differ from all others.
+pub(super) fn of_functions(target: Target, kernels: &[String]) -> Vec<Functions> {
+    let kernels = of_kernels(target, kernels);
+    let batches = with_ending(target, &kernels, "_batch");
+    let taken = [&kernels[..], &batches].concat();
+    let in_double = with_ending(target, &taken, "_in_double");
+    let names = kernels.into_iter().zip(batches).zip(in_double);
+    names.map(|((kernel, batch), in_double)| Functions { kernel, batch, in_double }).collect()
+}
+
+/// Returns names with an ending, different from each other and from all given ones.
+fn with_ending(target: Target, kernels: &[String], ending: &str) -> Vec<String> {
     let reserved = Reserved::of(target, Role::Kernel);
     let mut taken: FxHashSet<String> = kernels.iter().cloned().collect();
     let of_kernel = |kernel: &String| {
-        let mut free = reserved.nearest(&format!("{kernel}_batch"));
+        let mut free = reserved.nearest(&format!("{kernel}{ending}"));
         while reserved.words.contains(free.as_str()) || !taken.insert(free.clone()) {
             free.push('_');
         }
@@ -224,7 +244,7 @@ mod tests {
     fn a_batch_is_named_like_no_kernel_and_no_other_batch() {
         let batches = |names: &str| {
             let names: Vec<String> = names.split(' ').map(str::to_string).collect();
-            of_batches(Target::C, &names).join(" ")
+            with_ending(Target::C, &names, "_batch").join(" ")
         };
         assert_eq!(batches("f g"), "f_batch g_batch");
         assert_eq!(batches("f f_batch f_batch_batch"), "f_batch_ f_batch_batch_ f_batch_batch_batch");

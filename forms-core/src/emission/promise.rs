@@ -15,6 +15,14 @@ pub(super) enum Promise {
     /// The rounding error of the form is bounded by this number of units, which is within the
     /// promise.
     ByBound(f64),
+    /// The form is computed in double precision, and rounded: within the bound in units of single
+    /// precision, if it is known.
+    InDouble {
+        /// The bound, which is within the promise.
+        bound: Option<f64>,
+        /// What is not known in single precision.
+        reason: String,
+    },
     /// The promise is not kept, for this reason.
     NotKept(String),
 }
@@ -46,8 +54,24 @@ pub(super) fn promise(source: &Source, within: &Rational, target: Target, precis
     match promise {
         // numbers with more digits are available
         Promise::NotKept(_) if target == Target::Rust => Promise::ByPrecision,
+        Promise::NotKept(reason) if precision == Precision::F32 && target != Target::Wgsl => {
+            Promise::InDouble { bound: bound_in_double(source, within), reason }
+        }
         promise => promise,
     }
+}
+
+/// Units of 2⁻⁵³ in a unit of 2⁻²⁴.
+const UNITS_OF_SINGLE: f64 = (1_u64 << 29) as f64;
+
+/// Returns the bound in units of 2⁻²⁴ for a form that is computed in double precision and rounded to single, if
+/// it is within the promise: rounding takes one unit.
+fn bound_in_double(source: &Source, within: &Rational) -> Option<f64> {
+    let approximation = source.approximated.as_ref().map_or(0.0, |approximated| approximated.error);
+    let bounds = source.program.bounds_of_promise(Arithmetic::DOUBLE).ok()?;
+    let in_double = units(&bounds, Arithmetic::DOUBLE, approximation)?;
+    let in_single = (1.0 + in_double / UNITS_OF_SINGLE * (1.0 + f64::EPSILON)).next_up();
+    (in_single <= nearest_f64(within).next_down()).then_some(in_single)
 }
 
 /// Returns the arithmetic of a target other than Rust.
@@ -80,6 +104,15 @@ impl Promise {
                 "Its relative error is at most {within}·{unit}: the bound of the rounding error is \
                  {units:.1}·{unit}{}.",
                 assumption(target, precision)
+            ),
+            Promise::InDouble { bound: Some(units), .. } => format!(
+                "Its relative error is at most {within}·{unit}: it is computed in `double`, and the bound of the \
+                 rounding error with that of the result is {units:.1}·{unit}{}.",
+                assumption(target, Precision::F64)
+            ),
+            Promise::InDouble { bound: None, reason } => format!(
+                "`within {within}` is not guaranteed by the generated code: {reason}. It is computed in `double`, and \
+                 rounded."
             ),
             Promise::NotKept(reason) => format!("`within {within}` is not guaranteed by the generated code: {reason}."),
         }
@@ -124,7 +157,7 @@ pub fn broken_promises(kernels: &[Source], target: Target, precision: Precision)
         let within = source.within.as_ref()?;
         check(&source.program, target, precision).ok()?;
         let promise = promise(source, within, target, precision);
-        matches!(promise, Promise::NotKept(_))
+        matches!(promise, Promise::NotKept(_) | Promise::InDouble { bound: None, .. })
             .then(|| format!("`{}`: {}", source.program.name(), promise.sentence(within, target, precision)))
     };
     kernels.iter().filter_map(line).collect()

@@ -4,19 +4,22 @@
 use super::c::{C, Flavour};
 use super::docs::KernelDocs;
 use super::features::check;
+use super::names::Functions;
 use super::promise::{Promise, arithmetic, assumption, promise};
 use super::target::{EmitError, Precision, Source, Target};
-use super::{batch, generic, names, rust, wgsl};
+use super::{batch, generic, names, rust, wgsl, widened};
 use crate::kernel::Program;
 use crate::rounding;
 
 impl Source {
-    /// Writes the documented function under this name.
-    fn function(&self, (name, batch): (&str, &str), target: Target, precision: Precision) -> String {
+    /// Writes the documented functions of the kernel under these names.
+    fn functions(&self, functions: &Functions, target: Target, precision: Precision) -> String {
         let promise = self.promise(target, precision);
         let escalates = promise == Some(Promise::ByPrecision);
-        let (program, mut docs) =
-            names::renamed(self.computed(escalates, precision), &self.docs, target, name);
+        let renamed =
+            |name: &str| names::renamed(self.computed(escalates, precision), &self.docs, target, name);
+        let (program, mut docs) = renamed(&functions.kernel);
+        let in_double = self.is_in_double(target, precision).then(|| renamed(&functions.in_double).0);
         let program = &program;
         match (&promise, &self.within) {
             (Some(promise), Some(within)) => docs.rounding = promise.sentence(within, target, precision),
@@ -35,10 +38,23 @@ impl Source {
                 Some(within) if escalates => rust::escalating(program, docs, within, precision),
                 _ => rust::written(program, docs, generic::MATH, precision),
             },
-            (Target::C, _) => of_c(&C::new(Flavour::C, precision), program, docs, batch),
-            (Target::Cuda, _) => of_c(&C::new(Flavour::Cuda, precision), program, docs, batch),
-            (Target::Wgsl, _) => wgsl::function_of(program, docs) + "\n" + &batch::of_wgsl(program, batch),
+            (Target::C | Target::Cuda, _) => {
+                let language = C::new(flavour(target), precision);
+                let function = match &in_double {
+                    Some(in_double) => widened::function(&language, program, in_double, docs),
+                    None => language.function(program, docs),
+                };
+                function + "\n" + &batch::of_c(&language, program, &functions.batch)
+            }
+            (Target::Wgsl, _) => {
+                wgsl::function_of(program, docs) + "\n" + &batch::of_wgsl(program, &functions.batch)
+            }
         }
+    }
+
+    /// Whether the kernel is computed in double precision and rounded.
+    fn is_in_double(&self, target: Target, precision: Precision) -> bool {
+        matches!(self.promise(target, precision), Some(Promise::InDouble { .. }))
     }
 
     /// Returns the program that is written: an approximation is not good enough for more precision
@@ -67,9 +83,8 @@ impl Source {
     }
 }
 
-/// Writes the function of a kernel and its batch function, in C or CUDA.
-fn of_c(language: &C, program: &Program, docs: &KernelDocs, name: &str) -> String {
-    language.function(program, docs) + "\n" + &batch::of_c(language, program, name)
+fn flavour(target: Target) -> Flavour {
+    if target == Target::Cuda { Flavour::Cuda } else { Flavour::C }
 }
 
 /// Names that a source file adds to those of its kernels.
@@ -160,24 +175,23 @@ pub fn emit_possible(
 fn written(kernels: &[Source], target: Target, precision: Precision, file: FileNames<'_>) -> String {
     let programs: Vec<&Program> = kernels.iter().map(|kernel| &kernel.program).collect();
     let guard = file.guard(precision);
-    let [c, cuda] = [Flavour::C, Flavour::Cuda].map(|flavour| C::new(flavour, precision));
+    let language = C::new(flavour(target), precision);
+    let is_wide = |kernel: &&Source| kernel.is_in_double(target, precision);
+    let (wide, narrow): (Vec<&Source>, Vec<&Source>) = kernels.iter().partition(is_wide);
+    let [wide, narrow] =
+        [wide, narrow].map(|kernels| kernels.into_iter().map(|kernel| &kernel.program).collect::<Vec<_>>());
     let (head, foot) = match target {
         Target::Rust if kernels.iter().any(|kernel| kernel.needs_math(precision)) => {
             (forms_math::source(), "")
         }
         Target::Rust => (String::new(), ""),
-        Target::C => (c.head(&programs, &guard), c.foot()),
-        Target::Cuda => (cuda.head(&programs, &guard), cuda.foot()),
+        Target::C | Target::Cuda => (language.head(&narrow, &wide, &guard), language.foot()),
         Target::Wgsl => (wgsl::head(&programs), ""),
     };
     let names: Vec<String> = programs.iter().map(|program| program.name.clone()).collect();
-    let names = names::of_kernels(target, &names);
-    let batches = names::of_batches(target, &names);
-    let names = names.iter().zip(&batches);
-    let functions = kernels
-        .iter()
-        .zip(names)
-        .map(|(kernel, (name, batch))| kernel.function((name, batch), target, precision));
+    let names = names::of_functions(target, &names);
+    let functions =
+        kernels.iter().zip(&names).map(|(kernel, names)| kernel.functions(names, target, precision));
     let functions = functions.collect::<Vec<_>>().join("\n");
     // in Rust the needed definitions come last, so that the kernels can be read first
     let parts = if target == Target::Rust {

@@ -54,6 +54,34 @@ fn a_promise_that_is_not_kept_is_told_in_every_target() {
     }
 }
 
+/// Difference that loses ten bits, which single precision does not have.
+const LOSING: &str = "kernel k(x) = 1000*x - 999 where 1 <= x <= 2 within 4;";
+
+#[test]
+fn in_c_and_cuda_a_promise_in_single_precision_is_kept_in_double() {
+    for target in [Target::C, Target::Cuda] {
+        let (text, lost) = emitted(LOSING, target, Precision::F32);
+        assert!(lost.is_empty(), "{lost:?}");
+        for part in [
+            "Its relative error is at most 4·2⁻²⁴: it is computed in `double`, and the bound of the rounding error",
+            "inline double k_in_double(double x) {",
+            "inline float k(float x) {\n    return (float)k_in_double(x);\n}",
+        ] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+        // a promise that single precision keeps needs no other
+        assert!(!emitted(BOUNDED, target, Precision::F32).0.contains("double"));
+        // what is promised of a value that can vanish is not known, and double precision keeps more of it
+        let vanishing = "kernel k(p[2], q[2]) = [p[0]*q[1] - p[1]*q[0], p[0]] within 16;";
+        let (text, lost) = emitted(vanishing, target, Precision::F32);
+        assert!(lost.len() == 1 && lost[0].contains("It is computed in `double`, and rounded."), "{lost:?}");
+        let wide = "const double p_in_double[2] = {p[0], p[1]};";
+        assert!(text.contains(wide) && text.contains("outputs[1] = (float)values[1];"), "{text}");
+    }
+    let (_, lost) = emitted(LOSING, Target::Wgsl, Precision::F32);
+    assert_eq!(lost.len(), 1);
+}
+
 #[test]
 fn a_bound_beyond_the_promise_is_told() {
     let text = "kernel k(x) = x/(1 + x) where 1 <= x <= 4 within 1;";
