@@ -197,6 +197,29 @@ fn a_form_that_is_not_proved_equal_is_refused() {
     );
 }
 
+/// Forms with products and quotients of roots, where their product or quotient is the formula's radicand, and whether
+/// the form has the value of the formula wherever that has one.
+const ROOTS: [(&str, bool); 10] = [
+    ("sqrt(x*y) by sqrt(x)*sqrt(y) where x >= 0, y >= 0", true),
+    ("sqrt(x*y) by sqrt(x)*sqrt(y)", false),
+    ("sqrt(x*y) by -sqrt(x)*sqrt(y) where x >= 0, y >= 0", false),
+    ("sqrt(x)*sqrt(y) by sqrt(x*y)", true),
+    ("sqrt(x/y) by sqrt(x)/sqrt(y) where x >= 0, y > 0", true),
+    ("sqrt(x/y) by sqrt(x)/sqrt(y)", false),
+    ("sqrt(1 - (1 - x*y)**2) by sqrt(x)*sqrt(y)*sqrt(2 - x*y) where 0 < x < 1, 0 < y < 1", true),
+    ("sqrt(1 - (1 - x*y)**2) by sqrt(x)*sqrt(y)*sqrt(2 + x*y) where 0 < x < 1, 0 < y < 1", false),
+    ("sqrt(cos(x)*cos(y) + 1) by hypot(sqrt(cos(x)*cos(y)), 1) where abs(x) <= pi/2, abs(y) <= pi/2", true),
+    ("sqrt(cos(x)*cos(y) + 1) by hypot(sqrt(cos(x)*cos(y)), 1) where abs(x) <= pi/2, abs(y) <= pi", false),
+];
+
+#[test]
+fn products_of_roots_are_forms_where_each_root_has_a_value() {
+    for (form, holds) in ROOTS {
+        let found = generated(&format!("kernel k(x, y) = {form};"));
+        assert_eq!(found.is_ok(), holds, "{form}: {:?}", found.err());
+    }
+}
+
 #[test]
 fn the_derivatives_of_a_kernel_are_a_kernel() {
     let text =

@@ -2,7 +2,6 @@
 //! and in the languages of arrays a batch function for each.
 
 use super::c::{C, Flavour};
-use super::docs::KernelDocs;
 use super::features::check;
 use super::names::Functions;
 use super::promise::{Promise, arithmetic, assumption, promise};

@@ -179,13 +179,19 @@ impl Brackets {
                 outputs,
                 computed,
                 approximation,
+                target_forms,
                 conditions,
                 within,
                 effects,
             } => {
                 let tolerance = |given: &Expr| format!(" approx {}", self.expr(given));
-                let by =
-                    self.behind("by", computed) + &approximation.as_ref().map_or(String::new(), tolerance);
+                let form = |computed: &[Expr], approximation: &Option<Expr>| {
+                    self.behind("by", computed) + &approximation.as_ref().map_or(String::new(), tolerance)
+                };
+                let mut by = form(computed, approximation);
+                for TargetForm { target, computed, approximation } in target_forms {
+                    by += &format!(" for {} {{{} }}", target.text, form(computed, approximation));
+                }
                 let within =
                     within.as_ref().map_or(String::new(), |within| format!(" within {}", self.expr(within)));
                 let arguments = self.declared(arguments);
