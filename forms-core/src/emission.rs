@@ -41,4 +41,4 @@ pub use generic::emit_formula;
 pub use promise::{broken_promises, promised_by_bound};
 pub use rust::{emit_rust, emit_rust_within};
 pub use source_file::{Emitted, FileNames, emit, emit_possible};
-pub use target::{Approximated, EmitError, Precision, Source, SourceOfTarget, Target};
+pub use target::{Approximated, EmitError, Precision, Source, Target};

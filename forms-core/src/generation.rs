@@ -29,18 +29,21 @@ mod roots;
 mod seam;
 mod sign;
 mod special_points;
+mod target_form;
 mod translation;
 
 pub(crate) use definedness::{guarded, is_kept};
 pub use effects::{Specialisation, specialisations};
 pub use fault::{Claim, Fault};
+pub(crate) use target_form::TargetProgram;
 pub use translation::Translation;
 
 use crate::diagnostic::Diagnostic;
 use crate::expression::{Expr, Node, Pool, Seam};
 use crate::kernel::{KernelSource, Program, lower, nearest_f64};
 use crate::notation::results;
-use crate::theory::{FormTarget, Kernel, TargetForm};
+use crate::theory::{FormTarget, Kernel};
+use target_form::{target_programs, with_target_form};
 
 /// Programs of a kernel.
 #[derive(Clone, Debug)]
@@ -67,28 +70,6 @@ pub struct Generated {
     /// Whether the kernel has an approximation that is not computed, because no bound shows that it
     /// keeps the promise.
     pub is_dropped: bool,
-}
-
-/// Program by which a kernel is computed in one precision or target language.
-#[derive(Clone, Debug)]
-pub struct TargetProgram {
-    /// Where it is computed.
-    pub target: FormTarget,
-    /// The form at least cost, with products that cancel computed without loss.
-    pub program: Program,
-    /// Largest relative error of the form before rounding; 0 unless it is an approximation.
-    pub approximation: f64,
-}
-
-impl TargetProgram {
-    /// Describes in a sentence how the program relates to the formula.
-    pub fn account(&self) -> String {
-        if self.approximation > 0.0 {
-            return account_of_approximation(self.approximation);
-        }
-        let target = self.target.name();
-        format!("{} Computed by its form for `{target}`.", Translation::Proved)
-    }
 }
 
 /// Describes an approximation in a sentence.
@@ -211,28 +192,6 @@ pub(crate) fn generate(
                 is_dropped: false,
             })
         }
-    }
-}
-
-/// Generates the forms of a kernel for one precision or target language.
-fn target_programs(pool: &mut Pool, kernel: &Kernel) -> Result<Vec<TargetProgram>, Vec<Diagnostic>> {
-    let programs = kernel.target_forms.iter().map(|form| {
-        let Generated { optimised, approximation, .. } =
-            generate(pool, &with_target_form(kernel, form), &[])?;
-        Ok(TargetProgram { target: form.target, program: optimised, approximation })
-    });
-    programs.collect()
-}
-
-/// Returns the kernel that is computed by one of its forms for a target, where it promises nothing.
-fn with_target_form(kernel: &Kernel, form: &TargetForm) -> Kernel {
-    Kernel {
-        computed: form.outputs.clone(),
-        approximation: form.approximation.clone(),
-        span: form.span,
-        target_forms: Vec::new(),
-        within: None,
-        ..kernel.clone()
     }
 }
 

@@ -25,6 +25,7 @@ mod elementary;
 mod evaluation;
 mod integration;
 mod items;
+mod kernel_forms;
 mod kernels;
 mod maps;
 mod metric;

@@ -25,7 +25,8 @@ pub(crate) fn functions(
     }
     let outputs: usize = signature.results.iter().map(|shape| shape.entries()).sum();
     let count = arguments.len();
-    let value = |formula: &TokenStream| quote!(<#formula as ::forms::math::Formula<#count, #outputs>>::value([#(#arguments),*]));
+    let trait_of_formula = quote!(::forms::math::Formula<#count, #outputs>);
+    let value = |formula: &TokenStream| quote!(<#formula as #trait_of_formula>::value([#(#arguments),*]));
     let (stable, of_single) = (value(&quote!(Stable)), value(single));
     let promised = within.map(
         |within| quote!(::forms::math::escalate::<Stable, #count, #outputs>([#(#arguments),*], #within)),

@@ -13,6 +13,7 @@ mod cache;
 mod conversions;
 mod expand;
 mod form;
+mod formulas;
 mod include;
 mod lattice;
 mod parts;

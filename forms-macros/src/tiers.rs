@@ -15,8 +15,9 @@
 //! have no values of their name, so that neither the user's names nor the kernel's arguments
 //! collide with them.
 
+use crate::formulas::Formulas;
 use crate::{conversions, shapes};
-use forms_core::emission::{MANY_ARGUMENTS, emit_formula};
+use forms_core::emission::MANY_ARGUMENTS;
 use forms_core::expression::{Shape, Signature};
 use forms_core::generation::Generated;
 use forms_core::kernel::Program;
@@ -33,56 +34,41 @@ pub(crate) fn module(
     more: &TokenStream,
 ) -> Result<TokenStream, proc_macro2::LexError> {
     let (program, within, promise) = (&generated.optimised, generated.within(), generated.promise);
-    let formula = |program: &Program, name: &str| emit_formula(program, name, MATH).parse::<TokenStream>();
-    let plain = formula(&generated.written, "Plain")?;
-    let stable = if generated.written == *program {
-        quote!(
-            pub type Stable = Plain;
-        )
-    } else {
-        let stable = formula(program, "Stable")?;
-        quote!(pub enum Stable {} #stable)
-    };
-    let (single, of_single) = match generated.single() {
-        own if own != program => (quote!(Single), {
-            let own = formula(own, "Single")?;
-            quote! {
-                #[doc = " The form for `f32`."]
-                pub enum Single {}
-                #own
-            }
-        }),
-        _ => (quote!(Stable), TokenStream::new()),
-    };
+    let formulas = Formulas::of(generated)?;
     let tiers = Tiers::of(program);
     // more precision brings an approximation no closer to the formula
     let exact = if generated.approximation > 0.0 { quote!(Plain) } else { quote!(Stable) };
-    let mut functions =
-        vec![tiers.plain(), tiers.f32(promise.is_some(), &single), tiers.dd(promise.is_some(), &exact)];
+    let mut functions = vec![
+        tiers.plain(),
+        tiers.f32(promise.is_some(), &formulas.single),
+        tiers.dd(promise.is_some(), &exact),
+    ];
     if let Some(promise) = promise {
         let unescalated = tiers.no_escalation(promise, &exact);
         functions.extend([tiers.checked(promise, &exact), unescalated, tiers.unguarded()]);
     }
-    let batches = batches(within, promise, &single);
+    let batches = batches(within, promise, &formulas.single);
     functions.extend(batches.into_iter().map(|batch| tiers.batch(batch)));
     if cfg!(feature = "ndarray") {
         functions.push(tiers.batch_rows(within));
     }
-    functions.push(conversions::functions(&tiers.name, &tiers.signature, &tiers.arguments, within, &single));
+    functions.push(conversions::functions(
+        &tiers.name,
+        &tiers.signature,
+        &tiers.arguments,
+        within,
+        &formulas.single,
+    ));
     let (name, attributes) = (&tiers.name, attributes(program));
     let public = program.is_public().then(|| quote!(pub));
     let about = format!(" `{name}` in every precision.");
     let count = Literal::usize_unsuffixed(operations(program));
+    let Formulas { types, .. } = &formulas;
     let module = quote! {
         #[doc = #about]
         #attributes
         #public mod #name {
-            #[doc = " The formula as written, for any number type."]
-            pub enum Plain {}
-            #plain
-            #[doc = " The stable form, by which the kernel is computed, for any number type."]
-            #stable
-            #of_single
+            #types
             #[doc = " Number of operations per value: arithmetic, function calls and selections."]
             pub const OPERATIONS: usize = #count;
             #(#functions)*

@@ -14,10 +14,10 @@ mod compiled;
 mod length;
 mod method;
 
-use crate::Formula;
-use crate::escalate::{Computation, escalate_computation};
+use crate::escalate::escalate_computation;
 use crate::instructions::Instructions;
 use crate::lane::{Bounded, in_fused_lanes};
+use crate::{Computation, Formula};
 use block::{Kernel, STEP};
 pub use length::{Column, LengthMismatch};
 use method::{BLOCK, Element, Plain};

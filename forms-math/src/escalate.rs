@@ -21,7 +21,7 @@ use std::marker::PhantomData;
 
 use crate::guarded::{Guardable, Guarded};
 use crate::scalar::Scalar;
-use crate::{DoubleDouble, Formula, Real, Wide};
+use crate::{Computation, DoubleDouble, Formula, Real, Wide};
 use rounding::{Outcome, Rounding, ToDouble, ToSingle};
 use tape::Tape;
 
@@ -212,12 +212,6 @@ fn beyond_double<F: Formula<A, O>, const A: usize, const O: usize, R: Rounding>(
 /// Converts an argument of two words exactly.
 fn argument(value: DoubleDouble) -> Guarded<DoubleDouble> {
     if value.is_nan() { Guarded::undefined() } else { Guarded::exact(value) }
-}
-
-/// Computation in every number type: a formula that is known only at run time.
-pub trait Computation {
-    /// Computes the outputs in one number type.
-    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T>;
 }
 
 /// Formula as a computation.

@@ -1,4 +1,4 @@
-//! Generated code of a kernel: its body, for every number type.
+//! Generated code of a kernel: its body, for every number type; and computations that are known only at run time.
 
 use crate::Real;
 
@@ -12,4 +12,10 @@ pub trait Formula<const ARGUMENTS: usize, const OUTPUTS: usize> {
 
     /// Computes the values at these arguments.
     fn value<T: Real>(arguments: [T; ARGUMENTS]) -> [T; OUTPUTS];
+}
+
+/// Computation in every number type: a formula that is known only at run time.
+pub trait Computation {
+    /// Computes the outputs in one number type.
+    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T>;
 }

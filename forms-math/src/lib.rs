@@ -37,10 +37,10 @@ pub use batch::{
 pub use batch::{batch_f32_parallel, batch_parallel, batch_within_parallel};
 pub use double_double::DoubleDouble;
 pub use escalate::{
-    Computation, NotWithin, Tier, escalate, escalate_checked, escalate_computation, escalate_double_double,
+    NotWithin, Tier, escalate, escalate_checked, escalate_computation, escalate_double_double,
     escalate_double_double_computation, escalate_f32, escalate_with_tier, without_escalation,
 };
-pub use formula::Formula;
+pub use formula::{Computation, Formula};
 pub use guarded::{Bound, Guardable, Guarded, Magnitude, Units};
 pub use instructions::Instructions;
 pub use lane::{Lane32, Lane64};

@@ -2,7 +2,7 @@
 
 use super::docs::KernelDocs;
 use crate::expression::Rational;
-use crate::generation::Generated;
+use crate::generation::{Generated, TargetProgram};
 use crate::kernel::Program;
 use crate::rounding;
 use crate::theory::FormTarget;
@@ -163,20 +163,7 @@ pub struct Source {
     /// The formula, if the program only approximates it.
     pub approximated: Option<Approximated>,
     /// Forms for one precision or target, the first of which that applies is computed.
-    pub target_forms: Vec<SourceOfTarget>,
-}
-
-/// Form of a kernel for one precision or target.
-#[derive(Clone, Debug)]
-pub struct SourceOfTarget {
-    /// Where it is computed.
-    pub target: FormTarget,
-    /// Its program.
-    pub program: Program,
-    /// The formula, if the program only approximates it.
-    pub approximated: Option<Approximated>,
-    /// Sentence about its relation to the formula.
-    pub account: String,
+    pub target_forms: Vec<TargetProgram>,
 }
 
 /// Whether a form given for a precision or target is computed in this precision of this target.
@@ -194,10 +181,11 @@ impl Source {
     pub(super) fn in_target(&self, target: Target, precision: Precision) -> Source {
         let mut source = self.clone();
         let own = self.target_forms.iter().find(|form| applies(form.target, target, precision));
-        if let Some(SourceOfTarget { program, approximated, account, .. }) = own.cloned() {
-            source.docs.rounding = rounding::sentence(&program).unwrap_or_default();
-            source.docs.translation = account;
-            (source.program, source.approximated) = (program, approximated);
+        if let Some(form) = own.cloned() {
+            source.docs.rounding = rounding::sentence(&form.program).unwrap_or_default();
+            source.docs.translation = form.account();
+            source.program = form.program;
+            source.approximated = approximated(form.formula, form.approximation);
         }
         source
     }
@@ -216,22 +204,17 @@ impl From<Generated> for Source {
     /// Takes the programs and the approximation of a kernel, without documentation and promise.
     fn from(generated: Generated) -> Self {
         let Generated { written, optimised, approximation, target_forms, .. } = generated;
-        let approximated = |error: f64| {
-            let formula = written.clone();
-            (error > 0.0).then_some(Approximated { formula, error })
-        };
-        let target_forms = target_forms.into_iter().map(|form| SourceOfTarget {
-            account: form.account(),
-            target: form.target,
-            approximated: approximated(form.approximation),
-            program: form.program,
-        });
         Source {
-            target_forms: target_forms.collect(),
             program: optimised,
             docs: KernelDocs::default(),
             within: None,
-            approximated: approximated(approximation),
+            approximated: approximated(written, approximation),
+            target_forms,
         }
     }
+}
+
+/// Returns the formula beside an approximation; `None` for a form without an error.
+fn approximated(formula: Program, error: f64) -> Option<Approximated> {
+    (error > 0.0).then_some(Approximated { formula, error })
 }

@@ -5,30 +5,26 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
+use super::kernel_forms::Forms;
 use crate::decide::is_implied;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Parameter, Rational, Shape, Signature, Symbol, SymbolKind};
 use crate::syntax::ast::{self, Declared, Item, ItemKind, Name};
 use crate::theory::names::unusable;
-use crate::theory::{Array, Effect, FormTarget, Kernel, KernelUnits, Named, TargetForm, Value, describe};
+use crate::theory::{Array, Effect, Kernel, KernelUnits, Named, Value, describe};
 use num_traits::Signed;
 use std::collections::BTreeSet;
 
 /// Formulas of a kernel as evaluated.
 struct Body {
     results: Results,
-    computed: Vec<Expr>,
+    forms: Forms,
     mentioned: BTreeSet<String>,
     defined: Vec<Condition>,
     domain: Vec<Condition>,
-    approximation: Option<Rational>,
-    target_forms: Vec<TargetForm>,
     within: Option<Rational>,
     effects: Vec<Effect>,
 }
-
-/// Precision of the form after `by`.
-const DOUBLE: &str = "f64";
 
 /// Results of a kernel: their shapes, and all numbers in them.
 #[derive(Clone, Default)]
@@ -49,7 +45,7 @@ impl Resolver {
         });
         self.forget(locals);
         let (parameters, arguments, body) = result?;
-        let Body { results: Results { shapes, numbers: outputs }, computed, mentioned, .. } = body;
+        let Body { results: Results { shapes, numbers: outputs }, forms, mentioned, .. } = body;
         let formula = self.theory.pool.texts(&outputs);
         self.theory.kernels.push(Kernel {
             name: name.text.clone(),
@@ -59,9 +55,9 @@ impl Resolver {
             signature: Signature { parameters, results: shapes },
             arguments,
             outputs,
-            computed,
-            approximation: body.approximation,
-            target_forms: body.target_forms,
+            computed: forms.computed,
+            approximation: forms.approximation,
+            target_forms: forms.target_forms,
             domain: body.domain,
             within: body.within,
             effects: body.effects,
@@ -77,93 +73,20 @@ impl Resolver {
 
     /// Evaluates everything after the head of a kernel.
     fn kernel_body(&mut self, item: &Item, symbols: &[Symbol]) -> Evaluated<Body> {
-        let ItemKind::Kernel {
-            name,
-            outputs,
-            computed,
-            approximation,
-            target_forms,
-            conditions,
-            within,
-            effects,
-            ..
-        } = &item.kind
-        else {
+        let ItemKind::Kernel { name, outputs, conditions, within, effects, .. } = &item.kind else {
             return Err(Diagnostic::new(item.span, "expected a kernel"));
-        };
-        let of_double = target_forms.iter().find(|form| form.target.text == DOUBLE);
-        let (computed, approximation) = match of_double {
-            Some(form) if !computed.is_empty() => {
-                return Err(Diagnostic::new(form.target.span, "the form after `by` is the one for `f64`")
-                    .with_help("write `for f32 { by … }` for the form of another precision"));
-            }
-            Some(form) => (&form.computed, &form.approximation),
-            None => (computed, approximation),
         };
         let ((results, mentioned, narrowing), defined, _) = self.evaluate(|evaluator| {
             let results = evaluator.kernel_results(outputs, symbols)?;
             let scope = &evaluator.scope;
             Ok((results, scope.mentioned().clone(), scope.narrowing().clone()))
         })?;
-        let mut form = |computed: &[ast::Expr], span: Span| {
-            let ((form, narrowing), ..) = self.evaluate(|evaluator| {
-                let results = evaluator.kernel_results(computed, symbols)?;
-                Ok((results, evaluator.scope.narrowing().clone()))
-            })?;
-            check_count(&results.numbers, &form.numbers, name, span)?;
-            check_shapes(&results, &form, name, span)?;
-            Ok((form.numbers, narrowing))
-        };
-        let (computed, mut narrowings) = form(computed, item.span)?;
-        let mut forms = Vec::new();
-        for given in target_forms.iter().filter(|given| given.target.text != DOUBLE) {
-            let (outputs, narrowing) = form(&given.computed, given.target.span)?;
-            narrowings.extend(narrowing);
-            forms.push(outputs);
-        }
+        let (forms, of_forms) = self.kernel_forms(item, symbols, &results)?;
         let domain = self.kernel_domain(conditions, symbols)?;
-        self.check_integrals(name, narrowing.into_iter().chain(narrowings), &domain)?;
+        self.check_integrals(name, narrowing.into_iter().chain(of_forms), &domain)?;
         let within = within.as_ref().map(|within| self.positive_number(within)).transpose()?;
-        let approximation = approximation.as_ref().map(|given| self.tolerance(given)).transpose()?;
-        let target_forms = self.target_forms(target_forms, forms)?;
         let effects = self.kernel_effects(effects, symbols)?;
-        Ok(Body {
-            results,
-            computed,
-            approximation,
-            target_forms,
-            mentioned,
-            defined,
-            domain,
-            within,
-            effects,
-        })
-    }
-
-    /// Returns the forms for other precisions and targets than `f64`, given the outputs of each.
-    fn target_forms(
-        &mut self,
-        given: &[ast::TargetForm],
-        outputs: Vec<Vec<Expr>>,
-    ) -> Evaluated<Vec<TargetForm>> {
-        let mut forms: Vec<TargetForm> = Vec::new();
-        let given = given.iter().filter(|given| given.target.text != DOUBLE);
-        for (ast::TargetForm { target: Name { text, span }, approximation, .. }, outputs) in
-            given.zip(outputs)
-        {
-            let Some(target) = FormTarget::ALL.into_iter().find(|target| target.name() == text) else {
-                let message =
-                    format!("`{text}` is not a precision or target that can have a form of its own");
-                let help = "`f32`, `f64`, `c`, `cuda` and `wgsl` can; Rust computes the form for `f64`";
-                return Err(Diagnostic::new(*span, message).with_help(help));
-            };
-            if forms.iter().any(|form| form.target == target) {
-                return Err(Diagnostic::new(*span, format!("a kernel has at most one form for `{text}`")));
-            }
-            let approximation = approximation.as_ref().map(|given| self.tolerance(given)).transpose()?;
-            forms.push(TargetForm { target, outputs, approximation, span: *span });
-        }
-        Ok(forms)
+        Ok(Body { results, forms, mentioned, defined, domain, within, effects })
     }
 
     /// Rejects a kernel if the value of an integral in it is only valid under a condition that the
@@ -198,17 +121,6 @@ impl Resolver {
             Some(number) => Ok(number.clone()),
             None => Err(Diagnostic::new(within.span, "expected a positive rational number")
                 .with_help("`within 1` allows an error of 2**-53 of the value")),
-        }
-    }
-
-    /// Evaluates the number after `approx`.
-    fn tolerance(&mut self, given: &ast::Expr) -> Evaluated<Rational> {
-        let (value, _, _) = self.evaluate(|evaluator| evaluator.scalar(given))?;
-        let half = Rational::new(1.into(), 2.into());
-        match self.theory.pool.as_number(value).filter(|number| number.is_positive() && **number < half) {
-            Some(number) => Ok(number.clone()),
-            None => Err(Diagnostic::new(given.span, "expected a rational number above 0 and below 1/2")
-                .with_help("`approx 1e-17` allows a form to differ from its formula by 1e-17 of its value")),
         }
     }
 
@@ -368,7 +280,11 @@ impl Evaluator<'_> {
     }
 
     /// Evaluates the results of a kernel.
-    fn kernel_results(&mut self, outputs: &[ast::Expr], arguments: &[Symbol]) -> Evaluated<Results> {
+    pub(super) fn kernel_results(
+        &mut self,
+        outputs: &[ast::Expr],
+        arguments: &[Symbol],
+    ) -> Evaluated<Results> {
         self.in_kernel = true;
         let mut results = Results::default();
         let evaluated = outputs.iter().try_for_each(|output| {
@@ -429,26 +345,6 @@ impl Evaluator<'_> {
             }
         }
         Ok(())
-    }
-}
-
-/// Checks that the form given by `by` has as many outputs as the formula.
-pub(super) fn check_count(outputs: &[Expr], computed: &[Expr], name: &Name, span: Span) -> Evaluated<()> {
-    if computed.is_empty() || computed.len() == outputs.len() {
-        return Ok(());
-    }
-    let (wanted, found) = (outputs.len(), computed.len());
-    Err(Diagnostic::new(span, format!("`{}` has {wanted} outputs, but `by` gives {found}", name.text)))
-}
-
-/// Checks that the form given by `by` has the shapes of the formula.
-fn check_shapes(outputs: &Results, computed: &Results, name: &Name, span: Span) -> Evaluated<()> {
-    match outputs.shapes.iter().zip(&computed.shapes).find(|(wanted, found)| wanted != found) {
-        None => Ok(()),
-        Some((wanted, found)) => {
-            let message = format!("the result of `{}` is {wanted}, but `by` gives {found}", name.text);
-            Err(Diagnostic::new(span, message))
-        }
     }
 }
 

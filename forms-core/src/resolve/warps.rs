@@ -16,7 +16,7 @@
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
-use super::kernels::check_count;
+use super::kernel_forms::check_count;
 use crate::calculus::{Blade, Coordinate};
 use crate::diagnostic::{Diagnostic, counted};
 use crate::enclosure::{Enclosure, Precision, Undecided, enclose};
