@@ -11,7 +11,7 @@ use crate::cache::{Emitted, Key};
 use crate::parts::Parts;
 use crate::report::{Origin, warned};
 use crate::tokens::Body;
-use crate::{lattice, tiers};
+use crate::{formulas, lattice, tiers};
 use forms_core::accuracy::removable_singularities;
 use forms_core::check::resolve_parsed;
 use forms_core::compile::{Compiled, CompiledKernel, Options, compile_theory};
@@ -245,9 +245,9 @@ fn emitted(
     let function = match &kernel.within {
         Some(within) if generated.within().is_some() => {
             let formula = format!("{}::Stable", kernel.name);
-            emit_rust_within(program, &docs, tiers::MATH, &formula, within)
+            emit_rust_within(program, &docs, formulas::MATH, &formula, within)
         }
-        _ => emit_rust(program, &docs, tiers::MATH),
+        _ => emit_rust(program, &docs, formulas::MATH),
     };
     let lattice = lattice::items(&mut compiled.theory.pool, kernel, generated)?;
     let mut items = tiers::module(generated, &lattice).map_err(|error| unreadable(kernel, &error))?;

@@ -1,11 +1,13 @@
 //! Formulas of a kernel as types: as written, in its stable form, and in the form for `f32`.
 
-use crate::tiers::MATH;
 use forms_core::emission::emit_formula;
 use forms_core::generation::Generated;
 use forms_core::kernel::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
+
+/// Absolute path of the arithmetic, valid at every use of a macro.
+pub(crate) const MATH: &str = "::forms::math";
 
 /// Formulas of a kernel as types.
 pub(crate) struct Formulas {

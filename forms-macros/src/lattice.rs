@@ -6,8 +6,9 @@
 //! ```
 //! Each member is compiled separately: its code does not contain the absent effects.
 
+use crate::formulas::MATH;
 use crate::shapes::nested_type;
-use crate::tiers::{MATH, Tiers, operations};
+use crate::tiers::{Tiers, operations};
 use forms_core::compile::compile_kernel;
 use forms_core::diagnostic::Diagnostic;
 use forms_core::emission::emit_formula;

@@ -24,9 +24,6 @@ use forms_core::kernel::Program;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// Absolute path of the arithmetic, valid at every use of a macro.
-pub(crate) const MATH: &str = "::forms::math";
-
 /// Emits `mod NAME { … }` with the tiers and `more` items of the kernel. The error says why Rust
 /// cannot parse the generated code.
 pub(crate) fn module(

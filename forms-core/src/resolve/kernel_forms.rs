@@ -1,16 +1,22 @@
-//! Forms by which kernels are computed: the one after `by`, and those for a precision or target.
+//! Results of kernels, and the forms by which they are computed: the one after `by`, and those for a precision or target.
 
 use super::evaluation::Evaluated;
 use super::items::Resolver;
-use super::kernels::Results;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::expression::{Condition, Expr, Rational, Symbol};
+use crate::expression::{Condition, Expr, Rational, Shape, Symbol};
 use crate::syntax::ast::{self, Item, ItemKind, Name};
 use crate::theory::{FormTarget, TargetForm};
 use num_traits::Signed;
 
 /// Precision of the form after `by`.
 const DOUBLE: &str = "f64";
+
+/// Results of a kernel: their shapes, and all numbers in them.
+#[derive(Clone, Default)]
+pub(super) struct Results {
+    pub(super) shapes: Vec<Shape>,
+    pub(super) numbers: Vec<Expr>,
+}
 
 /// Forms of a kernel.
 pub(super) struct Forms {

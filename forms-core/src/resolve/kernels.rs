@@ -5,7 +5,7 @@
 
 use super::evaluation::{Evaluated, Evaluator};
 use super::items::Resolver;
-use super::kernel_forms::Forms;
+use super::kernel_forms::{Forms, Results};
 use crate::decide::is_implied;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::expression::{Condition, Expr, Node, Parameter, Rational, Shape, Signature, Symbol, SymbolKind};
@@ -24,13 +24,6 @@ struct Body {
     domain: Vec<Condition>,
     within: Option<Rational>,
     effects: Vec<Effect>,
-}
-
-/// Results of a kernel: their shapes, and all numbers in them.
-#[derive(Clone, Default)]
-pub(super) struct Results {
-    pub(super) shapes: Vec<Shape>,
-    pub(super) numbers: Vec<Expr>,
 }
 
 impl Resolver {
