@@ -14,7 +14,7 @@ mod compiled;
 mod length;
 mod method;
 
-use crate::escalate::escalate_computation;
+use crate::escalate::beyond_lane_computed;
 use crate::instructions::Instructions;
 use crate::lane::{Bounded, in_fused_lanes};
 use crate::{Computation, Formula};
@@ -144,7 +144,7 @@ pub fn row_within(
     let values = in_fused_lanes(computation, arguments);
     let values: Vec<f64> = values.into_iter().map(|value| value.value_within(within)).collect();
     if values.iter().any(|value| value.is_nan()) {
-        let values = escalate_computation(computation, arguments, outputs, within);
+        let values = beyond_lane_computed(computation, arguments, outputs, within);
         return values.into_iter().map(|(value, _)| value).collect();
     }
     values

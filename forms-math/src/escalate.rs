@@ -88,10 +88,7 @@ pub fn escalate<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [f64; O] {
-    match lane::in_one_lane::<F, A, O>(arguments, within) {
-        Some(values) => values,
-        None => beyond_lane::<F, A, O>(arguments, within).map(|(value, _)| value),
-    }
+    escalate_with_tier::<F, A, O>(arguments, within).map(|(value, _)| value)
 }
 
 /// Computes [`escalate`], with an error if a value is not known to this accuracy.
@@ -143,12 +140,19 @@ pub fn without_escalation<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [f64; O] {
-    lane::in_one_lane::<F, A, O>(arguments, within).unwrap_or_else(|| {
-        let mut slots = [Slot::open(f64::NAN); O];
-        let values = F::value(arguments.map(Guarded::<f64>::from_f64));
-        take(&values, Tier::Double, (ToDouble { units: within }, 0.0), &mut slots);
-        slots.map(|slot| slot.number)
-    })
+    lane::in_one_lane::<F, A, O>(arguments, within)
+        .unwrap_or_else(|| in_guarded_double::<F, A, O>(arguments, within))
+}
+
+/// Computes [`without_escalation`] where a lane has not bounded the error sufficiently.
+pub(crate) fn in_guarded_double<F: Formula<A, O>, const A: usize, const O: usize>(
+    arguments: [f64; A],
+    within: f64,
+) -> [f64; O] {
+    let mut slots = [Slot::open(f64::NAN); O];
+    let values = F::value(arguments.map(Guarded::<f64>::from_f64));
+    take(&values, Tier::Double, (ToDouble { units: within }, 0.0), &mut slots);
+    slots.map(|slot| slot.number)
 }
 
 /// Computes [`escalate`], and returns the precision of each output.
@@ -162,8 +166,9 @@ pub fn escalate_with_tier<F: Formula<A, O>, const A: usize, const O: usize>(
     }
 }
 
+/// Computes [`escalate_with_tier`] where a lane has not bounded the error sufficiently.
 #[inline(never)]
-fn beyond_lane<F: Formula<A, O>, const A: usize, const O: usize>(
+pub(crate) fn beyond_lane<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [f64; A],
     within: f64,
 ) -> [(f64, Tier); O] {
@@ -239,6 +244,16 @@ pub fn escalate_computation(
     if let Some(values) = lane::in_one_lane_computed(computation, arguments, within) {
         return values.into_iter().map(|value| (value, Tier::Double)).collect();
     }
+    beyond_lane_computed(computation, arguments, outputs, within)
+}
+
+/// Computes [`escalate_computation`] where a lane has not bounded the error sufficiently.
+pub(crate) fn beyond_lane_computed(
+    computation: &impl Computation,
+    arguments: &[f64],
+    outputs: usize,
+    within: f64,
+) -> Vec<(f64, Tier)> {
     let rounding = ToDouble { units: within };
     let mut slots = vec![Slot::open(f64::NAN); outputs];
     let doubles: Vec<Guarded<f64>> = arguments.iter().map(|&value| Guarded::from_f64(value)).collect();

@@ -13,7 +13,7 @@ const SEED: u64 = 5;
 const FORMULAS: &str = include_str!("../../../tests/stability/applied.forms");
 const FORMS: &str = include_str!("../../../tests/stability/applied.stable");
 
-/// What is known of a task's accuracy.
+/// Accuracy of a task.
 pub(crate) struct Lost {
     /// Bits lost as written, by the expert and generated: the mean over all samples, and the largest.
     pub(crate) bits: [Statistics; 3],

@@ -20,7 +20,7 @@ pub(super) enum Promise {
     InDouble {
         /// The bound, which is within the promise.
         bound: Option<f64>,
-        /// What is not known in single precision.
+        /// Reason why single precision alone does not keep the promise.
         reason: String,
     },
     /// The promise is not kept, for this reason.

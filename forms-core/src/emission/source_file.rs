@@ -18,7 +18,8 @@ impl Source {
         let renamed =
             |name: &str| names::renamed(self.computed(escalates, precision), &self.docs, target, name);
         let (program, mut docs) = renamed(&functions.kernel);
-        let in_double = self.is_in_double(target, precision).then(|| renamed(&functions.in_double).0);
+        let in_double = matches!(promise, Some(Promise::InDouble { .. }));
+        let in_double = in_double.then(|| renamed(&functions.in_double).0);
         let program = &program;
         match (&promise, &self.within) {
             (Some(promise), Some(within)) => docs.rounding = promise.sentence(within, target, precision),

@@ -43,7 +43,7 @@ fn radicand(pool: &Pool, expression: Expr) -> Option<Expr> {
 }
 
 /// Replaces each part for which `image` gives another expression, from the innermost on; the map holds
-/// what the parts inside have become.
+/// the images of the parts inside.
 fn with_images(
     pool: &mut Pool,
     expressions: &[Expr],

@@ -133,7 +133,7 @@ pub(super) fn equality(
     whole
 }
 
-/// Whether the two expressions are proved equal with one root in the place of each product of roots. The
+/// Whether the two expressions are proved equal with each product of roots written as one root. The
 /// one root is defined wherever the product is, and perhaps elsewhere: only a proof carries over.
 fn by_one_root(pool: &mut Pool, different: &[Expr], conditions: &[Condition], budget: Budget) -> bool {
     let one_root = with_one_root(pool, different);

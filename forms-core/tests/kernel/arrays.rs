@@ -1,7 +1,8 @@
 //! Arrays, definitions and calls in kernels: equal to the same formulas written out by their entries.
 
+use crate::targets::undocumented;
 use forms_core::compile::{Compiled, Options, compile};
-use forms_core::emission::{KernelDocs, Precision, Source, Target, emit};
+use forms_core::emission::{Precision, Target, emit};
 use forms_testing::SplitMix;
 
 fn compiled(text: &str) -> Compiled {
@@ -156,15 +157,8 @@ fn a_definition_in_a_statement_is_decided_like_its_expression() {
 /// Emits the last kernel of a text.
 fn emitted(text: &str, target: Target) -> String {
     let compiled = compiled(text);
-    let program = compiled.kernels.last().expect("a kernel").program().clone();
-    let source = Source {
-        program,
-        docs: KernelDocs::default(),
-        within: None,
-        approximated: None,
-        target_forms: Vec::new(),
-    };
-    let text = emit(&[source], target, target.usual_precision()).expect("a source");
+    let program = compiled.kernels.last().expect("a kernel").program();
+    let text = emit(&[undocumented(program)], target, target.usual_precision()).expect("a source");
     let start = ["fn k", "void k", "double k"].iter().filter_map(|head| text.find(head)).min();
     text[start.expect("the function")..].to_string()
 }
@@ -220,15 +214,8 @@ fn arrays_are_arrays_of_the_target() {
 #[test]
 fn double_doubles_have_the_declared_shapes() {
     let compiled = compiled(WITH_SLOPE);
-    let program = compiled.kernel("k").expect("a kernel").program().clone();
-    let source = Source {
-        program,
-        docs: KernelDocs::default(),
-        within: None,
-        approximated: None,
-        target_forms: Vec::new(),
-    };
-    let text = emit(&[source], Target::Rust, Precision::DoubleDouble).expect("a source");
+    let program = compiled.kernel("k").expect("a kernel").program();
+    let text = emit(&[undocumented(program)], Target::Rust, Precision::DoubleDouble).expect("a source");
     let number = "forms_math::DoubleDouble";
     assert!(
         text.contains(&format!("    p: [{number}; 2],\n) -> ({number}, [{number}; 2]) {{")),

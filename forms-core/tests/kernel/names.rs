@@ -3,8 +3,8 @@
 //! emitted together, and compilers check the result.
 
 use crate::formula::Formulas;
-use crate::targets::{CUDA_AS_CPP, accepted, compiles, folder, validated};
-use forms_core::emission::{KernelDocs, Precision, Source, Target, emit};
+use crate::targets::{CUDA_AS_CPP, accepted, compiles, folder, undocumented, validated};
+use forms_core::emission::{Precision, Source, Target, emit};
 use forms_core::expression::{Expr, Relation};
 use forms_core::kernel::Program;
 use forms_core::syntax::words::{Word, reserved};
@@ -77,14 +77,7 @@ fn programs(names: &[String]) -> Vec<Program> {
 }
 
 fn source(programs: &[Program], target: Target, precision: Precision) -> String {
-    let source = |program: &Program| Source {
-        program: program.clone(),
-        docs: KernelDocs::default(),
-        within: None,
-        approximated: None,
-        target_forms: Vec::new(),
-    };
-    let sources: Vec<Source> = programs.iter().map(source).collect();
+    let sources: Vec<Source> = programs.iter().map(undocumented).collect();
     emit(&sources, target, precision).expect("every kernel can be said")
 }
 

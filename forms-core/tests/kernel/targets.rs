@@ -12,13 +12,21 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-pub(crate) fn sources(programs: &[Program]) -> Vec<Source> {
-    let source = |program: &Program| Source {
+/// Returns a kernel without documentation, promise and other forms.
+pub(crate) fn undocumented(program: &Program) -> Source {
+    Source {
         program: program.clone(),
-        docs: KernelDocs { formula: program.name().to_string(), ..KernelDocs::default() },
+        docs: KernelDocs::default(),
         within: None,
         approximated: None,
         target_forms: Vec::new(),
+    }
+}
+
+pub(crate) fn sources(programs: &[Program]) -> Vec<Source> {
+    let source = |program: &Program| Source {
+        docs: KernelDocs { formula: program.name().to_string(), ..KernelDocs::default() },
+        ..undocumented(program)
     };
     programs.iter().map(source).collect()
 }

@@ -1,7 +1,8 @@
 //! Evaluation of the rows of a batch: in lanes, and again as single numbers where lanes give NaN.
 
+use crate::escalate::{beyond_lane, in_guarded_double};
 use crate::lane::values_within;
-use crate::{Formula, Lane32, Lane64, Real, escalate, without_escalation};
+use crate::{Formula, Lane32, Lane64, Real};
 use std::marker::PhantomData;
 use std::ops::BitOr;
 
@@ -116,7 +117,7 @@ impl<F: Formula<A, O>, const A: usize, const O: usize> Method<f64, A, O> for Wit
         values_within::<F, FMA, A, O>(arguments, self.units)
     }
     fn in_one_number(self, arguments: [f64; A]) -> [f64; O] {
-        escalate::<F, A, O>(arguments, self.units)
+        beyond_lane::<F, A, O>(arguments, self.units).map(|(value, _)| value)
     }
 }
 
@@ -138,6 +139,6 @@ impl<F: Formula<A, O>, const A: usize, const O: usize> Method<f64, A, O> for Wit
         self.0.in_lanes::<FMA>(arguments)
     }
     fn in_one_number(self, arguments: [f64; A]) -> [f64; O] {
-        without_escalation::<F, A, O>(arguments, self.0.units)
+        in_guarded_double::<F, A, O>(arguments, self.0.units)
     }
 }
