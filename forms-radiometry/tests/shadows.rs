@@ -10,7 +10,7 @@ mod slabs;
 use forms_kernels::solid_angle_triangle;
 use forms_radiometry::form_factor::form_factor;
 use forms_radiometry::geometry::{Polygon, Vector};
-use forms_radiometry::scene::{Scene, read};
+use forms_radiometry::scene::{Effect, Scene, read};
 use forms_radiometry::simulation::{Answer, Quantity, Unwatched, plan, simulate};
 use forms_testing::SplitMix;
 use forms_testing::scene_text::{material, point_receiver, polygon, surface, surface_receiver, tolerance};
@@ -342,6 +342,30 @@ fn the_sun_through_a_window_lights_what_is_behind_it() {
         let mean = &simulate(&plan, &Unwatched).answers[0];
         let off = (mean.value - right).abs();
         assert!(off <= mean.error + 1e-9, "{number}: {} ± {:e}, right is {right}", mean.value, mean.error);
+    }
+}
+
+#[test]
+fn without_occlusion_plates_hide_nothing_of_the_light_from_outside() {
+    let mut random = SplitMix(6);
+    for number in 0..count() {
+        let mut text = material("black", 0);
+        for plate_number in 0..=1 + random.below(6) {
+            let corners: Vec<[f64; 3]> = plate(&mut random).into_iter().map(array).collect();
+            text += &surface(&format!("plate {plate_number}"), "black", &polygon(&corners));
+        }
+        text += "[ambient]\nradiance = 10\n[solve]\neffects = { occlusion = \"off\" }\n";
+        let place = [between(&mut random, -2.0, 2.0), between(&mut random, -2.0, 2.0), 0.4];
+        text += &point_receiver("below", place, [0.0, 0.0, 1.0]);
+        let scene = read(&text, "plates.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let plan = plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+        let answer = &simulate(&plan, &Unwatched).answers[0];
+        let hides = plan
+            .effects()
+            .iter()
+            .any(|effect| effect.effect == Effect::Occlusion && effect.bound != Some(0.0));
+        let off = (answer.value - 10.0 * PI).abs();
+        assert!(!hides || off <= answer.error, "{number}: {} ± {:e}", answer.value, answer.error);
     }
 }
 

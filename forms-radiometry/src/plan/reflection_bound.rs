@@ -219,7 +219,8 @@ mod tests {
             let scene = cubes(count);
             let first = FirstFaces::default();
             let (faces, screens) = (first.faces(&scene), first.screens(&scene));
-            let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
+            let transport =
+                Transport { faces, screens, occlusion: true, hides_outside: true, accuracy: 1e-2 };
             let faces = ReflectingFaces::of(&scene, &transport);
             assert_eq!((faces.reflecting.len(), faces.step), (6 * count, step));
             let hidden: Vec<_> = faces.places().map(|place| faces.hidden(place)).collect();

@@ -66,7 +66,7 @@ impl Survey {
         // light trap is refused all the same
         let is_unseen = !is_large && reflects_nothing(scene) && largest_albedo < 1.0;
         let (faces, screens) = (Arc::new(faces), Arc::new(screens));
-        let transport = Transport { faces, screens, occlusion: true, accuracy: 1e-2 };
+        let transport = Transport { faces, screens, occlusion: true, hides_outside: true, accuracy: 1e-2 };
         let lights = Lights::of(scene, &transport);
         let sampled = match is_large {
             true => Surroundings::by_rays(scene, &transport),

@@ -126,7 +126,7 @@ impl Lights<'_> {
         let mut whole = Vec::new();
         for &surface in self.round().iter().filter(|_| seen_whole) {
             if let Some((seen, is_back)) = self.whole(at, surface, transport, scratch) {
-                sums.take(seen, &scene.surfaces[surface], emits_from(scene, surface, is_back));
+                sums.take(seen, &scene.surfaces[surface], emits_from(scene, surface, is_back), transport);
                 whole.push(surface);
             }
         }
@@ -134,7 +134,7 @@ impl Lights<'_> {
         let faces = self.faces().iter().map(|&index| &transport.faces[index]);
         for face in faces.filter(|face| !whole.contains(&face.surface)) {
             let seen = self.measured(at, face, transport, scratch);
-            sums.take(seen.measure, &scene.surfaces[face.surface], emits(scene, face));
+            sums.take(seen.measure, &scene.surfaces[face.surface], emits(scene, face), transport);
             is_open &= seen.is_open;
             has_holes |= has_round_holes(scene, face.surface);
         }
@@ -268,7 +268,9 @@ impl Lights<'_> {
         let mut sums = vec![0.0; scene.band_count()];
         for face in self.faces().iter().map(|&index| &transport.faces[index]) {
             let of_face = of_face(face);
-            open += of_face;
+            if transport.hides_outside {
+                open += of_face;
+            }
             if emits(scene, face) {
                 let radiance = &scene.surfaces[face.surface].radiance;
                 sums.iter_mut().zip(radiance).for_each(|(sum, radiance)| *sum += PI * of_face * radiance);
@@ -286,8 +288,10 @@ impl Sums {
     }
 
     /// Adds the visible measure of a surface.
-    fn take(&mut self, seen: Rounded, surface: &Surface, emits: bool) {
-        self.open = self.open + seen.times(-1.0);
+    fn take(&mut self, seen: Rounded, surface: &Surface, emits: bool, transport: &Transport) {
+        if transport.hides_outside {
+            self.open = self.open + seen.times(-1.0);
+        }
         if emits {
             self.bands
                 .iter_mut()

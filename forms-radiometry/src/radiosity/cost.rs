@@ -110,7 +110,7 @@ fn at_fineness(
         true => Arc::new(Screens::of(&faces)),
         false => Arc::new(Screens::none(&faces)),
     };
-    let transport = Transport { faces, screens, occlusion: is_hidden, accuracy: 1.0 };
+    let transport = Transport { faces, screens, occlusion: is_hidden, hides_outside: true, accuracy: 1.0 };
     let nodes = coarsest_nodes(scene, &transport, question, !kinds.surroundings);
     if is_beyond(nodes) {
         return BEYOND;

@@ -180,7 +180,8 @@ impl<'s> Lights<'s> {
             let Some(measures) = transport.measured(group, (&face.vertices, face.normal), scratch) else {
                 continue;
             };
-            for (open, measure) in arriving.open.chunks_exact_mut(bands).zip(measures) {
+            let hidden = if transport.hides_outside { measures } else { &[] };
+            for (open, measure) in arriving.open.chunks_exact_mut(bands).zip(hidden) {
                 open.iter_mut().for_each(|open| *open -= measure);
             }
             if emits(self.scene, face) {

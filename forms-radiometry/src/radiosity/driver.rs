@@ -24,7 +24,7 @@ mod tessellation;
 use super::question::asks_for_rays;
 use super::{FirstFaces, Lights, Question, Radiosity, Transport};
 use crate::answer::{Answer, Moment, Simulation};
-use crate::effects::SimulatedEffects;
+use crate::effects::{Hiding, SimulatedEffects};
 use crate::faces::{faces, is_round};
 use crate::parallelism::Parallelism;
 use crate::progress::times::{Times, timed};
@@ -267,7 +267,8 @@ impl<'s> Work<'s> {
         let screens = screens(scene, &self.effects, &faces, all);
         let part = if self.effects.orders == Some(0) { STRAIGHT } else { RULES };
         let accuracy = (part * self.scene.solve.tolerance).clamp(1e-12, 1e-2);
-        Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), accuracy }
+        let hides_outside = self.effects.hiding != Hiding::LeftOut;
+        Transport { faces, screens, occlusion: self.effects.has(Effect::Occlusion), hides_outside, accuracy }
     }
 
     pub(crate) fn question(&self) -> Question {

@@ -75,7 +75,7 @@ impl<'s> Transmitted<'s> {
         let screens = if faces.is_empty() { Screens::none(&faces) } else { Screens::of(&faces) };
         let accuracy = (PART * scene.solve.tolerance).clamp(1e-12, 1e-6);
         let (faces, screens) = (Arc::new(faces), Arc::new(screens));
-        let transport = Transport { faces, screens, occlusion: true, accuracy };
+        let transport = Transport { faces, screens, occlusion: true, hides_outside: true, accuracy };
         Self { scene, transport, luminous, extinction }
     }
 

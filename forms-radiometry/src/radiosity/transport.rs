@@ -28,6 +28,9 @@ pub(crate) struct Transport {
     pub(crate) screens: Arc<Screens>,
     /// Whether occluders are searched.
     pub(crate) occlusion: bool,
+    /// Whether faces hide the light from outside that comes from behind them. Where occluders are left
+    /// out they hide none: faces one behind the other would hide the same light more than once.
+    pub(crate) hides_outside: bool,
     /// Allowed quadrature error, relative to the integral.
     pub(crate) accuracy: f64,
 }

@@ -46,7 +46,7 @@ struct StraightLight<'s> {
 impl<'s> StraightLight<'s> {
     fn of(scene: &'s Scene, first: &FirstFaces) -> Self {
         let (faces, screens) = (first.faces(scene), first.screens(scene));
-        let transport = Transport { faces, screens, occlusion: true, accuracy: 1.0 };
+        let transport = Transport { faces, screens, occlusion: true, hides_outside: true, accuracy: 1.0 };
         let lights = Lights::of(scene, &transport);
         Self { transport, lights }
     }

@@ -283,5 +283,11 @@ fn bins(time: &TimeBins, metres: f64) -> Bins {
 fn unhidden(scene: &Scene) -> Transport {
     let faces = faces(scene, 2);
     let screens = Screens::none(&faces);
-    Transport { faces: Arc::new(faces), screens: Arc::new(screens), occlusion: false, accuracy: 1.0 }
+    Transport {
+        faces: Arc::new(faces),
+        screens: Arc::new(screens),
+        occlusion: false,
+        hides_outside: true,
+        accuracy: 1.0,
+    }
 }

@@ -64,6 +64,7 @@ impl Work<'_> {
             faces: Arc::clone(&transport.faces),
             screens: Arc::new(Screens::of(&transport.faces)),
             occlusion: true,
+            hides_outside: true,
             accuracy: transport.accuracy,
         })
     }
