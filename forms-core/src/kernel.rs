@@ -30,7 +30,9 @@
 //! ```
 
 mod chain;
+mod common_factor;
 mod constant;
+mod constant_divisors;
 mod count;
 mod evaluate;
 mod expand;
@@ -48,6 +50,7 @@ mod program;
 mod quotients;
 mod raise;
 mod schedule;
+mod shared_divisors;
 mod sharing;
 mod signs;
 mod sums;

@@ -8,6 +8,7 @@
 //! if the target has the instruction. Compensation is for forms that were chosen for their
 //! accuracy, since it doubles the cost.
 
+use super::common_factor::take_out_common_factors;
 use super::constant::Constant;
 use super::numbering::without_unused;
 use super::program::{Instruction, ProductSum, Program, Value};
@@ -104,7 +105,7 @@ impl Program {
     /// Returns the same kernel with compensated sums and differences of two products that may
     /// cancel, computed without loss.
     pub fn compensate(&self) -> Program {
-        schedule(&fuse(&compensate(&self.unfused())))
+        schedule(&fuse(&compensate(&take_out_common_factors(&self.unfused()))))
     }
 
     /// Returns the same kernel with fused and compensated instructions split into additions,

@@ -8,6 +8,7 @@
 //! their rounding does.
 
 use super::program::{Instruction, Program, Value};
+use super::shared_divisors::share_divisors;
 use num_integer::Integer;
 use num_rational::Ratio;
 
@@ -18,7 +19,16 @@ impl Program {
     /// Returns the same kernel with every sum and product grouped as written; products that may
     /// cancel are compensated.
     pub fn in_order(&self) -> Program {
-        super::optimise::grouped(&written_out(&self.with_integrands(Program::in_order))).compensate()
+        self.grouped_as_written().compensate()
+    }
+
+    /// Returns the same kernel in order, with the divisors that several quotients share inverted once.
+    pub(crate) fn in_order_with_shared_divisors(&self) -> Program {
+        super::optimise::grouped(&share_divisors(&self.grouped_as_written())).compensate()
+    }
+
+    fn grouped_as_written(&self) -> Program {
+        super::optimise::grouped(&written_out(&self.with_integrands(Program::in_order)))
     }
 }
 

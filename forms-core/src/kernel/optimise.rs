@@ -12,6 +12,7 @@
 //! and is kept only if it makes the kernel cheaper, because a formula as its author wrote it is
 //! usually the accurate one.
 
+use super::constant_divisors::invert_constant_divisors;
 use super::expand::{Limits, expand};
 use super::factor::{Order, factor};
 use super::fuse::fuse;
@@ -62,7 +63,7 @@ impl Program {
 
 /// Returns the program with each value computed once and signs absorbed, without any regrouping.
 pub(super) fn grouped(program: &Program) -> Program {
-    absorb_signs(&number_values(program))
+    absorb_signs(&number_values(&invert_constant_divisors(program)))
 }
 
 /// Returns the cheaper of two programs, or the first if they cost the same.
@@ -88,5 +89,5 @@ fn add_if_new(graphs: &mut Vec<Graph>, graph: Graph) {
 /// Returns the program of a graph with its common subexpressions shared.
 fn finished(graph: &Graph, program: &Program) -> Program {
     let shared = share_products(&share_reciprocals(&share_sums(graph)));
-    absorb_signs(&number_values(&linearise(&shared, program)))
+    absorb_signs(&number_values(&invert_constant_divisors(&linearise(&shared, program))))
 }
