@@ -31,6 +31,7 @@ mod shader_values;
 mod source_file;
 mod target;
 mod unordered;
+mod vector_library;
 mod wgsl;
 mod widened;
 mod written;

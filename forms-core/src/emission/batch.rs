@@ -71,7 +71,10 @@ pub(super) fn of_c(language: &C, program: &Program, name: &str) -> String {
     parameters.push(format!("{size} {}", names.count));
     let Names { count, row, stride, .. } = &names;
     let (specifiers, loop_head) = match language.flavour {
-        Flavour::C => ("static inline", format!("    for ({size} {row} = 0; {row} < {count}; {row}++) {{\n")),
+        Flavour::C => (
+            "FORMS_FLATTEN static inline",
+            format!("    for ({size} {row} = 0; {row} < {count}; {row}++) {{\n"),
+        ),
         Flavour::Cuda => (
             "extern \"C\" __global__",
             format!(

@@ -30,6 +30,7 @@ pub(super) fn write(dialect: &dyn Dialect, program: &Program, arguments: &[Strin
         texts: vec![None; program.instructions.len()],
         prefix: prefix(arguments),
         temporaries: 0,
+        inside: None,
     };
     body.write_leaves();
     let head = program.head();
@@ -70,6 +71,8 @@ struct Body<'a> {
     texts: Vec<Option<Written>>,
     prefix: String,
     temporaries: usize,
+    /// Variable that says whether all conditions of the domain hold, if there is one.
+    inside: Option<String>,
 }
 
 impl Body<'_> {
@@ -142,21 +145,33 @@ impl Body<'_> {
         written.is_name || (self.uses[place] == 1 && (is_short || is_value))
     }
 
-    fn domain(&self, branches: &dyn Branches) -> String {
-        let leave = |condition: &Comparison| {
+    fn domain(&mut self, branches: &dyn Branches) -> String {
+        let comparison = |condition: &Comparison| {
             let [left, right] = [condition.left, condition.right].map(|side| self.text(side));
-            let comparison = branches.comparison(left, Some(condition.relation), right);
-            branches.leave_unless(&comparison, self.program.outputs.len())
+            branches.comparison(left, Some(condition.relation), right)
         };
-        self.program.domain.iter().map(leave).collect()
+        let comparisons: Vec<String> = self.program.domain.iter().map(comparison).collect();
+        if comparisons.is_empty() {
+            return String::new();
+        }
+        let name = format!("{}{}", self.prefix, self.temporaries);
+        if let Some(declaration) = branches.inside(&name, &comparisons) {
+            self.inside = Some(self.temporary());
+            return format!("{}{declaration}\n", margin(1));
+        }
+        let outputs = self.program.outputs.len();
+        comparisons.iter().map(|comparison| branches.leave_unless(comparison, outputs)).collect()
     }
 
-    /// Writes the outputs. If conditionals are functions, each output is NaN where a condition of
-    /// the domain fails.
+    /// Writes the outputs. If conditionals are functions, or the language chooses between outputs and
+    /// NaN, each output is NaN where a condition of the domain fails.
     fn results(&self) -> String {
         let outputs = self.program.outputs.iter().map(|&output| match self.dialect.choices() {
             Choices::Function(function) => self.inside_domain(function, self.text(output)).text,
-            Choices::Branches(_) => self.text(output).text.clone(),
+            Choices::Branches(branches) => {
+                let value = &self.text(output).text;
+                self.inside.as_ref().map_or(value.clone(), |inside| branches.if_inside(inside, value))
+            }
         });
         let outputs: Vec<String> = outputs.collect();
         let outputs: Vec<&str> = outputs.iter().map(String::as_str).collect();

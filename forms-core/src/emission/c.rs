@@ -12,7 +12,7 @@ use super::number::literal;
 use super::parameters::{self, flat_element, numbers, storage};
 use super::target::Precision;
 use super::written::{Binding, Written, function, negated};
-use super::{body, names};
+use super::{body, names, vector_library};
 use crate::expression::{Operation, Parameter, Relation, Shape};
 use crate::kernel::{Constant, Instruction, ProductSum, Program};
 use num_rational::Ratio;
@@ -75,8 +75,7 @@ const DIFFERENCE_OF_PRODUCTS: Helper = Helper {
 SPECIFIERS NUMBER forms_difference_of_productsSUFFIX(NUMBER a, NUMBER b, NUMBER c, NUMBER d) {
     const NUMBER product = c * d;
     const NUMBER error = fmaSUFFIX(-c, d, product);
-    const NUMBER value = fmaSUFFIX(a, b, -product) + error;
-    return isnan(value) ? a * b - product : value;
+    return fmaSUFFIX(a, b, -product) + (isfinite(error) ? error : 0);
 }
 ",
 };
@@ -119,13 +118,22 @@ SPECIFIERS NUMBER forms_nanSUFFIX() {
 ",
 };
 
-/// Keyword of C99 that C++ lacks.
-const RESTRICT: &str = "
+/// A keyword of C99 that C++ lacks, and the attribute by which GCC and Clang inline a kernel into its
+/// loop over arrays, also where it is called elsewhere.
+const KEYWORDS: &str = "
 #ifndef FORMS_RESTRICT
 #ifdef __cplusplus
 #define FORMS_RESTRICT __restrict
 #else
 #define FORMS_RESTRICT restrict
+#endif
+#endif
+
+#ifndef FORMS_FLATTEN
+#ifdef __GNUC__
+#define FORMS_FLATTEN __attribute__((flatten))
+#else
+#define FORMS_FLATTEN
 #endif
 #endif
 ";
@@ -149,7 +157,9 @@ impl C {
     pub(super) fn head(&self, programs: &[&Program], in_double: &[&Program], guard: &str) -> String {
         let mut source = match self.flavour {
             Flavour::C => format!(
-                "#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stddef.h>\n{RESTRICT}"
+                "#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stddef.h>\n{KEYWORDS}{}",
+                vector_library::declarations(programs, self.suffix())
+                    + &vector_library::declarations(in_double, "")
             ),
             Flavour::Cuda => String::new(),
         };
@@ -342,16 +352,16 @@ impl Branches for C {
         format!("({comparison})")
     }
 
-    fn leave_unless(&self, comparison: &str, outputs: usize) -> String {
-        let nan = self.nan();
-        let leave = match outputs {
-            1 => format!("        return {nan};\n"),
-            several => {
-                let assign = |place| format!("        outputs[{place}] = {nan};\n");
-                (0..several).map(assign).collect::<String>() + "        return;\n"
-            }
+    fn inside(&self, name: &str, comparisons: &[String]) -> Option<String> {
+        let all = match comparisons {
+            [only] => only.clone(),
+            several => several.iter().map(|one| format!("({one})")).collect::<Vec<_>>().join(" & "),
         };
-        format!("    if (!({comparison})) {{\n{leave}    }}\n")
+        Some(format!("const int {name} = {all};"))
+    }
+
+    fn if_inside(&self, name: &str, value: &str) -> String {
+        format!("{name} ? {value} : {}", self.nan())
     }
 }
 

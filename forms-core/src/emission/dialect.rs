@@ -76,6 +76,19 @@ pub(super) trait Branches {
     fn comparison(&self, left: &Written, relation: Option<Relation>, right: &Written) -> String;
     /// Writes the text between `if` and its block.
     fn condition(&self, comparison: &str) -> String;
-    /// Writes the statements that return NaN for every output unless a comparison holds.
-    fn leave_unless(&self, comparison: &str, outputs: usize) -> String;
+    /// Declares a variable that says whether all conditions of the domain hold, in a language that
+    /// computes the outputs in any case and then chooses between them and NaN: loops without branches
+    /// are vectorised. `None` in others.
+    fn inside(&self, _name: &str, _comparisons: &[String]) -> Option<String> {
+        None
+    }
+    /// Chooses between an output and NaN by such a variable.
+    fn if_inside(&self, _name: &str, value: &str) -> String {
+        value.to_string()
+    }
+    /// Writes the statements that return NaN for every output unless a comparison holds; nothing in a
+    /// language that chooses at the end.
+    fn leave_unless(&self, _comparison: &str, _outputs: usize) -> String {
+        String::new()
+    }
 }

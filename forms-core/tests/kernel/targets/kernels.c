@@ -12,6 +12,28 @@
 #endif
 #endif
 
+#ifndef FORMS_FLATTEN
+#ifdef __GNUC__
+#define FORMS_FLATTEN __attribute__((flatten))
+#else
+#define FORMS_FLATTEN
+#endif
+#endif
+
+// With FORMS_VECTOR_LIBRARY, loops over arrays call the vector functions of glibc (2.35 or newer), which are
+// within 4 ulp. For GCC with -fno-math-errno -fno-builtin-sin -fno-builtin-cos.
+#if defined(FORMS_VECTOR_LIBRARY) && defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
+__attribute__((simd("notinbranch"))) double atan2(double, double);
+__attribute__((simd("notinbranch"))) double cbrt(double);
+__attribute__((simd("notinbranch"))) double cos(double);
+__attribute__((simd("notinbranch"))) double exp(double);
+__attribute__((simd("notinbranch"))) double hypot(double, double);
+__attribute__((simd("notinbranch"))) double log(double);
+__attribute__((simd("notinbranch"))) double pow(double, double);
+__attribute__((simd("notinbranch"))) double sin(double);
+__attribute__((simd("notinbranch"))) double tanh(double);
+#endif
+
 #ifndef FORMS_MULTIPLY_ADD
 #define FORMS_MULTIPLY_ADD
 // a b + c, rounded once if the processor has a fused multiply-add.
@@ -30,8 +52,7 @@ static inline double forms_multiply_add(double a, double b, double c) {
 static inline double forms_difference_of_products(double a, double b, double c, double d) {
     const double product = c * d;
     const double error = fma(-c, d, product);
-    const double value = fma(a, b, -product) + error;
-    return isnan(value) ? a * b - product : value;
+    return fma(a, b, -product) + (isfinite(error) ? error : 0);
 }
 #endif
 
@@ -70,7 +91,7 @@ static inline double polynomial_optimised(double x) {
 }
 
 // `polynomial_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void polynomial_optimised_batch(
+FORMS_FLATTEN static inline void polynomial_optimised_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output,
     size_t count) {
@@ -91,7 +112,7 @@ static inline double polynomial(double x) {
 }
 
 // `polynomial` for each i < count. Outputs must not overlap other arrays.
-static inline void polynomial_batch(
+FORMS_FLATTEN static inline void polynomial_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output,
     size_t count) {
@@ -112,7 +133,7 @@ static inline double inverse_square_optimised(double x, double y, double z) {
 }
 
 // `inverse_square_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void inverse_square_optimised_batch(
+FORMS_FLATTEN static inline void inverse_square_optimised_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     const double *FORMS_RESTRICT z,
@@ -136,7 +157,7 @@ static inline double inverse_square(double x, double y, double z) {
 }
 
 // `inverse_square` for each i < count. Outputs must not overlap other arrays.
-static inline void inverse_square_batch(
+FORMS_FLATTEN static inline void inverse_square_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     const double *FORMS_RESTRICT z,
@@ -161,7 +182,7 @@ static inline void several_optimised(double u, double v, double *outputs) {
 }
 
 // `several_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void several_optimised_batch(
+FORMS_FLATTEN static inline void several_optimised_batch(
     const double *FORMS_RESTRICT u,
     const double *FORMS_RESTRICT v,
     double *FORMS_RESTRICT output0,
@@ -191,7 +212,7 @@ static inline void several(double u, double v, double *outputs) {
 }
 
 // `several` for each i < count. Outputs must not overlap other arrays.
-static inline void several_batch(
+FORMS_FLATTEN static inline void several_batch(
     const double *FORMS_RESTRICT u,
     const double *FORMS_RESTRICT v,
     double *FORMS_RESTRICT output0,
@@ -219,7 +240,7 @@ static inline double functions_optimised(double t0, double x) {
 }
 
 // `functions_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void functions_optimised_batch(
+FORMS_FLATTEN static inline void functions_optimised_batch(
     const double *FORMS_RESTRICT t0,
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output,
@@ -241,7 +262,7 @@ static inline double functions(double t0, double x) {
 }
 
 // `functions` for each i < count. Outputs must not overlap other arrays.
-static inline void functions_batch(
+FORMS_FLATTEN static inline void functions_batch(
     const double *FORMS_RESTRICT t0,
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output,
@@ -267,7 +288,7 @@ static inline void constants_optimised(double x, double *outputs) {
 }
 
 // `constants_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void constants_optimised_batch(
+FORMS_FLATTEN static inline void constants_optimised_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output0,
     double *FORMS_RESTRICT output1,
@@ -305,7 +326,7 @@ static inline void constants(double x, double *outputs) {
 }
 
 // `constants` for each i < count. Outputs must not overlap other arrays.
-static inline void constants_batch(
+FORMS_FLATTEN static inline void constants_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output0,
     double *FORMS_RESTRICT output1,
@@ -347,7 +368,7 @@ static inline void roots_optimised(double x, double *outputs) {
 }
 
 // `roots_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void roots_optimised_batch(
+FORMS_FLATTEN static inline void roots_optimised_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output0,
     double *FORMS_RESTRICT output1,
@@ -377,7 +398,7 @@ static inline void roots(double x, double *outputs) {
 }
 
 // `roots` for each i < count. Outputs must not overlap other arrays.
-static inline void roots_batch(
+FORMS_FLATTEN static inline void roots_batch(
     const double *FORMS_RESTRICT x,
     double *FORMS_RESTRICT output0,
     double *FORMS_RESTRICT output1,
@@ -419,7 +440,7 @@ static inline double piecewise_optimised(double x, double y) {
 }
 
 // `piecewise_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void piecewise_optimised_batch(
+FORMS_FLATTEN static inline void piecewise_optimised_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -456,7 +477,7 @@ static inline double piecewise(double x, double y) {
 }
 
 // `piecewise` for each i < count. Outputs must not overlap other arrays.
-static inline void piecewise_batch(
+FORMS_FLATTEN static inline void piecewise_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -495,7 +516,7 @@ static inline void extrema_optimised(double x, double y, double *outputs) {
 }
 
 // `extrema_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void extrema_optimised_batch(
+FORMS_FLATTEN static inline void extrema_optimised_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output0,
@@ -540,7 +561,7 @@ static inline void extrema(double x, double y, double *outputs) {
 }
 
 // `extrema` for each i < count. Outputs must not overlap other arrays.
-static inline void extrema_batch(
+FORMS_FLATTEN static inline void extrema_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output0,
@@ -567,7 +588,7 @@ static inline double lengths_optimised(double x, double y) {
 }
 
 // `lengths_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void lengths_optimised_batch(
+FORMS_FLATTEN static inline void lengths_optimised_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -588,7 +609,7 @@ static inline double lengths(double x, double y) {
 }
 
 // `lengths` for each i < count. Outputs must not overlap other arrays.
-static inline void lengths_batch(
+FORMS_FLATTEN static inline void lengths_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -610,7 +631,7 @@ static inline double unused_optimised(double x, double y) {
 }
 
 // `unused_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void unused_optimised_batch(
+FORMS_FLATTEN static inline void unused_optimised_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -632,7 +653,7 @@ static inline double unused(double x, double y) {
 }
 
 // `unused` for each i < count. Outputs must not overlap other arrays.
-static inline void unused_batch(
+FORMS_FLATTEN static inline void unused_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -661,7 +682,7 @@ static inline double many_optimised(
 }
 
 // `many_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void many_optimised_batch(
+FORMS_FLATTEN static inline void many_optimised_batch(
     const double *FORMS_RESTRICT a,
     const double *FORMS_RESTRICT b,
     const double *FORMS_RESTRICT c,
@@ -696,7 +717,7 @@ static inline double many(
 }
 
 // `many` for each i < count. Outputs must not overlap other arrays.
-static inline void many_batch(
+FORMS_FLATTEN static inline void many_batch(
     const double *FORMS_RESTRICT a,
     const double *FORMS_RESTRICT b,
     const double *FORMS_RESTRICT c,
@@ -723,7 +744,7 @@ static inline double products(double a, double b, double c, double d) {
 }
 
 // `products` for each i < count. Outputs must not overlap other arrays.
-static inline void products_batch(
+FORMS_FLATTEN static inline void products_batch(
     const double *FORMS_RESTRICT a,
     const double *FORMS_RESTRICT b,
     const double *FORMS_RESTRICT c,
@@ -742,20 +763,12 @@ static inline void products_batch(
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
 static inline double inside(double x, double y) {
-    if (!(0.0 < x)) {
-        return NAN;
-    }
-    if (!(x + y <= 5.0)) {
-        return NAN;
-    }
-    if (!(y < 0.0 || y > 0.0)) {
-        return NAN;
-    }
-    return sqrt(x) / y;
+    const int t0 = (0.0 < x) & (x + y <= 5.0) & (y < 0.0 || y > 0.0);
+    return t0 ? sqrt(x) / y : NAN;
 }
 
 // `inside` for each i < count. Outputs must not overlap other arrays.
-static inline void inside_batch(
+FORMS_FLATTEN static inline void inside_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output,
@@ -773,27 +786,13 @@ static inline void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 static inline void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
-    if (!(0.0 < x)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    if (!(t0 <= 5.0)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    if (!(y < 0.0 || y > 0.0)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    outputs[0] = sqrt(x) / y;
-    outputs[1] = t0;
+    const int t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0);
+    outputs[0] = t1 ? sqrt(x) / y : NAN;
+    outputs[1] = t1 ? t0 : NAN;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.
-static inline void both_inside_batch(
+FORMS_FLATTEN static inline void both_inside_batch(
     const double *FORMS_RESTRICT x,
     const double *FORMS_RESTRICT y,
     double *FORMS_RESTRICT output0,

@@ -12,8 +12,7 @@ __device__ inline double forms_multiply_add(double a, double b, double c) {
 __device__ inline double forms_difference_of_products(double a, double b, double c, double d) {
     const double product = c * d;
     const double error = fma(-c, d, product);
-    const double value = fma(a, b, -product) + error;
-    return isnan(value) ? a * b - product : value;
+    return fma(a, b, -product) + (isfinite(error) ? error : 0);
 }
 
 // x^(n/d); needs x >= 0 if d > 1.
@@ -740,16 +739,8 @@ extern "C" __global__ void products_batch(
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline double inside(double x, double y) {
-    if (!(0.0 < x)) {
-        return forms_nan();
-    }
-    if (!(x + y <= 5.0)) {
-        return forms_nan();
-    }
-    if (!(y < 0.0 || y > 0.0)) {
-        return forms_nan();
-    }
-    return sqrt(x) / y;
+    const int t0 = (0.0 < x) & (x + y <= 5.0) & (y < 0.0 || y > 0.0);
+    return t0 ? sqrt(x) / y : forms_nan();
 }
 
 // `inside` for each i < count. Outputs must not overlap other arrays.
@@ -772,23 +763,9 @@ extern "C" __global__ void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
-    if (!(0.0 < x)) {
-        outputs[0] = forms_nan();
-        outputs[1] = forms_nan();
-        return;
-    }
-    if (!(t0 <= 5.0)) {
-        outputs[0] = forms_nan();
-        outputs[1] = forms_nan();
-        return;
-    }
-    if (!(y < 0.0 || y > 0.0)) {
-        outputs[0] = forms_nan();
-        outputs[1] = forms_nan();
-        return;
-    }
-    outputs[0] = sqrt(x) / y;
-    outputs[1] = t0;
+    const int t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0);
+    outputs[0] = t1 ? sqrt(x) / y : forms_nan();
+    outputs[1] = t1 ? t0 : forms_nan();
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.

@@ -12,6 +12,28 @@
 #endif
 #endif
 
+#ifndef FORMS_FLATTEN
+#ifdef __GNUC__
+#define FORMS_FLATTEN __attribute__((flatten))
+#else
+#define FORMS_FLATTEN
+#endif
+#endif
+
+// With FORMS_VECTOR_LIBRARY, loops over arrays call the vector functions of glibc (2.35 or newer), which are
+// within 4 ulp. For GCC with -fno-math-errno -fno-builtin-sin -fno-builtin-cos.
+#if defined(FORMS_VECTOR_LIBRARY) && defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
+__attribute__((simd("notinbranch"))) float atan2f(float, float);
+__attribute__((simd("notinbranch"))) float cbrtf(float);
+__attribute__((simd("notinbranch"))) float cosf(float);
+__attribute__((simd("notinbranch"))) float expf(float);
+__attribute__((simd("notinbranch"))) float hypotf(float, float);
+__attribute__((simd("notinbranch"))) float logf(float);
+__attribute__((simd("notinbranch"))) float powf(float, float);
+__attribute__((simd("notinbranch"))) float sinf(float);
+__attribute__((simd("notinbranch"))) float tanhf(float);
+#endif
+
 #ifndef FORMS_MULTIPLY_ADDF
 #define FORMS_MULTIPLY_ADDF
 // a b + c, rounded once if the processor has a fused multiply-add.
@@ -30,8 +52,7 @@ static inline float forms_multiply_addf(float a, float b, float c) {
 static inline float forms_difference_of_productsf(float a, float b, float c, float d) {
     const float product = c * d;
     const float error = fmaf(-c, d, product);
-    const float value = fmaf(a, b, -product) + error;
-    return isnan(value) ? a * b - product : value;
+    return fmaf(a, b, -product) + (isfinite(error) ? error : 0);
 }
 #endif
 
@@ -70,7 +91,7 @@ static inline float polynomial_optimised(float x) {
 }
 
 // `polynomial_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void polynomial_optimised_batch(
+FORMS_FLATTEN static inline void polynomial_optimised_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output,
     size_t count) {
@@ -91,7 +112,7 @@ static inline float polynomial(float x) {
 }
 
 // `polynomial` for each i < count. Outputs must not overlap other arrays.
-static inline void polynomial_batch(
+FORMS_FLATTEN static inline void polynomial_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output,
     size_t count) {
@@ -112,7 +133,7 @@ static inline float inverse_square_optimised(float x, float y, float z) {
 }
 
 // `inverse_square_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void inverse_square_optimised_batch(
+FORMS_FLATTEN static inline void inverse_square_optimised_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     const float *FORMS_RESTRICT z,
@@ -136,7 +157,7 @@ static inline float inverse_square(float x, float y, float z) {
 }
 
 // `inverse_square` for each i < count. Outputs must not overlap other arrays.
-static inline void inverse_square_batch(
+FORMS_FLATTEN static inline void inverse_square_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     const float *FORMS_RESTRICT z,
@@ -161,7 +182,7 @@ static inline void several_optimised(float u, float v, float *outputs) {
 }
 
 // `several_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void several_optimised_batch(
+FORMS_FLATTEN static inline void several_optimised_batch(
     const float *FORMS_RESTRICT u,
     const float *FORMS_RESTRICT v,
     float *FORMS_RESTRICT output0,
@@ -191,7 +212,7 @@ static inline void several(float u, float v, float *outputs) {
 }
 
 // `several` for each i < count. Outputs must not overlap other arrays.
-static inline void several_batch(
+FORMS_FLATTEN static inline void several_batch(
     const float *FORMS_RESTRICT u,
     const float *FORMS_RESTRICT v,
     float *FORMS_RESTRICT output0,
@@ -219,7 +240,7 @@ static inline float functions_optimised(float t0, float x) {
 }
 
 // `functions_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void functions_optimised_batch(
+FORMS_FLATTEN static inline void functions_optimised_batch(
     const float *FORMS_RESTRICT t0,
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output,
@@ -241,7 +262,7 @@ static inline float functions(float t0, float x) {
 }
 
 // `functions` for each i < count. Outputs must not overlap other arrays.
-static inline void functions_batch(
+FORMS_FLATTEN static inline void functions_batch(
     const float *FORMS_RESTRICT t0,
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output,
@@ -267,7 +288,7 @@ static inline void constants_optimised(float x, float *outputs) {
 }
 
 // `constants_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void constants_optimised_batch(
+FORMS_FLATTEN static inline void constants_optimised_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output0,
     float *FORMS_RESTRICT output1,
@@ -305,7 +326,7 @@ static inline void constants(float x, float *outputs) {
 }
 
 // `constants` for each i < count. Outputs must not overlap other arrays.
-static inline void constants_batch(
+FORMS_FLATTEN static inline void constants_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output0,
     float *FORMS_RESTRICT output1,
@@ -347,7 +368,7 @@ static inline void roots_optimised(float x, float *outputs) {
 }
 
 // `roots_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void roots_optimised_batch(
+FORMS_FLATTEN static inline void roots_optimised_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output0,
     float *FORMS_RESTRICT output1,
@@ -377,7 +398,7 @@ static inline void roots(float x, float *outputs) {
 }
 
 // `roots` for each i < count. Outputs must not overlap other arrays.
-static inline void roots_batch(
+FORMS_FLATTEN static inline void roots_batch(
     const float *FORMS_RESTRICT x,
     float *FORMS_RESTRICT output0,
     float *FORMS_RESTRICT output1,
@@ -419,7 +440,7 @@ static inline float piecewise_optimised(float x, float y) {
 }
 
 // `piecewise_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void piecewise_optimised_batch(
+FORMS_FLATTEN static inline void piecewise_optimised_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -456,7 +477,7 @@ static inline float piecewise(float x, float y) {
 }
 
 // `piecewise` for each i < count. Outputs must not overlap other arrays.
-static inline void piecewise_batch(
+FORMS_FLATTEN static inline void piecewise_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -495,7 +516,7 @@ static inline void extrema_optimised(float x, float y, float *outputs) {
 }
 
 // `extrema_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void extrema_optimised_batch(
+FORMS_FLATTEN static inline void extrema_optimised_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output0,
@@ -540,7 +561,7 @@ static inline void extrema(float x, float y, float *outputs) {
 }
 
 // `extrema` for each i < count. Outputs must not overlap other arrays.
-static inline void extrema_batch(
+FORMS_FLATTEN static inline void extrema_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output0,
@@ -567,7 +588,7 @@ static inline float lengths_optimised(float x, float y) {
 }
 
 // `lengths_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void lengths_optimised_batch(
+FORMS_FLATTEN static inline void lengths_optimised_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -588,7 +609,7 @@ static inline float lengths(float x, float y) {
 }
 
 // `lengths` for each i < count. Outputs must not overlap other arrays.
-static inline void lengths_batch(
+FORMS_FLATTEN static inline void lengths_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -610,7 +631,7 @@ static inline float unused_optimised(float x, float y) {
 }
 
 // `unused_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void unused_optimised_batch(
+FORMS_FLATTEN static inline void unused_optimised_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -632,7 +653,7 @@ static inline float unused(float x, float y) {
 }
 
 // `unused` for each i < count. Outputs must not overlap other arrays.
-static inline void unused_batch(
+FORMS_FLATTEN static inline void unused_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -661,7 +682,7 @@ static inline float many_optimised(
 }
 
 // `many_optimised` for each i < count. Outputs must not overlap other arrays.
-static inline void many_optimised_batch(
+FORMS_FLATTEN static inline void many_optimised_batch(
     const float *FORMS_RESTRICT a,
     const float *FORMS_RESTRICT b,
     const float *FORMS_RESTRICT c,
@@ -688,7 +709,7 @@ static inline float many(float a, float b, float c, float d, float e, float f, f
 }
 
 // `many` for each i < count. Outputs must not overlap other arrays.
-static inline void many_batch(
+FORMS_FLATTEN static inline void many_batch(
     const float *FORMS_RESTRICT a,
     const float *FORMS_RESTRICT b,
     const float *FORMS_RESTRICT c,
@@ -715,7 +736,7 @@ static inline float products(float a, float b, float c, float d) {
 }
 
 // `products` for each i < count. Outputs must not overlap other arrays.
-static inline void products_batch(
+FORMS_FLATTEN static inline void products_batch(
     const float *FORMS_RESTRICT a,
     const float *FORMS_RESTRICT b,
     const float *FORMS_RESTRICT c,
@@ -734,20 +755,12 @@ static inline void products_batch(
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
 static inline float inside(float x, float y) {
-    if (!(0.0f < x)) {
-        return NAN;
-    }
-    if (!(x + y <= 5.0f)) {
-        return NAN;
-    }
-    if (!(y < 0.0f || y > 0.0f)) {
-        return NAN;
-    }
-    return sqrtf(x) / y;
+    const int t0 = (0.0f < x) & (x + y <= 5.0f) & (y < 0.0f || y > 0.0f);
+    return t0 ? sqrtf(x) / y : NAN;
 }
 
 // `inside` for each i < count. Outputs must not overlap other arrays.
-static inline void inside_batch(
+FORMS_FLATTEN static inline void inside_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output,
@@ -765,27 +778,13 @@ static inline void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 static inline void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
-    if (!(0.0f < x)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    if (!(t0 <= 5.0f)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    if (!(y < 0.0f || y > 0.0f)) {
-        outputs[0] = NAN;
-        outputs[1] = NAN;
-        return;
-    }
-    outputs[0] = sqrtf(x) / y;
-    outputs[1] = t0;
+    const int t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f);
+    outputs[0] = t1 ? sqrtf(x) / y : NAN;
+    outputs[1] = t1 ? t0 : NAN;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.
-static inline void both_inside_batch(
+FORMS_FLATTEN static inline void both_inside_batch(
     const float *FORMS_RESTRICT x,
     const float *FORMS_RESTRICT y,
     float *FORMS_RESTRICT output0,

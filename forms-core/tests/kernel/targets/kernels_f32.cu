@@ -12,8 +12,7 @@ __device__ inline float forms_multiply_addf(float a, float b, float c) {
 __device__ inline float forms_difference_of_productsf(float a, float b, float c, float d) {
     const float product = c * d;
     const float error = fmaf(-c, d, product);
-    const float value = fmaf(a, b, -product) + error;
-    return isnan(value) ? a * b - product : value;
+    return fmaf(a, b, -product) + (isfinite(error) ? error : 0);
 }
 
 // x^(n/d); needs x >= 0 if d > 1.
@@ -732,16 +731,8 @@ extern "C" __global__ void products_batch(
 // Its value is NaN outside its domain and where an argument it depends on is NaN.
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline float inside(float x, float y) {
-    if (!(0.0f < x)) {
-        return forms_nanf();
-    }
-    if (!(x + y <= 5.0f)) {
-        return forms_nanf();
-    }
-    if (!(y < 0.0f || y > 0.0f)) {
-        return forms_nanf();
-    }
-    return sqrtf(x) / y;
+    const int t0 = (0.0f < x) & (x + y <= 5.0f) & (y < 0.0f || y > 0.0f);
+    return t0 ? sqrtf(x) / y : forms_nanf();
 }
 
 // `inside` for each i < count. Outputs must not overlap other arrays.
@@ -764,23 +755,9 @@ extern "C" __global__ void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
-    if (!(0.0f < x)) {
-        outputs[0] = forms_nanf();
-        outputs[1] = forms_nanf();
-        return;
-    }
-    if (!(t0 <= 5.0f)) {
-        outputs[0] = forms_nanf();
-        outputs[1] = forms_nanf();
-        return;
-    }
-    if (!(y < 0.0f || y > 0.0f)) {
-        outputs[0] = forms_nanf();
-        outputs[1] = forms_nanf();
-        return;
-    }
-    outputs[0] = sqrtf(x) / y;
-    outputs[1] = t0;
+    const int t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f);
+    outputs[0] = t1 ? sqrtf(x) / y : forms_nanf();
+    outputs[1] = t1 ? t0 : forms_nanf();
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.
