@@ -15,6 +15,7 @@
 //! the result of the rules alone, without a search.
 
 mod bounds;
+mod budget;
 mod choice;
 mod crossing;
 mod form;
@@ -25,6 +26,7 @@ mod rules;
 mod search;
 mod validation;
 
+pub use budget::Budget;
 #[cfg(feature = "internals")]
 pub use choice::key;
 #[cfg(not(feature = "internals"))]
@@ -36,4 +38,4 @@ pub use form::Form;
 pub(crate) use form::Form;
 pub use form::Found;
 pub(crate) use rules::by_rules;
-pub use search::{Budget, search};
+pub use search::search;

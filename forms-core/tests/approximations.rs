@@ -209,7 +209,7 @@ fn chosen(text: &str) -> (Vec<String>, f64, bool) {
     assert!(errors.is_empty(), "{errors:?}");
     let kernel = theory.kernels[0].clone();
     let found = search(&mut theory.pool, &kernel, Budget::default()).expect("samples");
-    let form = found.chosen();
+    let form = found.chosen().0;
     (theory.pool.texts(&form.outputs), form.loss, form.approximation.is_some())
 }
 

@@ -16,8 +16,8 @@ const APPLIED_CHOICES: &str = include_str!("../../tests/stability/applied.stable
 
 /// Kernels of many fields whose values need more precision at some arguments: their values vanish
 /// inside the domain, or are too small for `f64` on the way.
-const NEED_PRECISION: [&str; 5] =
-    ["angle_of_vectors", "sum_of_logarithms", "option_price", "sphere_hit", "fisheye"];
+const NEED_PRECISION: [&str; 6] =
+    ["atmosphere", "angle_of_vectors", "sum_of_logarithms", "option_price", "sphere_hit", "fisheye"];
 
 /// Number of samples in each regime, and the seed. The samples differ from those of the search, so
 /// that a form is not judged by the samples for which it was chosen.

@@ -9,7 +9,7 @@
 //! rules. An entry with another key is ignored, and the kernel is computed by the result of the
 //! rules alone. Generation proves each form again.
 
-use super::form::{Form, Found, MOST_UNITS};
+use super::form::{Form, Found};
 use super::rules::VERSION;
 use crate::check::read_theory;
 use crate::diagnostic::Diagnostic;
@@ -21,17 +21,6 @@ use std::fmt::Write;
 
 /// File extension of a file of choices, which replaces `forms`.
 pub const EXTENSION: &str = "stable";
-
-/// Maximum mean loss in bits over all regimes. If the best form loses more, no form is good enough,
-/// and the kernel is computed with as much precision as its arguments require.
-const MOST_LOSS: f64 = 0.9;
-
-/// Maximum mean loss in bits in one regime, with the same consequence.
-const MOST_LOSS_OF_A_REGIME: f64 = 2.0;
-
-/// Error bounds, in units of 2⁻⁵³, of which such a kernel promises the least that most of its values
-/// keep without more precision.
-const PROMISES: [f64; 4] = [2.0, 4.0, 8.0, MOST_UNITS];
 
 /// Header of every file of choices.
 const HEAD: &str = "\
@@ -73,31 +62,22 @@ fn fowler_noll_vo(bytes: &[u8]) -> u64 {
 pub fn written(pool: &Pool, choices: &[(&Kernel, &Found)]) -> Option<String> {
     let mut text = HEAD.to_string();
     for (kernel, found) in choices {
-        let mut form = found.chosen();
-        if form.loss > found.written.loss {
-            form = &found.written;
-        }
-        if is_open(form) {
-            form = found.most_settled();
-        }
-        if (form.outputs != kernel.outputs || is_open(form)) && !kernel.has_form() {
-            entry(pool, kernel, found, form, &mut text);
+        let (form, promise) = found.chosen();
+        if (form.outputs != kernel.outputs || promise.is_some()) && !kernel.has_form() {
+            entry(pool, kernel, (&found.written, form, promise), &mut text);
         }
     }
     (text.len() > HEAD.len()).then_some(text)
 }
 
-/// Whether a form is not accurate enough.
-fn is_open(form: &Form) -> bool {
-    form.loss > MOST_LOSS || form.regimes.iter().any(|(_, loss)| *loss > MOST_LOSS_OF_A_REGIME)
-}
-
-/// Returns the error bound to promise for a form that is not accurate enough, in units of 2⁻⁵³.
-fn promised(form: &Form) -> f64 {
-    PROMISES.into_iter().find(|&units| form.bound <= units).unwrap_or(MOST_UNITS)
-}
-
-fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut String) {
+/// Adds the entry of a kernel with the form that it is computed by, in place of the written one, and the
+/// promise, if there is one.
+fn entry(
+    pool: &Pool,
+    kernel: &Kernel,
+    (before, form, promise): (&Form, &Form, Option<f64>),
+    text: &mut String,
+) {
     let arguments: Vec<&str> = kernel.arguments.iter().map(|&argument| pool.symbol_name(argument)).collect();
     // an entry is a kernel of numbers: arrays are written by their entries
     let shapes = vec![Shape::Number; form.outputs.len()];
@@ -110,12 +90,14 @@ fn entry(pool: &Pool, kernel: &Kernel, found: &Found, form: &Form, text: &mut St
         }
         None => written(&form.outputs),
     };
-    let (key, before, after) = (key(pool, kernel), found.written.loss, form.loss);
-    let promise = if is_open(form) { format!("\n    within {}", promised(form)) } else { String::new() };
+    let key = key(pool, kernel);
+    let promise = promise.map_or(String::new(), |units| format!("\n    within {units}"));
     let _ = write!(
         text,
-        "\n/// {key} bits {before:.2} -> {after:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",
-        found.written.cost,
+        "\n/// {key} bits {:.2} -> {:.2}, cost {} -> {}\nkernel {}({}) = {formula}{promise};\n",
+        before.loss,
+        form.loss,
+        before.cost,
         form.cost,
         kernel.name,
         arguments.join(", ")

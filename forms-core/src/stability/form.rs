@@ -18,6 +18,9 @@ pub struct Form {
     pub cost: u32,
     /// Largest loss at a sample.
     pub worst: f64,
+    /// Largest loss at a sample of a value that is a normal number, also among samples that the search
+    /// has not seen.
+    pub worst_of_normal: f64,
     /// Error bound in units of 2⁻⁵³ that the arithmetic with bounds shows in `f64` for most typical
     /// arguments.
     pub bound: f64,
@@ -26,8 +29,36 @@ pub struct Form {
     pub unsettled: f64,
 }
 
+/// Maximum mean loss in bits over all regimes. If the best form loses more, no form is good enough,
+/// and the kernel is computed with as much precision as its arguments require.
+const MOST_LOSS: f64 = 0.9;
+
+/// Maximum mean loss in bits in one regime, with the same consequence.
+const MOST_LOSS_OF_A_REGIME: f64 = 2.0;
+
+/// Maximum loss in bits at one sample, with the same consequence: a loss of 16 units.
+const MOST_LOSS_OF_A_SAMPLE: f64 = 4.0;
+
+/// Error bounds, in units of 2⁻⁵³, of which such a kernel promises the least that most of its values
+/// keep without more precision.
+const PROMISES: [f64; 4] = [2.0, 4.0, 8.0, MOST_UNITS];
+
 /// Largest error bound, in units of 2⁻⁵³, that is promised for a kernel without an accurate form.
 pub(super) const MOST_UNITS: f64 = 16.0;
+
+impl Form {
+    /// Whether it is not accurate enough.
+    fn is_open(&self) -> bool {
+        self.loss > MOST_LOSS
+            || self.worst_of_normal > MOST_LOSS_OF_A_SAMPLE
+            || self.regimes.iter().any(|(_, loss)| *loss > MOST_LOSS_OF_A_REGIME)
+    }
+
+    /// Returns the error bound to promise if it is not accurate enough, in units of 2⁻⁵³.
+    fn promised(&self) -> f64 {
+        PROMISES.into_iter().find(|&units| self.bound <= units).unwrap_or(MOST_UNITS)
+    }
+}
 
 /// Difference of the mean losses, in bits, up to which a cheaper form is preferred to a more
 /// accurate one.
@@ -47,9 +78,21 @@ pub struct Found {
 }
 
 impl Found {
-    /// Returns the form to use: the cheapest of those whose loss is close to the smallest, and among
-    /// these to the smallest at the sample where it is largest.
-    pub fn chosen(&self) -> &Form {
+    /// Returns the form to compute by, and the error bound to promise in units of 2⁻⁵³ where no form is
+    /// accurate enough.
+    pub fn chosen(&self) -> (&Form, Option<f64>) {
+        let cheapest = self.cheapest();
+        let form = if cheapest.loss > self.written.loss { &self.written } else { cheapest };
+        if !form.is_open() {
+            return (form, None);
+        }
+        let form = self.most_settled();
+        (form, form.is_open().then(|| form.promised()))
+    }
+
+    /// Returns the cheapest of the forms whose loss is close to the smallest, and among these to the
+    /// smallest at the sample where it is largest.
+    fn cheapest(&self) -> &Form {
         let best = self.forms.first().unwrap_or(&self.written);
         let good = || self.forms.iter().filter(|form| form.loss <= best.loss + WORTH);
         let least = good().map(|form| form.worst).fold(f64::INFINITY, f64::min);
@@ -58,7 +101,7 @@ impl Found {
 
     /// Returns the form whose `f64` values have a known bound most often: the one to compute with
     /// where other values need more precision.
-    pub(super) fn most_settled(&self) -> &Form {
+    fn most_settled(&self) -> &Form {
         let forms = self.forms.iter().chain(&self.incomplete).chain([&self.written]);
         // where few values have a bound, the more accurate form needs less precision
         let key = |form: &&Form| {

@@ -1,38 +1,18 @@
 //! Best-first search from the formula as written, bounded by the number of expanded forms.
 
 use super::bounds::Bounds;
+use super::budget::Budget;
 use super::form::{Form, Found, PARETO_STEP, SAMPLE_STEP, front};
 use super::locate::lossy;
 use super::proof::{provable, proved, proved_close};
 use super::regimes::{cuts, joined, mean};
 use super::rules::{Rewriting, tolerance};
-use super::validation::Validation;
+use super::validation::{Validation, has_normal_values};
 use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, ranges, sample};
 use crate::expression::{Expr, Node, Pool};
 use crate::kernel::{KernelSource, Program, lower};
 use crate::theory::Kernel;
 use rustc_hash::{FxHashMap, FxHashSet};
-
-/// Search budget for one kernel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Budget {
-    /// Number of samples in each regime.
-    pub samples: usize,
-    /// Number of forms that are expanded.
-    pub expansions: usize,
-    /// Number of operations of a form to which the rules are applied.
-    pub places: usize,
-    /// Number of forms that are proved.
-    pub proofs: usize,
-    /// Number of proofs that can fail before the search is content with the forms that are proved.
-    pub failures: usize,
-}
-
-impl Default for Budget {
-    fn default() -> Self {
-        Budget { samples: 48, expansions: 48, places: 8, proofs: 24, failures: 10 }
-    }
-}
 
 /// Maximum number of samples, chosen among those with a loss, for locating the lossy operations of
 /// a form.
@@ -96,6 +76,8 @@ struct Search<'a> {
     weights: Vec<f64>,
     candidates: Vec<Candidate>,
     seen: FxHashSet<Vec<Expr>>,
+    /// Whether forms lose no more than the formula at other arguments, where that is known.
+    valid: FxHashMap<Vec<Expr>, bool>,
     /// What the rules propose for an expression, found once: equal expressions, and close ones.
     proposals: FxHashMap<Expr, [Vec<Expr>; 2]>,
     /// Parts of the formula as written, for which approximations are tried.
@@ -125,6 +107,7 @@ impl<'a> Search<'a> {
             weights,
             candidates: Vec::new(),
             seen: FxHashSet::default(),
+            valid: FxHashMap::default(),
             proposals: FxHashMap::default(),
             parts,
             largest,
@@ -160,7 +143,7 @@ impl<'a> Search<'a> {
     }
 
     /// Returns the form to expand next: the best of those not yet expanded, judged in turn over all
-    /// samples and in each regime.
+    /// samples, at its worst sample and in each regime.
     fn next(&self) -> Option<usize> {
         let best = self.candidates.iter().map(|form| form.loss).fold(f64::INFINITY, f64::min);
         let done = self.candidates.iter().filter(|form| form.expanded).count();
@@ -168,10 +151,14 @@ impl<'a> Search<'a> {
             return None;
         }
         let open = (0..self.candidates.len()).filter(|&place| !self.candidates[place].expanded);
-        let turn = done % (self.samples.len() + 2);
+        let turn = done % (self.samples.len() + 3);
         let key = |place: &usize| {
             let form = &self.candidates[*place];
-            let loss = if turn < 2 { form.loss } else { self.regime_loss(form, turn - 2) };
+            let loss = match turn {
+                0 | 1 => form.loss,
+                2 => self.worst_of_normal(form),
+                _ => self.regime_loss(form, turn - 3),
+            };
             (loss * 16.0).round() + f64::from(form.cost) / 1000.0 + form.loss / 1e3
         };
         open.min_by(|a, b| key(a).total_cmp(&key(b)))
@@ -181,6 +168,12 @@ impl<'a> Search<'a> {
         let start: usize = self.samples[..regime].iter().map(|samples| samples.samples.len()).sum();
         let count = self.samples[regime].samples.len();
         form.losses[start..start + count].iter().sum::<f64>() / count as f64
+    }
+
+    /// Returns the largest loss of a form at a sample of a value that is a normal number.
+    fn worst_of_normal(&self, form: &Candidate) -> f64 {
+        let losses = self.points.iter().zip(&form.losses).filter(|(sample, _)| has_normal_values(sample));
+        losses.map(|(_, loss)| *loss).fold(0.0, f64::max)
     }
 
     /// Expands a form: adds the forms that the rules produce from its lossy operations.
@@ -221,8 +214,9 @@ impl<'a> Search<'a> {
 
     /// Returns the Pareto front of the proved forms and of their combination by regimes.
     fn finish(mut self) -> Option<Found> {
-        let written = self.form(&self.candidates.first()?.outputs.clone(), false)?;
-        let validation = Validation::new(self.pool, self.kernel);
+        let formula = program(self.pool, self.kernel, &self.kernel.outputs)?;
+        let validation = Validation::new(self.pool, self.kernel, &formula);
+        let written = self.form(&self.candidates.first()?.outputs.clone(), false, &validation)?;
         let proved = self.proved(&validation);
         let mut forms: Vec<Form> = Vec::new();
         let is_close = proved.iter().any(|&place| self.candidates[place].is_close);
@@ -232,11 +226,11 @@ impl<'a> Search<'a> {
             } else {
                 self::proved(self.pool, self.kernel, &outputs)
             };
-            forms.extend(is_proved.then(|| self.form(&outputs, is_close)).flatten());
+            forms.extend(is_proved.then(|| self.form(&outputs, is_close, &validation)).flatten());
         }
         for place in proved {
             let Candidate { outputs, is_close, .. } = &self.candidates[place];
-            forms.extend(self.form(&outputs.clone(), *is_close));
+            forms.extend(self.form(&outputs.clone(), *is_close, &validation));
         }
         let is_valid = |form: &Form| self.is_valid(&form.outputs, &validation);
         let (valid, incomplete): (Vec<Form>, Vec<Form>) = forms.into_iter().partition(is_valid);
@@ -248,14 +242,13 @@ impl<'a> Search<'a> {
     fn proved(&mut self, validation: &Validation) -> Vec<usize> {
         let (mut proved, mut valid, mut failed) = (Vec::new(), Vec::new(), 0);
         for place in self.finalists() {
-            let is_no_better = |known: &[usize]| known.iter().any(|&known| self.is_no_better(place, known));
-            let is_pointless = is_no_better(&valid)
-                || is_no_better(&proved) && !self.is_valid(&self.candidates[place].outputs, validation);
+            let Candidate { outputs, is_close, .. } = &self.candidates[place];
+            let (outputs, is_close) = (outputs.clone(), *is_close);
+            let is_pointless = self.is_no_better_than_any(place, &valid)
+                || self.is_no_better_than_any(place, &proved) && !self.is_valid(&outputs, validation);
             if is_pointless || failed == self.budget.failures && place != 0 {
                 continue;
             }
-            let Candidate { outputs, is_close, .. } = &self.candidates[place];
-            let (outputs, is_close) = (outputs.clone(), *is_close);
             let form = if place == 0 {
                 Some(outputs)
             } else if is_close {
@@ -269,19 +262,29 @@ impl<'a> Search<'a> {
             };
             if !proved.contains(&place) {
                 proved.push(place);
-                valid.extend(self.is_valid(&self.candidates[place].outputs, validation).then_some(place));
+                let outputs = self.candidates[place].outputs.clone();
+                valid.extend(self.is_valid(&outputs, validation).then_some(place));
             }
         }
         proved
     }
 
     /// Whether a form loses no more than the formula at arguments that the search has not seen.
-    fn is_valid(&self, outputs: &[Expr], validation: &Validation) -> bool {
-        let program = |outputs: &[Expr]| program(self.pool, self.kernel, outputs);
-        outputs == self.kernel.outputs
-            || program(outputs)
-                .zip(program(&self.kernel.outputs))
-                .is_some_and(|(form, formula)| validation.loses_no_more(&form, &formula))
+    fn is_valid(&mut self, outputs: &[Expr], validation: &Validation) -> bool {
+        if outputs == self.kernel.outputs {
+            return true;
+        }
+        if let Some(known) = self.valid.get(outputs) {
+            return *known;
+        }
+        let form = program(self.pool, self.kernel, outputs);
+        let is_valid = form.is_some_and(|form| validation.loses_no_more(&form));
+        self.valid.insert(outputs.to_vec(), is_valid);
+        is_valid
+    }
+
+    fn is_no_better_than_any(&self, place: usize, proved: &[usize]) -> bool {
+        proved.iter().any(|&known| self.is_no_better(place, known))
     }
 
     /// Whether a form costs at least as much as a proved one and loses no fewer bits, in the mean, in
@@ -362,7 +365,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    fn form(&mut self, outputs: &[Expr], is_close: bool) -> Option<Form> {
+    fn form(&mut self, outputs: &[Expr], is_close: bool, validation: &Validation) -> Option<Form> {
         let place = self.place_of(outputs.to_vec(), is_close)?;
         let known = &self.candidates[place];
         let regimes = self.samples.iter().enumerate();
@@ -372,6 +375,7 @@ impl<'a> Search<'a> {
             Bounds::of(&program, &self.points, &self.weights, self.samples[0].samples.len());
         Some(Form {
             worst: known.worst(),
+            worst_of_normal: validation.most_lost(&program).max(self.worst_of_normal(known)),
             bound,
             unsettled,
             approximation: known.is_close.then(tolerance),

@@ -6,9 +6,9 @@
 //! infinite one, where the formula as written gives a number, or if it loses more bits in the mean
 //! of a regime or of a grid.
 
-use crate::accuracy::{Regime, Sample, Samples, Width, bits_lost, sample, sample_at};
+use crate::accuracy::{Regime, Sample, Width, bits_lost, sample, sample_at};
 use crate::expression::Pool;
-use crate::kernel::Program;
+use crate::kernel::{Interpreter, Program};
 use crate::random::SplitMix;
 use crate::theory::Kernel;
 
@@ -37,14 +37,39 @@ const EDGES: &[f64] =
 /// Magnitude from which one more rounding can overflow to infinity.
 const BESIDE_THE_LARGEST: f64 = f64::MAX / 16.0;
 
-/// Samples that were not used to choose a form.
+/// Samples that were not used to choose a form, with what the formula as written makes of them.
 pub(super) struct Validation {
-    regimes: Vec<Samples>,
+    /// Samples of each regime, then the grids.
+    regimes: Vec<Unseen>,
+    /// Number of regimes before the grids.
+    sampled: usize,
+}
+
+/// Samples of a regime or of a grid.
+struct Unseen {
+    samples: Vec<Sample>,
+    /// Values of the formula at each sample.
+    written: Vec<Vec<f64>>,
+    /// Sum of the bits that the formula loses at the samples.
+    lost_by_formula: f64,
+}
+
+impl Unseen {
+    fn new(samples: Vec<Sample>, formula: &Interpreter<'_, f64>) -> Self {
+        let written: Vec<Vec<f64>> = samples.iter().map(|sample| formula.values(&sample.arguments)).collect();
+        let lost_by_formula = samples.iter().zip(&written).map(|(sample, values)| lost(sample, values)).sum();
+        Unseen { samples, written, lost_by_formula }
+    }
 }
 
 impl Validation {
-    pub(super) fn new(pool: &Pool, kernel: &Kernel) -> Self {
-        let mut regimes = sample(pool, kernel, Width::Double, &Regime::ALL, SAMPLES, SEED);
+    /// Draws the samples for a kernel whose formula as written is computed by this program.
+    pub(super) fn new(pool: &Pool, kernel: &Kernel, formula: &Program) -> Self {
+        let mut regimes: Vec<Vec<Sample>> = sample(pool, kernel, Width::Double, &Regime::ALL, SAMPLES, SEED)
+            .into_iter()
+            .map(|regime| regime.samples)
+            .collect();
+        let sampled = regimes.len();
         let mut random = SplitMix(SEED);
         let mut grid = |draw: fn(usize, u64) -> f64| {
             let mut point = |round| {
@@ -56,10 +81,7 @@ impl Validation {
                 kernel.arguments.iter().map(number).collect()
             };
             let points: Vec<Vec<f64>> = (0..GRID).map(&mut point).collect();
-            let samples = sample_at(pool, kernel, Width::Double, &points);
-            if !samples.is_empty() {
-                regimes.push(Samples { regime: Regime::Singular, samples, undecided: 0 });
-            }
+            regimes.push(sample_at(pool, kernel, Width::Double, &points));
         };
         grid(|round, random| of(&NUMBERS[..if round % 2 == 0 { SIMPLE } else { NUMBERS.len() }], random));
         grid(|round, random| {
@@ -67,27 +89,46 @@ impl Validation {
             let simple = if round % 2 == 0 { SIMPLE } else { NUMBERS.len() };
             of(if is_edge { EDGES } else { &NUMBERS[..simple] }, random)
         });
-        Validation { regimes }
+        let formula = formula.interpreter::<f64>();
+        let regimes = regimes.into_iter().map(|samples| Unseen::new(samples, &formula)).collect();
+        Validation { regimes, sampled }
+    }
+
+    /// Returns the largest number of bits that a form loses at a sample of a regime, of a value that is a
+    /// normal number. The grids are not asked: at the edges of the range no form keeps all digits.
+    pub(super) fn most_lost(&self, form: &Program) -> f64 {
+        let form = form.interpreter::<f64>();
+        let samples = self.regimes[..self.sampled].iter().flat_map(|regime| &regime.samples);
+        let samples = samples.filter(|sample| has_normal_values(sample));
+        samples.map(|sample| lost(sample, &form.values(&sample.arguments))).fold(0.0, f64::max)
     }
 
     /// Whether a form has a number wherever the formula computes one, and loses no more bits in any
     /// mean.
-    pub(super) fn loses_no_more(&self, form: &Program, formula: &Program) -> bool {
-        let (form, formula) = (form.interpreter::<f64>(), formula.interpreter::<f64>());
+    pub(super) fn loses_no_more(&self, form: &Program) -> bool {
+        let form = form.interpreter::<f64>();
         self.regimes.iter().all(|regime| {
-            let (mut lost, mut lost_by_formula) = (0.0, 0.0);
-            for sample in &regime.samples {
-                let [values, written] = [&form, &formula].map(|program| program.values(&sample.arguments));
-                if !has_numbers_where(sample, &values, &written) {
+            let mut lost_by_form = 0.0;
+            for (sample, written) in regime.samples.iter().zip(&regime.written) {
+                let values = form.values(&sample.arguments);
+                if !has_numbers_where(sample, &values, written) {
                     return false;
                 }
-                // beyond a certain loss it does not matter how wrong a value is
-                lost += bits_lost(Width::Double, sample, &values).min(WRONG);
-                lost_by_formula += bits_lost(Width::Double, sample, &written).min(WRONG);
+                lost_by_form += lost(sample, &values);
             }
-            lost <= lost_by_formula + ROUNDINGS * regime.samples.len() as f64
+            lost_by_form <= regime.lost_by_formula + ROUNDINGS * regime.samples.len() as f64
         })
     }
+}
+
+/// Returns the bits lost at a sample. Beyond a certain loss it does not matter how wrong a value is.
+fn lost(sample: &Sample, values: &[f64]) -> f64 {
+    bits_lost(Width::Double, sample, values).min(WRONG)
+}
+
+/// Whether no value at a sample is below the normal numbers, where digits are missing.
+pub(super) fn has_normal_values(sample: &Sample) -> bool {
+    sample.values.iter().flatten().all(|(exact, _)| *exact == 0.0 || exact.is_normal())
 }
 
 /// Selects one of these numbers.

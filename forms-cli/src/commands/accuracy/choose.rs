@@ -40,9 +40,11 @@ pub(super) fn choose(path: &str, output: &mut dyn Write) -> io::Result<Status> {
             writeln!(output, "{name}: {}", palette.notable("no arguments with a certain value were found"))?;
             continue;
         };
-        let form = found.chosen();
+        let (form, promise) = found.chosen();
         let change = format!("{:.2} -> {:.2} bits lost", found.written.loss, form.loss);
-        writeln!(output, "{name}: {change}, cost {} -> {}", found.written.cost, form.cost)?;
+        let promise = promise
+            .map_or(String::new(), |units| format!("; `within {units}`, with more precision where needed"));
+        writeln!(output, "{name}: {change}, cost {} -> {}{promise}", found.written.cost, form.cost)?;
         choices.push((place, found));
     }
     let pairs: Vec<_> = choices.iter().map(|(place, found)| (&kernels[*place], found)).collect();

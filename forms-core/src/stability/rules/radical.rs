@@ -41,6 +41,9 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
     let mut found = Vec::new();
     for (root, other) in [(first, second), (second, first)] {
         let Some(norm) = norm(rewriting, root, other) else { continue };
+        if [first, second].into_iter().all(|term| is_nowhere_negative(rewriting, term)) {
+            return found;
+        }
         let difference = rewriting.pool.subtract(root, other);
         let form = norm.over(rewriting, difference);
         let form = unless_coefficient_is_huge(rewriting, expression, form, norm.c);
@@ -54,6 +57,12 @@ pub(super) fn beside_its_root(rewriting: &mut Rewriting<'_>, expression: Expr) -
         }
     }
     found
+}
+
+/// Whether a term is shown to be negative nowhere in the domain.
+fn is_nowhere_negative(rewriting: &mut Rewriting<'_>, term: Expr) -> bool {
+    let zero = rewriting.pool.integer(0);
+    rewriting.excludes(Condition { left: term, relation: Relation::Less, right: zero })
 }
 
 /// Decimal exponent of the largest coefficient that is doubled.
