@@ -50,7 +50,7 @@ pub(crate) use account::{Account, Bound, Cancellation, Case, account};
 pub use angle_equation::vanishing_angles;
 #[cfg(not(feature = "internals"))]
 pub(crate) use angle_equation::vanishing_angles;
-pub(crate) use finding::{Budget, Equations, Finding, contradiction};
+pub(crate) use finding::{Budget, Equations, Finding, contradiction, nowhere_defined};
 pub(crate) use observer::Observer;
 
 pub use reasons::{EmptyReason, KernelReason, UnknownReason};

@@ -20,6 +20,7 @@ mod exact_point;
 mod fault;
 mod form_claim;
 mod limit;
+mod nowhere;
 mod obligation;
 mod opaque;
 mod pieces;
@@ -154,6 +155,9 @@ pub(crate) fn generate(
         lower(pool, source).map_err(|error| vec![Diagnostic::new(kernel.span, error.to_string())])
     };
     let written = lowered(pool, &source)?;
+    if let Some(objection) = nowhere::objection(pool, kernel, &written) {
+        return Err(vec![objection]);
+    }
     let faults = own_faults(pool, kernel);
     if !faults.is_empty() {
         return Err(faults.into_iter().map(|fault| fault.diagnostic).collect());
@@ -163,7 +167,14 @@ pub(crate) fn generate(
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
     // a chosen form keeps the order of its sums and products, because its rounding depends on that
     // order
-    let optimised = if form.is_some() { program.in_order() } else { program.optimise() };
+    let optimised = match &form {
+        // where rules gave the form, and no bound is promised, time counts as well
+        Some(_) if kernel.computed.is_empty() && kernel.within.is_none() => {
+            program.in_order_with_shared_divisors()
+        }
+        Some(_) => program.in_order(),
+        None => program.optimise(),
+    };
     // a form to compute by, or an error bound, asks for accuracy first
     let is_stable = form.is_some() || kernel.within.is_some();
     let optimised = if is_stable { optimised.compensate() } else { optimised };

@@ -73,7 +73,17 @@ impl Equations<'_> {
 
 /// Returns the reason why no point meets these conditions, if that can be shown.
 pub(crate) fn contradiction(pool: &mut Pool, conditions: &[Condition]) -> Option<EmptyReason> {
-    let problem = Problem::of_scalars(pool, &[], conditions);
+    nowhere_defined(pool, &[], conditions)
+}
+
+/// Returns the reason why the sides are defined at no point that meets the conditions, if that can be
+/// shown.
+pub(crate) fn nowhere_defined(
+    pool: &mut Pool,
+    sides: &[(Expr, Expr)],
+    conditions: &[Condition],
+) -> Option<EmptyReason> {
+    let problem = Problem::of_scalars(pool, sides, conditions);
     empty::contradiction(pool, &problem)
 }
 

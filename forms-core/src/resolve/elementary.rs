@@ -5,7 +5,7 @@
 //! max(a, b) = (a + b + |a − b|)/2                                      csc q = 1/sin q, cot q = cos q/sin q
 //! ```
 
-use super::arguments::exactly;
+use super::arguments::{exactly, wrong_count};
 use super::evaluation::{Evaluated, Evaluator};
 use crate::diagnostic::Span;
 use crate::expression::{Expr, Extremum, Operation};
@@ -35,6 +35,10 @@ impl Evaluator<'_> {
         span: Span,
     ) -> Evaluated<Value> {
         let name = if which == Extremum::Least { "min" } else { "max" };
+        if arguments.len() > 2 {
+            let help = format!("write `{name}({name}(a, b), c)` for three numbers");
+            return Err(wrong_count(name, 2, arguments.len(), span).with_help(help));
+        }
         let [a, b] = self.scalars(arguments, name, span)?;
         Ok(Value::Scalar(self.theory.pool.extremum(which, a, b)))
     }

@@ -263,12 +263,16 @@ fn is_invisible(c: char) -> bool {
 fn replacement(run: &str, rest: &str) -> Option<String> {
     let first = run.chars().next()?;
     let is_before_name = rest.starts_with(|c: char| c.is_ascii_alphabetic());
+    let mut after_first = rest.chars().skip(1);
+    let is_before_component =
+        rest.starts_with(['x', 'y', 'z', 'w']) && !after_first.next().is_some_and(char::is_alphanumeric);
     let written = |text: &str| Some(format!("write {text}"));
     let told = match run {
         "&" | "&&" => "separate conditions with `,`",
         "|" if is_before_name => "write `abs(x)` for an absolute value",
         "|" | "||" => "conditions all hold at once; state alternatives separately",
         "!" => "write `!=` for “not equal”",
+        "." if is_before_component => "components of an array are numbered: `p[0]`, `p[1]`",
         "." if is_before_name => "a function stands before its argument: `sin(x)`",
         "." => "write `..` for a range",
         "?" => "write `if x > 0 { a } else { b }` for a choice",

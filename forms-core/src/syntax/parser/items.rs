@@ -285,7 +285,13 @@ impl Parser<'_> {
             self.position += 2;
             return Ok(());
         }
-        let help = self.at(Symbol::Arrow).then_some("the results of a kernel have no declared type");
+        let help = match self.peek() {
+            Some(TokenKind::Symbol(Symbol::Arrow)) => Some("the results of a kernel have no declared type"),
+            Some(TokenKind::Symbol(Symbol::OpenBrace)) => {
+                Some("what it stands for follows `=`, without braces")
+            }
+            _ => None,
+        };
         Err(self.unexpected("`=`", help))
     }
 }

@@ -101,7 +101,11 @@ impl Parser<'_> {
         self.eat_word(which.word());
         let open = self.expect(Symbol::OpenParen)?;
         let of = self.name("the kernel to differentiate")?;
-        self.expect(Symbol::Semicolon)?;
+        if self.eat(Symbol::Semicolon).is_none() {
+            let help =
+                format!("name the arguments to differentiate by: `{}({}; x, y)`", which.word(), of.text);
+            return Err(self.unexpected("`;`", Some(&help)));
+        }
         let mut by = vec![self.quantity("an argument of the kernel")?];
         while self.eat(Symbol::Comma).is_some() {
             by.push(self.quantity("an argument of the kernel")?);

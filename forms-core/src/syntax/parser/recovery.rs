@@ -34,6 +34,12 @@ impl Parser<'_> {
             TokenKind::Name(word) if word == "where" => {
                 Some("separate conditions with `,` after a single `where`")
             }
+            TokenKind::Name(word) if word == "approx" => {
+                Some("an approximation has a formula before it: `= F by G approx 1e-10`")
+            }
+            TokenKind::Symbol(Symbol::Less | Symbol::LessEqual | Symbol::Greater | Symbol::GreaterEqual) => {
+                Some("a choice is written `if x > 0 { a } else { b }`")
+            }
             _ if self.looks_like_factor() => Some("write `*` between factors"),
             _ => None,
         }
