@@ -119,6 +119,9 @@ pub(crate) enum Command {
         #[arg(long, default_value = "", hide_default_value = true, value_name = "TEXT",
             value_parser = prefix)]
         prefix: String,
+        /// Program of each kernel: its formula as written, without promises, or the generated form
+        #[arg(long, value_enum, default_value_t = Tier::Stable)]
+        tier: Tier,
     },
     /// Show the run time and the accuracy of each precision and form of a kernel, on typical and on
     /// hard arguments

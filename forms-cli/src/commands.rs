@@ -49,9 +49,10 @@ pub(crate) fn run_with_input(
         Some(Command::Eval { file, kernel, precision, tier }) => {
             eval::eval((file, kernel), precision, *tier, input, output)
         }
-        Some(Command::Emit { file, kernel, target, precision, prefix }) => {
+        Some(Command::Emit { file, kernel, target, precision, prefix, tier }) => {
             let language = (target.as_str(), precision.as_deref());
-            emit::emit(&emit::Request { file, kernel: kernel.as_deref(), language, prefix }, output)
+            let kernel = kernel.as_deref();
+            emit::emit(&emit::Request { file, kernel, language, prefix, tier: *tier }, output)
         }
         Some(Command::Accuracy { file, kernel, json, write, pages, samples, no_times }) => {
             let request = accuracy::Request {

@@ -2,7 +2,9 @@
 
 use crate::streams::tell;
 use crate::theory_file::{self, FileError, TheoryFile};
-use forms::core::compile::compile_kernel;
+use forms::core::compile::{compile_as_written, compile_kernel};
+use forms::core::diagnostic::Diagnostic;
+use forms::core::expression::Pool;
 use forms::core::generation::Generated;
 use forms::core::theory::Kernel;
 
@@ -43,9 +45,22 @@ pub(crate) fn find<'a>(files: &'a [TheoryFile], name: &str) -> Result<(&'a Theor
 /// Generates the programs of a kernel, or returns all of its errors. The kernel becomes public,
 /// since its source is meant to be used elsewhere.
 pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
+    compiled(file, kernel, compile_kernel)
+}
+
+/// Generates the program of a kernel's formula as written.
+pub(crate) fn generated_as_written(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
+    compiled(file, kernel, compile_as_written)
+}
+
+fn compiled(
+    file: &TheoryFile,
+    kernel: &Kernel,
+    compile: impl Fn(&mut Pool, &Kernel) -> Result<Generated, Vec<Diagnostic>>,
+) -> Result<Generated, Vec<FileError>> {
     let mut kernel = kernel.clone();
     kernel.public = true;
     let mut pool = file.theory.pool.clone();
-    compile_kernel(&mut pool, &kernel)
+    compile(&mut pool, &kernel)
         .map_err(|errors| errors.iter().map(|error| FileError::at(&file.source, error)).collect())
 }

@@ -1,7 +1,8 @@
 //! `forms emit`: kernels as source code that compiles without changes.
 
+use crate::arguments::Tier;
 use crate::commands::refuse;
-use crate::kernel::{LIBRARY, files, find, generated};
+use crate::kernel::{LIBRARY, files, find, generated, generated_as_written};
 use crate::status::Status;
 use crate::streams::tell;
 use crate::theory_file::{FileError, TheoryFile, complain};
@@ -25,6 +26,7 @@ pub(crate) struct Request<'a> {
     pub(crate) language: (&'a str, Option<&'a str>),
     /// Prefix of the names of functions.
     pub(crate) prefix: &'a str,
+    pub(crate) tier: Tier,
 }
 
 /// Prints the kernels of a file, or one of them.
@@ -50,7 +52,7 @@ pub(crate) fn emit(request: &Request<'_>, output: &mut dyn Write) -> io::Result<
         return Ok(refuse(&format!("there is no kernel in {file}")));
     }
     let sources: Result<Vec<Vec<Source>>, _> =
-        chosen.iter().map(|(file, kernel)| sources(file, kernel)).collect();
+        chosen.iter().map(|(file, kernel)| sources(file, kernel, request.tier)).collect();
     match sources {
         Ok(sources) => request.print(&sources.concat(), (target, precision), output),
         Err(errors) => {
@@ -135,7 +137,7 @@ fn formula(file: &TheoryFile, kernel: &Kernel) -> String {
 
 /// Generates a kernel, and its specialisations without each set of its effects:
 /// `NAME_without_absorption`.
-pub(super) fn sources(file: &TheoryFile, kernel: &Kernel) -> Result<Vec<Source>, Vec<FileError>> {
+pub(super) fn sources(file: &TheoryFile, kernel: &Kernel, tier: Tier) -> Result<Vec<Source>, Vec<FileError>> {
     let mut file = file.clone();
     let mut kernels = vec![kernel.clone()];
     let found = specialisations(&mut file.theory.pool, kernel).map_err(|errors| {
@@ -152,11 +154,15 @@ pub(super) fn sources(file: &TheoryFile, kernel: &Kernel) -> Result<Vec<Source>,
         ));
         kernels.push(specialised);
     }
-    kernels.iter().map(|kernel| source(&file, kernel)).collect()
+    kernels.iter().map(|kernel| source(&file, kernel, tier)).collect()
 }
 
-fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<FileError>> {
-    let generated = generated(file, kernel)?;
+fn source(file: &TheoryFile, kernel: &Kernel, tier: Tier) -> Result<Source, Vec<FileError>> {
+    let generated = match tier {
+        Tier::Plain => generated_as_written(file, kernel)?,
+        Tier::Stable => generated(file, kernel)?,
+    };
+    let within = kernel.within.clone().filter(|_| tier == Tier::Stable);
     let docs = KernelDocs {
         formula: formula(file, kernel),
         statements: kernel.statements.clone(),
@@ -166,5 +172,5 @@ fn source(file: &TheoryFile, kernel: &Kernel) -> Result<Source, Vec<FileError>> 
         rounding: forms::core::rounding::sentence(&generated.optimised).unwrap_or_default(),
         docs: kernel.docs.clone(),
     };
-    Ok(Source { docs, within: kernel.within.clone(), ..generated.into() })
+    Ok(Source { docs, within, ..generated.into() })
 }

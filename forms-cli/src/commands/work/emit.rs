@@ -2,6 +2,7 @@
 
 use super::Refusal;
 use super::record::{read, tell};
+use crate::arguments::Tier;
 use crate::commands::emit::{heading, sources};
 use crate::json::write_record;
 use crate::kernel::find;
@@ -43,7 +44,7 @@ pub(super) fn emit(request: &Request, output: &mut dyn Write) -> io::Result<()> 
         Ok(found) => found,
         Err(refusal) => return write_record(output, &Refusal { refusal }),
     };
-    match sources(file, kernel) {
+    match sources(file, kernel, Tier::Stable) {
         Ok(sources) => {
             write_record(output, &Sources { code: TARGETS.map(|target| code(&sources, target)).into() })
         }
