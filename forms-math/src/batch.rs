@@ -18,11 +18,12 @@ use crate::escalate::beyond_lane_computed;
 use crate::instructions::Instructions;
 use crate::lane::{Bounded, in_fused_lanes};
 use crate::{Computation, Formula};
+use alloc::vec::Vec;
 use block::{Kernel, STEP};
+use core::ops::Range;
 pub use length::{Column, LengthMismatch};
 use method::{BLOCK, Element, Plain};
 use method::{Method, Within, WithinDouble};
-use std::ops::Range;
 
 /// Computes the values of a formula in `f64`, one row for each position of the columns.
 ///

@@ -11,19 +11,27 @@
 
 mod double_double;
 mod lane;
+#[cfg(not(feature = "std"))]
+mod repetition;
 mod rounding;
+#[cfg(feature = "std")]
 mod tape;
 
 pub use double_double::{escalate_double_double, escalate_double_double_computation};
 
-use std::fmt;
-use std::marker::PhantomData;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+use core::marker::PhantomData;
 
 use crate::guarded::{Guardable, Guarded};
 use crate::scalar::Scalar;
 use crate::{Computation, DoubleDouble, Formula, Real, Wide};
+#[cfg(not(feature = "std"))]
+use repetition::in_any_precision;
 use rounding::{Outcome, Rounding, ToDouble, ToSingle};
-use tape::Tape;
+#[cfg(feature = "std")]
+use tape::in_any_precision;
 
 /// Precision from which an output was taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -62,7 +70,7 @@ impl fmt::Display for NotWithin {
     }
 }
 
-impl std::error::Error for NotWithin {}
+impl core::error::Error for NotWithin {}
 
 /// Computes the outputs within a relative error of `within` · 2⁻⁵³. Below 2⁻¹⁰²² the error is at
 /// most half an ulp, and beyond the largest `f64` the output is infinite.
@@ -230,7 +238,7 @@ impl<F, const A: usize, const O: usize> Of<F, A, O> {
 
 impl<F: Formula<A, O>, const A: usize, const O: usize> Computation for Of<F, A, O> {
     fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
-        F::value(std::array::from_fn(|place| arguments[place])).to_vec()
+        F::value(core::array::from_fn(|place| arguments[place])).to_vec()
     }
 }
 
@@ -325,15 +333,15 @@ fn climb<R: Rounding>(
     rounding: R,
     slots: &mut [Slot<R::Number>],
 ) {
-    let tape = Tape::of(arguments.len(), |arguments| computation.values(arguments));
+    let (computation, has_integral) = in_any_precision(computation, arguments.len());
     // Results that do not depend on the size of an infinite argument are known immediately.
     let is_finite = arguments.iter().all(|argument| argument.high().is_finite());
-    let most = match (is_finite, tape.has_integral()) {
+    let most = match (is_finite, has_integral) {
         (false, _) => 4,
         (true, true) => MOST_WORDS_OF_INTEGRALS,
         (true, false) => MOST_WORDS,
     };
-    let climbing = Climbing { tape, arguments, rounding, most };
+    let climbing = Climbing { computation, arguments, rounding, most };
     let _ = climbing.is_done_in::<4>(slots)
         || climbing.is_done_in::<8>(slots)
         || climbing.is_done_in::<16>(slots)
@@ -343,14 +351,14 @@ fn climb<R: Rounding>(
 }
 
 /// Formula with its arguments, to be computed in up to this number of words.
-struct Climbing<'a, R> {
-    tape: Tape,
+struct Climbing<'a, C, R> {
+    computation: C,
     arguments: &'a [DoubleDouble],
     rounding: R,
     most: usize,
 }
 
-impl<R: Rounding> Climbing<'_, R> {
+impl<C: Computation, R: Rounding> Climbing<'_, C, R> {
     /// Computes the open results in this number of words; returns true if none remains, or if no
     /// larger numbers are tried.
     #[inline(never)]
@@ -363,6 +371,6 @@ impl<R: Rounding> Climbing<'_, R> {
         let arguments: Vec<_> = self.arguments.iter().map(exact).collect();
         let is_last = LIMBS >= self.most;
         let rounding = (self.rounding, if is_last { rounding::LEAST_SLACK } else { 0.0 });
-        take(&self.tape.values(&arguments), Tier::Words(LIMBS as u16), rounding, slots) || is_last
+        take(&self.computation.values(&arguments), Tier::Words(LIMBS as u16), rounding, slots) || is_last
     }
 }

@@ -1,5 +1,7 @@
 //! Generated code of a kernel: its body, for every number type; and computations that are known only at run time.
 
+use alloc::vec::Vec;
+
 use crate::Real;
 
 /// Kernel of `ARGUMENTS` numbers with `OUTPUTS` values.

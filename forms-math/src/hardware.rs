@@ -1,22 +1,23 @@
 //! `f32` and `f64` as numbers of a kernel.
 //!
-//! The elementary functions of `f64` are those of the standard library; `f32` computes in `f64`
+//! The elementary functions of `f64` are those of [`float`]; `f32` computes in `f64`
 //! wherever an intermediate rounding to `f32` would reduce accuracy.
 
 use crate::composed::{Widen, special_functions};
 use crate::error_free;
+use crate::float;
 use crate::quadrature::{Kind, double_exponential};
 use crate::scalar::{Scalar, choices};
 use crate::special::{complementary_error_function_of_double, error_function_of_double};
 use crate::wide::quadrant_of_words;
 use crate::{DoubleDouble, Real};
 
-/// Functions that a hardware type takes unchanged from the standard library.
+/// Functions that a hardware type takes unchanged from [`float`].
 macro_rules! standard_functions {
-    ($type:ty: $($name:ident),*) => { $(
+    ($type:ident: $($name:ident),*) => { $(
         #[inline(always)]
         fn $name(self) -> Self {
-            <$type>::$name(self)
+            float::$type::$name(self)
         }
     )* };
 }
@@ -64,7 +65,7 @@ impl Real for f64 {
     standard_functions!(f64: sqrt, abs, sin, cos, tan, asin, acos, atan, exp, exp_m1, ln, ln_1p, sinh, cosh, tanh);
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        f64::atan2(self, x)
+        float::f64::atan2(self, x)
     }
     #[inline]
     fn erf(self) -> Self {
@@ -80,7 +81,7 @@ impl Real for f64 {
     }
     #[inline(always)]
     fn cbrt(self) -> Self {
-        f64::cbrt(self)
+        float::f64::cbrt(self)
     }
     special_functions!(DoubleDouble, 60);
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {
@@ -89,7 +90,7 @@ impl Real for f64 {
     }
 }
 
-/// Computes x^(n/d). No function of the standard library accepts a quotient as exponent:
+/// Computes x^(n/d). No library has a function with a quotient as exponent:
 /// n/d = p + r with p rounded, and x^p x^r = x^p (1 + r ln x) with an error far below an ulp.
 #[inline(always)]
 fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
@@ -98,19 +99,19 @@ fn power(x: f64, numerator: i64, denominator: i64) -> f64 {
         (1, 1) => x,
         (2, 1) => x * x,
         (-1, 1) => 1.0 / x,
-        (1, 2) => x.sqrt(),
-        (-1, 2) => 1.0 / x.sqrt(),
-        (1, 3) if x >= 0.0 => x.cbrt(),
+        (1, 2) => float::f64::sqrt(x),
+        (-1, 2) => 1.0 / float::f64::sqrt(x),
+        (1, 3) if x >= 0.0 => float::f64::cbrt(x),
         (_, 0) => f64::NAN,
         (n, d) => {
             let exponent = n as f64 / d as f64;
             let (product, rest) = error_free::two_product(exponent, d as f64);
             let left = ((n as f64 - product) - rest) / d as f64;
-            let value = x.powf(exponent);
+            let value = float::f64::powf(x, exponent);
             if left == 0.0 || value == 0.0 || !value.is_finite() {
                 value
             } else {
-                value + value * (left * x.ln())
+                value + value * (left * float::f64::ln(x))
             }
         }
     }
@@ -124,7 +125,7 @@ fn hypotenuse_of_doubles(x: f64, y: f64) -> f64 {
     const LARGEST: f64 = f64::from_bits((1023 + 1000) << 52);
     const LEAST: f64 = f64::from_bits((1023 - 800) << 52);
     let sum = x * x + y * y;
-    if sum > LEAST && sum < LARGEST { sum.sqrt() } else { scaled_hypotenuse(x, y) }
+    if sum > LEAST && sum < LARGEST { float::f64::sqrt(sum) } else { scaled_hypotenuse(x, y) }
 }
 
 #[cold]
@@ -136,7 +137,7 @@ fn scaled_hypotenuse(x: f64, y: f64) -> f64 {
     }
     let (scale, back) = if x.abs() > 1.0 || y.abs() > 1.0 { (DOWN, UP) } else { (UP, DOWN) };
     let (x, y) = (x * scale, y * scale);
-    (x * x + y * y).sqrt() * back
+    float::f64::sqrt(x * x + y * y) * back
 }
 
 impl Scalar for f64 {
@@ -147,10 +148,10 @@ impl Scalar for f64 {
     }
 
     fn pi() -> Self {
-        std::f64::consts::PI
+        core::f64::consts::PI
     }
     fn ln_2() -> Self {
-        std::f64::consts::LN_2
+        core::f64::consts::LN_2
     }
     fn from_integer(value: i64) -> Self {
         value as f64
@@ -159,7 +160,7 @@ impl Scalar for f64 {
         (self.is_finite() && self != 0.0).then(|| error_free::mantissa_and_exponent(self).1)
     }
     fn sine_and_cosine(self) -> (Self, Self) {
-        self.sin_cos()
+        float::f64::sin_cos(self)
     }
     fn euler_gamma() -> Self {
         0.577_215_664_901_532_9
@@ -171,14 +172,14 @@ impl Scalar for f64 {
         // π/2 in three words, the first two of 33 bits: exact products for quotients below 2²⁰.
         const QUARTER_TURN: [f64; 3] =
             [1.570_796_326_734_125_6, 6.077_100_506_303_966e-11, 2.022_266_248_795_950_6e-21];
-        let quotient = (self / std::f64::consts::FRAC_PI_2).round();
+        let quotient = float::f64::round(self / core::f64::consts::FRAC_PI_2);
         if quotient.abs() >= 1_048_576.0 {
             let (quadrant, rest) = quadrant_of_words(self, 0.0);
             return (quadrant, rest.to_f64());
         }
         let rest =
             ((self - quotient * QUARTER_TURN[0]) - quotient * QUARTER_TURN[1]) - quotient * QUARTER_TURN[2];
-        (quotient.rem_euclid(4.0) as u8, rest)
+        (float::f64::rem_euclid(quotient, 4.0) as u8, rest)
     }
 }
 
@@ -221,12 +222,12 @@ impl Real for f32 {
     #[inline(always)]
     fn hypot(self, y: Self) -> Self {
         let [x, y] = [self, y].map(f64::from);
-        (x * x + y * y).sqrt() as f32
+        float::f64::sqrt(x * x + y * y) as f32
     }
     special_functions!(f64, 32);
     #[inline(always)]
     fn atan2(self, x: Self) -> Self {
-        f32::atan2(self, x)
+        float::f32::atan2(self, x)
     }
     /// Evaluates the integrand in `f32`, so that it is the kernel's integrand in this precision.
     fn quadrature(from: Self, to: Self, integrand: impl Fn(Self) -> Self) -> Self {

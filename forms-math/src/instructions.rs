@@ -1,6 +1,11 @@
 //! Choice of the instructions of lanes.
 
+use alloc::vec::Vec;
+#[cfg(feature = "std")]
 use std::sync::OnceLock;
+
+#[cfg(not(feature = "std"))]
+use crate::once_lock::OnceLock;
 
 /// Instructions chosen for this program.
 static CHOSEN: OnceLock<Instructions> = OnceLock::new();
@@ -81,7 +86,11 @@ impl Set {
     #[cfg(not(target_arch = "x86_64"))]
     const FUSED: Self = Self::Baseline;
 
+    /// Whether the processor has the instructions.
+    #[cfg(feature = "std")]
     fn is_available(self) -> bool {
+        #[cfg(target_arch = "x86_64")]
+        use std::is_x86_feature_detected;
         match self {
             Self::Baseline => true,
             #[cfg(target_arch = "x86_64")]
@@ -92,6 +101,26 @@ impl Set {
                     && is_x86_feature_detected!("avx512f")
                     && is_x86_feature_detected!("avx512dq")
                     && is_x86_feature_detected!("avx512vl")
+            }
+        }
+    }
+
+    /// Whether the program is compiled for processors with the instructions: without the standard
+    /// library, nothing is known about the processor at run time.
+    #[cfg(not(feature = "std"))]
+    fn is_available(self) -> bool {
+        match self {
+            Self::Baseline => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => cfg!(all(target_feature = "avx2", target_feature = "fma")),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => {
+                Self::Avx2.is_available()
+                    && cfg!(all(
+                        target_feature = "avx512f",
+                        target_feature = "avx512dq",
+                        target_feature = "avx512vl"
+                    ))
             }
         }
     }

@@ -6,8 +6,36 @@
 //!                            ├─ Guarded<T> ─────────▶ a value and a bound of its error
 //!                            └─ Lane<FMA> ──────────▶ batches over slices, vectorised, chosen at run time
 //! ```
-//! A kernel is written once, as a function of any [`Real`]; a precision is a type. Without its
-//! features, the crate needs only the standard library, so that it can be pasted next to a kernel.
+//! A kernel is written once, as a function of any [`Real`]; a precision is a type. The crate needs
+//! only the standard library, so that it can be pasted next to a kernel.
+//!
+//! # Without the standard library
+//!
+//! ```toml
+//! forms-math = { version = "0.1", default-features = false, features = ["libm"] }
+//! ```
+//! Without its default feature `std` the crate needs `core`, an allocator, and for the elementary
+//! functions of `f32` and `f64` the crate [`libm`](https://docs.rs/libm). All types and functions are
+//! the same, except for those of the feature `rayon`, which includes `std`. The differences:
+//!
+//! * The functions of `libm` and of the standard library round differently in the last place. Error
+//!   bounds and promises hold for both.
+//! * [`Instructions`] are those for which the program is compiled, since nothing detects others:
+//!   `-C target-feature=+avx2,+fma` on x86-64.
+//! * [`escalate()`] compiles a formula for each precision up to 16 384 bits instead of recording its
+//!   steps once: the program is larger.
+
+#![no_std]
+
+extern crate alloc;
+#[cfg(feature = "std")]
+extern crate std;
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!(
+    "`forms-math` needs a library of elementary functions: enable its feature `std` (the default), or its \
+     feature `libm` for programs without the standard library"
+);
 
 mod batch;
 mod composed;
@@ -15,12 +43,15 @@ mod double_double;
 mod elementary;
 mod error_free;
 mod escalate;
+mod float;
 mod formula;
 mod guarded;
 mod hardware;
 mod instructions;
 mod lane;
 mod number;
+#[cfg(not(feature = "std"))]
+mod once_lock;
 mod quadrature;
 mod real;
 mod scalar;

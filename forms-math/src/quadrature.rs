@@ -9,7 +9,11 @@
 //! 9 (1974); the estimate of the error: D. H. Bailey, K. Jeyabalan, X. S. Li, A comparison of three
 //! high-precision quadrature schemes, Experimental Mathematics 14 (2005).
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use crate::Real;
+use crate::float;
 use crate::scalar::Scalar;
 use crate::table::table;
 
@@ -197,7 +201,7 @@ fn rule_error<S: Scalar>(sums: [S; 3], scale: S) -> S {
     }
     let newest_digits = newest_digits.max(2.0 * older_digits);
     let predicted = (newest_digits * newest_digits / older_digits).max(2.0 * newest_digits);
-    scale.scaled((predicted / std::f64::consts::LN_2).ceil() as i64)
+    scale.scaled(float::f64::ceil(predicted / core::f64::consts::LN_2) as i64)
 }
 
 #[cfg(test)]
@@ -225,7 +229,7 @@ mod tests {
             (-albedo * turned * cosine * p.cos() / p.sin()).ln_1p()
         };
         let kind = Kind::<f64, f64> { of: |number| number, number: |number| number, bits: 53 };
-        let (integral, error) = double_exponential(0.0, std::f64::consts::FRAC_PI_2, integrand, &kind);
+        let (integral, error) = double_exponential(0.0, core::f64::consts::FRAC_PI_2, integrand, &kind);
         assert!((integral + 0.099_655_980_272_441_05).abs() < 2e-16, "{integral}");
         assert!(error < 1e-15, "{error}");
     }

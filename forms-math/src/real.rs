@@ -1,6 +1,6 @@
 //! Number types in which a kernel can be computed.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::Number;
 

@@ -3,7 +3,12 @@
 //! ```text
 //! lib.rs ─ mod error_free; ─▶ mod error_free { … } ─ … ─▶ one module that needs nothing but the standard library
 //! ```
-//! Batches are omitted: the pasted text is for single values.
+//! Batches are omitted: the pasted text is for single values. It uses the standard library, and
+//! contains no condition on the feature `std`, which is unknown in another crate.
+
+use alloc::format;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
 
 /// Files that are pasted, by their path without `.rs`.
 const FILES: &[(&str, &str)] = &[
@@ -30,6 +35,7 @@ const FILES: &[(&str, &str)] = &[
     ("escalate/lane", include_str!("escalate/lane.rs")),
     ("escalate/rounding", include_str!("escalate/rounding.rs")),
     ("escalate/tape", include_str!("escalate/tape.rs")),
+    ("float", include_str!("float.rs")),
     ("formula", include_str!("formula.rs")),
     ("guarded", include_str!("guarded.rs")),
     ("guarded/arithmetic", include_str!("guarded/arithmetic.rs")),
@@ -67,6 +73,7 @@ const FILES: &[(&str, &str)] = &[
     ("special/exponential_integral", include_str!("special/exponential_integral.rs")),
     ("special/zeta", include_str!("special/zeta.rs")),
     ("table", include_str!("table.rs")),
+    ("table/map", include_str!("table/map.rs")),
     ("wide", include_str!("wide.rs")),
     ("wide/circular", include_str!("wide/circular.rs")),
     ("wide/constants", include_str!("wide/constants.rs")),
@@ -97,11 +104,12 @@ const OTHER_FILES: &[(&str, &str)] = &[
 /// assert!(files.iter().any(|(path, text)| path == "lib.rs" && text.contains("pub use batch::")));
 /// ```
 pub fn crate_files() -> Vec<(String, String)> {
-    let root = include_str!("lib.rs").lines().filter(|line| !line.contains("source"));
+    let root = with_standard_library(include_str!("lib.rs"));
+    let root = root.lines().filter(|line| !line.contains("source"));
     let root = root.map(|line| format!("{line}\n")).collect();
     let modules = FILES.iter().chain(OTHER_FILES);
-    let modules = modules.map(|(path, text)| (format!("{path}.rs"), (*text).to_string()));
-    std::iter::once(("lib.rs".to_string(), root)).chain(modules).collect()
+    let modules = modules.map(|(path, text)| (format!("{path}.rs"), with_standard_library(text)));
+    core::iter::once(("lib.rs".to_string(), root)).chain(modules).collect()
 }
 
 /// Returns `mod forms_math { … }` for the root of a crate: `f32`, `f64`,
@@ -115,8 +123,49 @@ pub fn crate_files() -> Vec<(String, String)> {
 pub fn source() -> String {
     let text = pasted("", include_str!("lib.rs"));
     format!(
-        "#[allow(dead_code, unused_imports, reason = \"kernels use parts of it\")]\nmod forms_math {{\n{text}}}\n"
+        "#[allow(dead_code, unused_imports, reason = \"kernels use parts of it\")]\nmod forms_math {{\n\n{}}}\n",
+        text.trim_start()
     )
+}
+
+/// Condition of an item that needs the standard library.
+const WITH_STANDARD_LIBRARY: &str = "#[cfg(feature = \"std\")]";
+/// Beginnings of the condition of an item that is compiled only without the standard library.
+const WITHOUT_STANDARD_LIBRARY: [&str; 3] = [
+    "#[cfg(not(feature = \"std\"))]",
+    "#[cfg(not(any(feature = \"std\"",
+    "#[cfg(all(not(feature = \"std\"), ",
+];
+
+/// Returns a file as it is compiled with the standard library: the conditions that require it are
+/// removed, and so are the items that are compiled only without it.
+fn with_standard_library(text: &str) -> String {
+    let mut lines: Vec<&str> = Vec::new();
+    // Indentation of an item that is left out.
+    let mut left_out = None;
+    for line in text.lines() {
+        let start = line.trim_start();
+        let indentation = line.len() - start.len();
+        if left_out.is_some() {
+            if left_out == Some(indentation) && line.ends_with([';', '}']) {
+                left_out = None;
+            }
+        } else if WITHOUT_STANDARD_LIBRARY.iter().any(|condition| start.starts_with(condition)) {
+            // The documentation above the condition is dropped too.
+            while lines.last().is_some_and(|line| line.trim_start().starts_with("///")) {
+                lines.pop();
+            }
+            left_out = Some(indentation);
+        } else if start != WITH_STANDARD_LIBRARY {
+            lines.push(line);
+        }
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Whether a line belongs to a pasted module: module comments and lines for the whole crate do not.
+fn belongs_to_module(line: &str) -> bool {
+    !["//!", "#![no_std]", "extern crate "].iter().any(|start| line.trim_start().starts_with(start))
 }
 
 /// Returns the text of a module with its submodules inserted.
@@ -124,7 +173,7 @@ fn pasted(path: &str, text: &str) -> String {
     let mut lines = Vec::new();
     let mut within_left_out = false;
     let own = text.split("\n#[cfg(test)]").next().unwrap_or_default();
-    for line in own.lines().filter(|line| !line.trim_start().starts_with("//!")) {
+    for line in with_standard_library(own).lines().filter(|line| belongs_to_module(line)) {
         let declared = line.strip_suffix(';').and_then(|line| Some(line.split_once("mod ")?.1));
         let imported = line.strip_prefix("pub use ").and_then(|rest| rest.split("::").next());
         let left_out = match (declared, imported) {
@@ -140,6 +189,9 @@ fn pasted(path: &str, text: &str) -> String {
             }
         } else if let Some((path, text)) = declared.and_then(|module| file(path, module)) {
             lines.push(format!("{} {{\n{}}}", line.trim_end_matches(';'), pasted(&path, text)));
+        } else if let Some(item) = line.strip_prefix("use alloc::") {
+            // Only the root of a crate declares `alloc` for all of its modules.
+            lines.push(format!("use std::{item}"));
         } else {
             lines.push(line.replace("crate::", "crate::forms_math::"));
         }
@@ -157,6 +209,54 @@ fn file(path: &str, module: &str) -> Option<(String, &'static str)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_pasted_module_needs_the_standard_library_and_no_features() {
+        let text = source();
+        for absent in ["feature =", "alloc::", "extern crate", "no_std", "libm::", "once_lock"] {
+            assert!(!text.contains(absent), "{absent}");
+        }
+        let files = crate_files();
+        assert!(files.iter().all(|(_, text)| !text.contains("feature = \"std\"")));
+    }
+
+    /// [`Real`](crate::Real) has methods of these names for `f64` that compute something else, and a
+    /// method call means them where the standard library is missing.
+    #[test]
+    fn functions_that_real_numbers_have_too_are_called_by_paths() {
+        for (path, text) in FILES.iter().chain(OTHER_FILES) {
+            for line in text.lines().filter(|line| !line.trim_start().starts_with("//")) {
+                let is_ambiguous = [".mul_add(", ".hypot("].iter().any(|call| line.contains(call));
+                assert!(!is_ambiguous, "{path}: {line}");
+            }
+        }
+    }
+
+    #[test]
+    fn items_for_programs_without_the_standard_library_are_left_out() {
+        let text = "\
+#[cfg(feature = \"std\")]
+use a::f;
+#[cfg(not(feature = \"std\"))]
+use b::f;
+
+impl A {
+    /// One.
+    #[cfg(feature = \"std\")]
+    fn one() {}
+    /// The other.
+    #[cfg(not(feature = \"std\"))]
+    fn one() {
+        if true {
+            f();
+        }
+    }
+    fn two() {}
+}
+";
+        let left = "use a::f;\n\nimpl A {\n    /// One.\n    fn one() {}\n    fn two() {}\n}\n";
+        assert_eq!(with_standard_library(text), left);
+    }
 
     #[test]
     fn the_crate_as_files_has_every_module_that_is_compiled() {

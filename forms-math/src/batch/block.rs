@@ -27,7 +27,7 @@ fn align_frame() {
     struct Vector {
         _byte: u8,
     }
-    std::hint::black_box(&mut Vector { _byte: 0 });
+    core::hint::black_box(&mut Vector { _byte: 0 });
 }
 
 /// Applies the method to every row. The values are a single parameter, so that the compiler knows

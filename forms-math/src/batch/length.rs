@@ -1,6 +1,6 @@
 //! Check that all columns of a batch have the same length.
 
-use std::fmt;
+use core::fmt;
 
 /// Column of a batch, by its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,7 +33,7 @@ impl fmt::Display for LengthMismatch {
     }
 }
 
-impl std::error::Error for LengthMismatch {}
+impl core::error::Error for LengthMismatch {}
 
 /// Returns the length of the first column.
 pub(super) fn of<E>(columns: &[&[E]], outputs: &[&mut [E]]) -> usize {

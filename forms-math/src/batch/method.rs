@@ -3,8 +3,8 @@
 use crate::escalate::{beyond_lane, in_guarded_double};
 use crate::lane::values_within;
 use crate::{Formula, Lane32, Lane64, Real};
-use std::marker::PhantomData;
-use std::ops::BitOr;
+use core::marker::PhantomData;
+use core::ops::BitOr;
 
 /// Largest number of rows that are computed at once: the cost of starting a block is negligible
 /// compared with theirs.

@@ -1,5 +1,7 @@
 //! Batches on all processors: the rows are divided into shares of several blocks.
 
+use alloc::vec::Vec;
+
 use super::method::BLOCK;
 use super::method::Element;
 use rayon::prelude::*;

@@ -3,11 +3,12 @@
 //! Source: M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building blocks of
 //! double-word arithmetic, ACM Transactions on Mathematical Software 44 (2017), algorithms 6, 11 and 17.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::DoubleDouble;
 use super::ends::is_near_an_end;
 use crate::error_free::{fast_two_sum, two_product, two_sum};
+use crate::float;
 
 impl DoubleDouble {
     /// Returns high + low, if |high| ≥ |low|.
@@ -82,7 +83,7 @@ impl DoubleDouble {
         if is_near_an_end(self.high) {
             return self.root_near_an_end();
         }
-        let root = self.high.sqrt();
+        let root = float::f64::sqrt(self.high);
         let (square, rest) = two_product(root, root);
         Self::ordered(root, ((self.high - square) - rest + self.low) / (2.0 * root))
     }

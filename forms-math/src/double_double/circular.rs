@@ -3,11 +3,12 @@
 use super::DoubleDouble;
 use super::exponential::reciprocal_factorial;
 use crate::error_free::{two_product, two_sum};
+use crate::float;
 use crate::{Real, Wide};
 
 /// π/2 to 318 bits; each word is the `f64` nearest to the remainder after the words before it.
 const QUARTER_TURN: [f64; 6] = [
-    std::f64::consts::FRAC_PI_2,
+    core::f64::consts::FRAC_PI_2,
     6.123_233_995_736_766e-17,
     -1.497_384_904_859_169_8e-33,
     5.562_271_104_316_826e-50,
@@ -23,7 +24,7 @@ impl DoubleDouble {
     /// Returns (q mod 4, x − q π/2) with an integer q. The remainder is at most slightly larger
     /// than π/4 and has a relative error within 4 units.
     pub(super) fn to_quadrant(self) -> (u8, Self) {
-        if self.high.abs() <= std::f64::consts::FRAC_PI_4 {
+        if self.high.abs() <= core::f64::consts::FRAC_PI_4 {
             return (0, self);
         }
         if !self.high.is_finite() {
@@ -34,14 +35,14 @@ impl DoubleDouble {
             let high = rest.to_f64();
             return (quadrant, Self::new(high, (rest - Wide::from_f64(high)).to_f64()));
         }
-        let count = (self.high / std::f64::consts::FRAC_PI_2).round();
+        let count = float::f64::round(self.high / core::f64::consts::FRAC_PI_2);
         let mut terms = [0.0; 14];
         (terms[0], terms[1]) = (self.high, self.low);
         for (index, word) in QUARTER_TURN.into_iter().enumerate() {
             let (product, rest) = two_product(-count, word);
             (terms[2 + 2 * index], terms[3 + 2 * index]) = (product, rest);
         }
-        (count.rem_euclid(4.0) as u8, distilled(terms))
+        (float::f64::rem_euclid(count, 4.0) as u8, distilled(terms))
     }
 
     /// Computes (sin r, cos r) for |r| ≤ 0.8 by Taylor's series, each within 16 units.

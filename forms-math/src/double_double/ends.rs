@@ -4,6 +4,7 @@
 
 use super::DoubleDouble;
 use crate::Real;
+use crate::float;
 
 /// 2⁻⁹⁰⁰: above it no word of an exact product of two `f64`s underflows.
 const LEAST: f64 = f64::from_bits((1023 - 900) << 52);
@@ -65,7 +66,7 @@ impl DoubleDouble {
     #[cold]
     pub(super) fn root_near_an_end(self) -> Self {
         if !is_ordinary(self.high) || self.high < 0.0 {
-            return Self { high: self.high.sqrt(), low: 0.0 };
+            return Self { high: float::f64::sqrt(self.high), low: 0.0 };
         }
         let (mantissa, exponent) = self.mantissa_and_exponent();
         let odd = exponent & 1;

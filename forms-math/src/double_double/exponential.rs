@@ -2,6 +2,7 @@
 
 use super::DoubleDouble;
 use crate::error_free::{scaled, two_sum};
+use crate::float;
 
 /// 1/n! for n from 0.
 const RECIPROCAL_FACTORIALS: [DoubleDouble; 30] = {
@@ -31,7 +32,7 @@ impl DoubleDouble {
         // ln 2 as words of 40 bits, whose products with k are exact, and a remainder.
         const WORDS: [f64; 3] =
             [0.693_147_180_559_208_2, 7.371_002_565_161_996e-13, 5.802_988_983_595_690_5e-25];
-        let count = (self.high / std::f64::consts::LN_2).round();
+        let count = float::f64::round(self.high / core::f64::consts::LN_2);
         let (first, rest) = two_sum(self.high, -count * WORDS[0]);
         let reduced =
             Self::new(first, rest).plus(Self::new(-count * WORDS[1], self.low)).plus_f64(-count * WORDS[2]);
@@ -52,7 +53,7 @@ impl DoubleDouble {
     /// Computes eˣ, within 32 units.
     pub(super) fn exponential(self) -> Self {
         if self.high.is_nan() || self.high > 710.0 {
-            return Self { high: self.high.exp(), low: 0.0 };
+            return Self { high: float::f64::exp(self.high), low: 0.0 };
         }
         if self.high < -760.0 {
             return Self::ZERO;
@@ -65,7 +66,7 @@ impl DoubleDouble {
     /// Computes eˣ − 1, within 32 units.
     pub(super) fn exponential_minus_one(self) -> Self {
         if self.high == 0.0 || self.high.is_nan() || self.high > 710.0 {
-            return Self { high: self.high.exp_m1(), low: 0.0 };
+            return Self { high: float::f64::exp_m1(self.high), low: 0.0 };
         }
         if self.high.abs() < SMALL {
             return self;

@@ -71,10 +71,10 @@ impl Scalar for DoubleDouble {
     }
 
     fn pi() -> Self {
-        Self { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 }
+        Self { high: core::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 }
     }
     fn ln_2() -> Self {
-        Self { high: std::f64::consts::LN_2, low: 2.319_046_813_846_299_6e-17 }
+        Self { high: core::f64::consts::LN_2, low: 2.319_046_813_846_299_6e-17 }
     }
     fn euler_gamma() -> Self {
         Self { high: 0.577_215_664_901_532_9, low: -4.942_915_152_430_645e-18 }
@@ -97,9 +97,9 @@ impl Scalar for DoubleDouble {
     }
 }
 
-impl std::fmt::Display for DoubleDouble {
+impl core::fmt::Display for DoubleDouble {
     /// Writes 36 digits.
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         // 2176 bits hold every sum of two f64.
         let sum = Wide::<34>::from_f64(self.high) + Wide::<34>::from_f64(self.low);
         sum.fmt(formatter)

@@ -1,6 +1,7 @@
 //! The angle of a point, and the inverse circular functions as angles.
 
 use super::odd_series;
+use crate::float;
 use crate::scalar::Scalar;
 
 /// Computes the angle of the point (x, y) in (−π, π] as
@@ -11,16 +12,16 @@ pub(crate) fn angle<T: Scalar>(y: T, x: T) -> T {
     if y == zero {
         return match x.partial_cmp(&zero) {
             None => T::nan(),
-            Some(std::cmp::Ordering::Less) => T::pi(),
+            Some(core::cmp::Ordering::Less) => T::pi(),
             Some(_) => y,
         };
     }
     let (Some(of_y), Some(of_x)) = (y.exponent(), x.exponent().or((x == zero).then_some(i64::MIN))) else {
-        return T::from_f64(y.to_f64().atan2(x.to_f64()));
+        return T::from_f64(float::f64::atan2(y.to_f64(), x.to_f64()));
     };
     let larger = of_y.max(of_x);
     let (x, y) = (x.scaled(-larger), y.scaled(-larger));
-    let start = T::from_f64(y.to_f64().atan2(x.to_f64()));
+    let start = T::from_f64(float::f64::atan2(y.to_f64(), x.to_f64()));
     let (sine, cosine) = start.sine_and_cosine();
     start + odd_series((y * cosine - x * sine) / (x * cosine + y * sine), -1.0)
 }

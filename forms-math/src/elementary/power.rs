@@ -1,5 +1,6 @@
 //! x^(n/d): the root by Newton's iteration, starting from `f64`, and the power by squaring.
 
+use crate::float;
 use crate::scalar::Scalar;
 
 /// Largest exponent for powers by squaring; larger ones use the logarithm.
@@ -20,7 +21,7 @@ pub(crate) fn rational_power<T: Scalar>(x: T, numerator: i64, denominator: i64) 
     } else if numerator == 0 {
         one
     } else if x.exponent().is_none() {
-        T::from_f64(x.to_f64().powf(numerator as f64 / denominator as f64))
+        T::from_f64(float::f64::powf(x.to_f64(), numerator as f64 / denominator as f64))
     } else if size <= LARGEST_BY_SQUARING && denominator.unsigned_abs() <= LARGEST_BY_SQUARING {
         let power = by_squaring(root(x, denominator), size);
         if numerator < 0 { one / power } else { power }
@@ -42,7 +43,7 @@ fn root<T: Scalar>(x: T, degree: i64) -> T {
     let Some(exponent) = x.exponent() else { return T::nan() };
     let shift = exponent.div_euclid(degree);
     let x = x.scaled(-shift * degree);
-    let mut root = T::from_f64(x.to_f64().powf(1.0 / degree as f64));
+    let mut root = T::from_f64(float::f64::powf(x.to_f64(), 1.0 / degree as f64));
     let divisor = T::from_integer(degree);
     let second = T::from_integer(degree + 1) / (divisor * divisor).scaled(1);
     let mut bits = 50;

@@ -2,6 +2,9 @@
 //! range of exponents in which double-double keeps its digits, the formula is computed with more
 //! words and rounded to two.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::rounding::ToTwoWords;
 use super::{Computation, Of, Slot, Tier, from_two_words};
 use crate::{DoubleDouble, Formula};
@@ -26,7 +29,7 @@ pub fn escalate_double_double<F: Formula<A, O>, const A: usize, const O: usize>(
     arguments: [DoubleDouble; A],
 ) -> [DoubleDouble; O] {
     let values = escalate_double_double_computation(&Of::<F, A, O>::new(), &arguments, O);
-    std::array::from_fn(|output| values[output].0)
+    core::array::from_fn(|output| values[output].0)
 }
 
 /// Computes [`escalate_double_double`] for a computation with this number of outputs, and returns

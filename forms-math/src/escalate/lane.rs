@@ -5,6 +5,8 @@
 //! Where fused multiply-add is missing, its replacement would cost as much as guarded numbers: there is no such
 //! attempt.
 
+use alloc::vec::Vec;
+
 use crate::instructions::Instructions;
 use crate::lane::{in_fused_lanes, values_within};
 use crate::{Computation, Formula};

@@ -6,10 +6,11 @@
 //! Both branches of a choice are steps, as [`Real`] states, and an integrand consists of the steps
 //! after its integral. Thus a kernel is compiled once for all precisions beyond double-double.
 
-use std::cell::RefCell;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use alloc::vec::Vec;
+use core::cell::RefCell;
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::{Number, Real};
+use crate::{Computation, Number, Real};
 
 /// Value of a formula, identified by the index of its step.
 #[derive(Clone, Copy)]
@@ -90,7 +91,7 @@ enum Choice {
     Equal,
 }
 
-thread_local! {
+std::thread_local! {
     static STEPS: RefCell<Vec<Step>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -174,6 +175,14 @@ impl Real for Recorded {
     }
 }
 
+/// Records a computation of this number of arguments, to be repeated in several precisions; returns
+/// whether it has an integral, whose error is only estimated.
+pub(super) fn in_any_precision(computation: &impl Computation, arguments: usize) -> (Tape, bool) {
+    let tape = Tape::of(arguments, |arguments| computation.values(arguments));
+    let has_integral = tape.has_integral();
+    (tape, has_integral)
+}
+
 /// Formula as a list of steps.
 #[derive(Debug)]
 pub(super) struct Tape {
@@ -181,25 +190,26 @@ pub(super) struct Tape {
     outputs: Vec<u32>,
 }
 
+impl Computation for Tape {
+    fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
+        let mut values = Vec::with_capacity(self.steps.len());
+        self.run(arguments, &mut values, self.steps.len());
+        self.outputs.iter().map(|&output| values[output as usize]).collect()
+    }
+}
+
 impl Tape {
     /// Records the steps of a formula with this number of arguments.
-    pub(super) fn of(arguments: usize, formula: impl FnOnce(&[Recorded]) -> Vec<Recorded>) -> Self {
+    fn of(arguments: usize, formula: impl FnOnce(&[Recorded]) -> Vec<Recorded>) -> Self {
         let others = STEPS.take();
         let arguments: Vec<Recorded> = (0..arguments).map(|place| push(Step::Argument(place))).collect();
         let outputs = formula(&arguments).into_iter().map(|output| output.0).collect();
         Self { outputs, steps: STEPS.replace(others) }
     }
 
-    /// Whether the tape has an integral, whose error is only estimated.
-    pub(super) fn has_integral(&self) -> bool {
+    /// Whether the tape has an integral.
+    fn has_integral(&self) -> bool {
         self.steps.iter().any(|step| matches!(step, Step::Integral { .. }))
-    }
-
-    /// Computes the outputs at these arguments.
-    pub(super) fn values<T: Real>(&self, arguments: &[T]) -> Vec<T> {
-        let mut values = Vec::with_capacity(self.steps.len());
-        self.run(arguments, &mut values, self.steps.len());
-        self.outputs.iter().map(|&output| values[output as usize]).collect()
     }
 
     /// Appends the values of the steps from the first one without a value up to `end`.

@@ -1,6 +1,6 @@
 //! +, −, ×, ÷ and √.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::{Bound, Guardable, Guarded};
 

@@ -1,8 +1,10 @@
 //! Bounds of magnitudes: non-negative numbers, for which every operation rounds to the safe side.
 
+use crate::{error_free, float};
+
 /// Bound of a magnitude: `plus`, `times`, `over` round up; operations whose names end in `down`
 /// round down, for lower bounds.
-pub trait Bound: Copy + PartialOrd + std::fmt::Debug {
+pub trait Bound: Copy + PartialOrd + core::fmt::Debug {
     /// Zero.
     const ZERO: Self;
     /// Infinity: no bound.
@@ -120,11 +122,11 @@ impl Bound for f64 {
         size.times(other_error).plus(other_size.plus(other_error).times(error))
     }
     fn exponent(self) -> Option<i64> {
-        (self > 0.0 && self < f64::INFINITY).then(|| crate::error_free::mantissa_and_exponent(self).1)
+        (self > 0.0 && self < f64::INFINITY).then(|| error_free::mantissa_and_exponent(self).1)
     }
     #[inline(always)]
     fn shifted(self, exponent: i64) -> Self {
-        let scaled = crate::error_free::scaled(self, exponent);
+        let scaled = error_free::scaled(self, exponent);
         if scaled >= f64::MIN_POSITIVE || self == 0.0 { scaled } else { scaled.next_up() }
     }
     #[inline(always)]
@@ -138,7 +140,7 @@ impl Bound for f64 {
     }
     #[inline(always)]
     fn root_down(self) -> Self {
-        if self > 0.0 { self.sqrt().next_down() } else { 0.0 }
+        if self > 0.0 { float::f64::sqrt(self).next_down() } else { 0.0 }
     }
 }
 
@@ -157,7 +159,7 @@ impl Magnitude {
         if mantissa == 0.0 || mantissa == f64::INFINITY {
             return Self { mantissa, exponent: 0 };
         }
-        let (mantissa, more) = crate::error_free::mantissa_and_exponent(mantissa);
+        let (mantissa, more) = error_free::mantissa_and_exponent(mantissa);
         Self { mantissa, exponent: exponent.saturating_add(more) }
     }
 
@@ -170,7 +172,7 @@ impl Magnitude {
     fn aligned(self, other: Self) -> (Self, f64) {
         let (large, small) = if self < other { (other, self) } else { (self, other) };
         let shift = small.exponent.saturating_sub(large.exponent).max(-200);
-        (large, crate::error_free::scaled(small.mantissa, shift))
+        (large, error_free::scaled(small.mantissa, shift))
     }
 
     fn is_usual(self) -> bool {
@@ -179,7 +181,7 @@ impl Magnitude {
 }
 
 impl PartialOrd for Magnitude {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
         if self.is_usual() && other.is_usual() && self.exponent != other.exponent {
             return Some(self.exponent.cmp(&other.exponent));
         }
@@ -248,7 +250,7 @@ impl Bound for Magnitude {
             return self;
         }
         let odd = self.exponent.rem_euclid(2);
-        let root = crate::error_free::scaled(self.mantissa, odd).sqrt().next_down();
+        let root = float::f64::sqrt(error_free::scaled(self.mantissa, odd)).next_down();
         Self::new(root, (self.exponent - odd) / 2)
     }
 }

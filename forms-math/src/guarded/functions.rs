@@ -219,7 +219,7 @@ impl<T: Guardable> Guarded<T> {
         let rounding = if value == zero && y.value == zero {
             T::Bound::ZERO
         } else {
-            rounding_above_zero(value, T::UNITS.elementary)
+            rounding_above_zero(value, T::UNITS.angle)
         };
         if y.is_exact() && x.is_exact() {
             return Self { value, error: rounding };

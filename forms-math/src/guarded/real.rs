@@ -6,7 +6,7 @@ use crate::{Number, Real};
 
 impl<T: Guardable> Guarded<T> {
     /// Returns the order of left and right; `None` if the errors leave it undecided.
-    fn order(left: Self, right: Self) -> Option<std::cmp::Ordering> {
+    fn order(left: Self, right: Self) -> Option<core::cmp::Ordering> {
         if left.is_exact() && right.is_exact() && left.is_beyond().is_none() && right.is_beyond().is_none() {
             return left.value.partial_cmp(&right.value);
         }
@@ -36,7 +36,7 @@ impl<T: Guardable> Guarded<T> {
         right: Self,
         then: Self,
         otherwise: Self,
-        holds: impl Fn(std::cmp::Ordering) -> bool,
+        holds: impl Fn(core::cmp::Ordering) -> bool,
     ) -> Self {
         if left.is_undefined() || right.is_undefined() {
             return Self::undefined();
@@ -107,15 +107,15 @@ impl<T: Guardable> Real for Guarded<T> {
     }
     #[inline]
     fn if_less(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-        Self::choice(left, right, then, otherwise, std::cmp::Ordering::is_lt)
+        Self::choice(left, right, then, otherwise, core::cmp::Ordering::is_lt)
     }
     #[inline]
     fn if_less_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-        Self::choice(left, right, then, otherwise, std::cmp::Ordering::is_le)
+        Self::choice(left, right, then, otherwise, core::cmp::Ordering::is_le)
     }
     #[inline]
     fn if_equal(left: Self, right: Self, then: Self, otherwise: Self) -> Self {
-        Self::choice(left, right, then, otherwise, std::cmp::Ordering::is_eq)
+        Self::choice(left, right, then, otherwise, core::cmp::Ordering::is_eq)
     }
     fn sin(self) -> Self {
         self.sine()

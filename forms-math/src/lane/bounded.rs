@@ -17,7 +17,8 @@ mod real;
 use super::pair::{two_product, two_sum};
 use super::word::{Lane64, Word};
 use crate::{Computation, Formula, Real};
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use alloc::vec::Vec;
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Number whose exact value is at most `error` away; nothing is known about it if `error` is ∞ or
 /// NaN.
@@ -73,7 +74,7 @@ impl<const FMA: bool> Bounded<Lane64<FMA>> {
     /// Returns the bound of the relative error in units of 2⁻⁵³; ∞ without a bound.
     pub(crate) fn units(self) -> f64 {
         let [value, error] = [self.value.0.abs(), self.error.0];
-        let units = error / (below_one::<Lane64<FMA>>().0 * (value - error)) * 2f64.powi(53);
+        let units = error / (below_one::<Lane64<FMA>>().0 * (value - error)) * (1_u64 << 53) as f64;
         if error == 0.0 {
             0.0
         } else if units >= 0.0 {

@@ -2,7 +2,7 @@
 
 use super::pair::{Pair, fast_two_sum, pair, quotient, two_product, two_sum};
 use super::word::Word;
-use std::hint::select_unpredictable;
+use core::hint::select_unpredictable;
 
 /// log₂ 3
 const LOG2_3: f64 = 1.584_962_500_721_156_2;
@@ -30,8 +30,8 @@ fn clamped<W: Word>(x: W, low: f64, high: f64) -> W {
 fn limits<W: Word>() -> (f64, f64) {
     let largest = f64::from(W::LARGEST_EXPONENT + 1);
     (
-        -(largest + f64::from(W::PRECISION) + 1.0) * std::f64::consts::LN_2,
-        largest * std::f64::consts::LN_2 + 1.0,
+        -(largest + f64::from(W::PRECISION) + 1.0) * core::f64::consts::LN_2,
+        largest * core::f64::consts::LN_2 + 1.0,
     )
 }
 
@@ -39,7 +39,7 @@ fn limits<W: Word>() -> (f64, f64) {
 #[inline(always)]
 fn ends<W: Word>() -> (f64, f64) {
     let (least, largest) = (W::LARGEST_EXPONENT + W::PRECISION, W::LARGEST_EXPONENT + 1 - W::PRECISION);
-    (-f64::from(least) * std::f64::consts::LN_2, (f64::from(largest) - 0.25) * std::f64::consts::LN_2)
+    (-f64::from(least) * core::f64::consts::LN_2, (f64::from(largest) - 0.25) * core::f64::consts::LN_2)
 }
 
 /// Computes y 2^k in two steps, so that k can be out of the range of exponents and only the last

@@ -6,8 +6,9 @@
 //! integers add 1.5·2^(p−1), where p is the precision, which leaves the integer in the low bits.
 
 use super::coefficients::{self, Coefficients};
-use std::cmp::Ordering;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use crate::float;
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Floating-point number of a format, in one lane of a vector.
 pub(crate) trait Word:
@@ -120,7 +121,7 @@ macro_rules! word {
         impl<const FMA: bool> $lane<FMA> {
             const SHIFT: $raw = 1.5 * (1u64 << ($precision - 1)) as $raw;
             /// Bits of √½, at which significands begin, and their distance from the bits of 1.
-            const LEAST: $bits = std::$raw::consts::FRAC_1_SQRT_2.to_bits();
+            const LEAST: $bits = core::$raw::consts::FRAC_1_SQRT_2.to_bits();
             const OFFSET: $bits = (1.0 as $raw).to_bits() - Self::LEAST;
             /// Number whose low bits can be set to those of an integer.
             const INTEGER: $raw = (1u64 << ($precision - 1)) as $raw;
@@ -157,11 +158,11 @@ macro_rules! word {
             }
             #[inline(always)]
             fn fused(self, factor: Self, summand: Self) -> Self {
-                if FMA { Self(self.0.mul_add(factor.0, summand.0)) } else { self * factor + summand }
+                if FMA { Self(float::$raw::mul_add(self.0, factor.0, summand.0)) } else { self * factor + summand }
             }
             #[inline(always)]
             fn root(self) -> Self {
-                Self(self.0.sqrt())
+                Self(float::$raw::sqrt(self.0))
             }
             #[inline(always)]
             fn magnitude(self) -> Self {

@@ -8,6 +8,7 @@ mod coefficients;
 
 use super::exponential_integral::continued_fraction;
 use crate::error_free::two_product;
+use crate::float;
 use crate::scalar::Scalar;
 pub(crate) use coefficients::{ERF, ERF_IS_ONE, ERFC, ERFC_IS_ZERO, LN_ERFC, TWO_OVER_ROOT_PI};
 
@@ -31,7 +32,7 @@ pub(crate) fn error_function_of_double(x: f64) -> f64 {
     }
     // NaN stays NaN
     let beyond = if size > ERF_IS_ONE { ERF_IS_ONE } else { size } - 1.0;
-    (1.0 - polynomial(&LN_ERFC, beyond).exp()).copysign(x)
+    (1.0 - float::f64::exp(polynomial(&LN_ERFC, beyond))).copysign(x)
 }
 
 /// erfc x: 1 − erf x where little cancels, and beyond e^(−x²) p/(|x| + 2) with a polynomial p of
@@ -42,7 +43,7 @@ pub(crate) fn complementary_error_function_of_double(x: f64) -> f64 {
         return 1.0 - error_function_of_double(x);
     }
     let (square, rest) = two_product(size, size);
-    let decay = (-square).exp();
+    let decay = float::f64::exp(-square);
     let quotient = polynomial(&ERFC, (size - 2.0) / (size + 2.0)) / (size + 2.0);
     // NaN stays NaN
     let tail = if size > ERFC_IS_ZERO { 0.0 } else { (decay - decay * rest) * quotient };
@@ -68,7 +69,7 @@ pub(crate) fn error_function<T: Scalar>(x: T, bits: u32) -> T {
         return T::nan();
     }
     // 1 − erf x < e^(−x²), which no longer changes 1.
-    if size * size > f64::from(bits + 1) * std::f64::consts::LN_2 {
+    if size * size > f64::from(bits + 1) * core::f64::consts::LN_2 {
         return if x.to_f64() < 0.0 { -one } else { one };
     }
     let square = x * x;
@@ -99,7 +100,7 @@ pub(crate) fn complementary_error_function<T: Scalar>(x: T, bits: u32) -> T {
         return T::from_f64(0.0);
     }
     // erfc x > e^(−x²)/(1 + 2x), so that at most this number of bits cancels in 1 − erf x
-    let lost = size * size / std::f64::consts::LN_2 + (1.0 + 2.0 * size).log2();
+    let lost = size * size / core::f64::consts::LN_2 + float::f64::log2(1.0 + 2.0 * size);
     let spare = f64::from(T::PRECISION.saturating_sub(bits + 8));
     if size <= LARGEST_DIFFERENCE || lost <= spare {
         return one - error_function(x, bits + lost as u32 + 1);

@@ -5,6 +5,7 @@
 //!
 //! Source: NIST Digital Library of Mathematical Functions, 6.6.2, 8.19.12, 8.19.17 (its even part).
 
+use crate::float;
 use crate::scalar::Scalar;
 
 /// Eₙ(x), n from 1 to 3
@@ -21,7 +22,7 @@ pub(crate) fn exponential_integral<T: Scalar>(order: u32, x: T, bits: u32) -> T 
     }
     // The terms of the series reach eˣ where the value is about e^(−x), so 2 x/ln 2 bits cancel.
     let spare = f64::from(T::PRECISION.saturating_sub(bits + 8));
-    let border = (spare * std::f64::consts::LN_2 / 2.0 - 2.0).max(1.0);
+    let border = (spare * core::f64::consts::LN_2 / 2.0 - 2.0).max(1.0);
     if size <= border { by_series(order, x, bits + (2.9 * size) as u32) } else { by_fraction(order, x, bits) }
 }
 
@@ -73,12 +74,12 @@ pub(super) fn continued_fraction<T: Scalar>(n: f64, x: T, bits: u32) -> T {
 /// Returns the number of steps. Step k multiplies the error by (b − s)/(b + s), with b = x + 2k and
 /// s = √(b² − 4k²): the ratio of the two solutions of the recurrence of the denominators.
 fn steps(x: f64, bits: u32) -> f64 {
-    let (mut left, mut count) = (f64::from(bits + 8) * std::f64::consts::LN_2, 0.0);
+    let (mut left, mut count) = (f64::from(bits + 8) * core::f64::consts::LN_2, 0.0);
     while left > 0.0 {
         count += 1.0;
         let part = x + 2.0 * count;
-        let root = (x * (x + 4.0 * count)).sqrt();
-        left -= ((part + root) / (part - root)).ln();
+        let root = float::f64::sqrt(x * (x + 4.0 * count));
+        left -= float::f64::ln((part + root) / (part - root));
     }
     count
 }

@@ -4,6 +4,8 @@
 //!
 //! Source: NIST Digital Library of Mathematical Functions, 25.6.1 and 24.14.2 with Bernoulli's numbers as values of ζ.
 
+use alloc::vec;
+
 use crate::scalar::Scalar;
 use crate::table::table;
 

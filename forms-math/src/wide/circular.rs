@@ -1,5 +1,7 @@
 //! sin and cos; arguments are reduced with the number of digits of π that they need.
 
+use alloc::vec::Vec;
+
 use super::constants::half_pi;
 use super::natural::{compare, quotient_and_remainder, shifted_left, subtract};
 use super::{Class, Wide};

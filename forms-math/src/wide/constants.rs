@@ -1,8 +1,12 @@
 //! π, ln 2 and γ with the number of bits of a type, computed once.
 
+use alloc::vec;
+use alloc::vec::Vec;
+
 use super::Wide;
 use super::natural::{add, divide_by_word, multiply_by_word, subtract};
 use crate::Real;
+use crate::float;
 use crate::scalar::Scalar;
 use crate::table::table;
 
@@ -91,7 +95,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
     /// Source: R. P. Brent, E. M. McMillan, Some new algorithms for high-precision computation of
     /// Euler's constant, Mathematics of Computation 34 (1980), algorithm B1.
     pub(super) fn compute_euler_gamma() -> Self {
-        let n = (f64::from(Self::PRECISION + 16) * std::f64::consts::LN_2 / 4.0).ceil() as u64;
+        let n = float::f64::ceil(f64::from(Self::PRECISION + 16) * core::f64::consts::LN_2 / 4.0) as u64;
         let wide = |value: u64| Self::of_f64(value as f64);
         let (mut square, mut harmonic) = (wide(1), Self::ZERO);
         let (mut weighted, mut total) = (Self::ZERO, wide(1));

@@ -1,9 +1,13 @@
 //! Decimal digits of a binary number, all of them correct.
 
-use std::fmt;
+use alloc::format;
+use alloc::string::String;
+use alloc::vec::Vec;
+use core::fmt;
 
 use super::natural::{bit_length, compare, multiply_by_word, quotient_and_remainder, shifted_left};
 use super::{Class, Wide};
+use crate::float;
 
 /// Number of digits printed.
 const DIGITS: usize = 36;
@@ -15,7 +19,7 @@ const LARGEST_EXPONENT: i64 = 1 << 16;
 fn decimal(negative: bool, number: &[u64], exponent: i64) -> String {
     let length = bit_length(number) as i64 + exponent;
     // number 2^exponent = numerator/denominator, and 10^power is at most this value.
-    let mut power = ((length - 1) as f64 * std::f64::consts::LOG10_2).floor() as i64;
+    let mut power = float::f64::floor((length - 1) as f64 * core::f64::consts::LOG10_2) as i64;
     let mut numerator = shifted_left(number, exponent.max(0) as usize);
     let mut denominator = shifted_left(&[1], (-exponent).max(0) as usize);
     times_power_of_ten(if power < 0 { &mut numerator } else { &mut denominator }, power.unsigned_abs());

@@ -2,6 +2,7 @@
 
 use super::product::LARGEST;
 use super::{Class, Wide};
+use crate::float;
 
 impl<const LIMBS: usize> Wide<LIMBS> {
     /// Computes e^s − 1 by Taylor's series.
@@ -21,7 +22,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
     /// times e^(2s) − 1 = p (2 + p) with p = e^s − 1.
     fn reduced_exponential(self) -> (i64, Self) {
         let constants = Self::constants();
-        let count = (self.nearest_f64() / std::f64::consts::LN_2).round();
+        let count = float::f64::round(self.nearest_f64() / core::f64::consts::LN_2);
         let factor = Self::of_f64(count);
         let reduced = (self - factor * constants[2]) - factor * constants[3];
         let doublings = 2 + (64 * LIMBS).isqrt() as i64 / 2;

@@ -1,6 +1,8 @@
 //! Natural numbers of any length, the least significant word first.
 
-use std::cmp::Ordering;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 /// Returns the number of bits.
 pub(super) fn bit_length(number: &[u64]) -> usize {
@@ -167,7 +169,7 @@ mod tests {
     use super::*;
 
     /// Generates words that make carries and wrong estimates likely.
-    fn number(words: std::ops::Range<usize>) -> impl Strategy<Value = Vec<u64>> {
+    fn number(words: core::ops::Range<usize>) -> impl Strategy<Value = Vec<u64>> {
         let word =
             prop_oneof![any::<u64>(), Just(0), Just(1), Just(u64::MAX), Just(1 << 63), Just(u64::MAX - 1)];
         prop::collection::vec(word, words)

@@ -1,6 +1,6 @@
 //! Products, rounded to nearest.
 
-use std::ops::Mul;
+use core::ops::Mul;
 
 use super::natural::multiply_add;
 use super::{Class, Wide};

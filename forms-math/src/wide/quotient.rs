@@ -1,11 +1,12 @@
 //! Quotients, rounded to nearest, and square roots.
 
-use std::cmp::Ordering;
-use std::ops::Div;
+use core::cmp::Ordering;
+use core::ops::Div;
 
 use super::natural::{divide_by_word, quotient_word};
 use super::product::{LARGEST, within_range};
 use super::{Class, Wide};
+use crate::float;
 
 impl<const LIMBS: usize> Wide<LIMBS> {
     /// Returns the quotient, and whether it is exact.
@@ -74,7 +75,7 @@ impl<const LIMBS: usize> Wide<LIMBS> {
         let x = Self { exponent: self.exponent - 2 * shift, ..self };
         let one = Self::of_f64(1.0);
         let half = |value: Self| value.halved();
-        let mut inverse = Self::of_f64(1.0 / x.nearest_f64().sqrt());
+        let mut inverse = Self::of_f64(1.0 / float::f64::sqrt(x.nearest_f64()));
         let mut bits = 50;
         while bits < 32 * LIMBS + 8 {
             inverse = inverse + inverse * half(one - x * inverse * inverse);

@@ -1,5 +1,7 @@
 //! Wide floating point as a number of a kernel.
 
+use alloc::vec;
+
 use super::{Class, Wide};
 use crate::composed::composed_functions;
 use crate::scalar::Scalar;

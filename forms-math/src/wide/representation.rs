@@ -1,6 +1,6 @@
 //! Conversion from words and to `f64`, rounding, and order.
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use super::natural::{add_with_carry, bit_length};
 use super::product::LARGEST;

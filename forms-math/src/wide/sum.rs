@@ -1,7 +1,7 @@
 //! Sums, rounded to nearest.
 
-use std::cmp::Ordering;
-use std::ops::{Add, Neg, Sub};
+use core::cmp::Ordering;
+use core::ops::{Add, Neg, Sub};
 
 use super::natural::{add_with_carry, subtract_with_borrow};
 use super::{Class, Wide};
