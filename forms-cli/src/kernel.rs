@@ -2,7 +2,7 @@
 
 use crate::streams::tell;
 use crate::theory_file::{self, FileError, TheoryFile};
-use forms::core::compile::{compile_as_written, compile_kernel};
+use forms::core::compile::compile_kernel;
 use forms::core::diagnostic::Diagnostic;
 use forms::core::expression::Pool;
 use forms::core::generation::Generated;
@@ -50,7 +50,7 @@ pub(crate) fn generated(file: &TheoryFile, kernel: &Kernel) -> Result<Generated,
 
 /// Generates the program of a kernel's formula as written.
 pub(crate) fn generated_as_written(file: &TheoryFile, kernel: &Kernel) -> Result<Generated, Vec<FileError>> {
-    compiled(file, kernel, compile_as_written)
+    compiled(file, kernel, Generated::of_formula)
 }
 
 fn compiled(

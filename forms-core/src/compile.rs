@@ -129,22 +129,6 @@ pub fn compile_kernel(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec
     generation::generate(pool, kernel, &rewritten)
 }
 
-/// Compiles the formula of a kernel as it was written, without any other form and without a promise:
-/// the least time, at whatever loss of digits the formula has.
-///
-/// # Errors
-/// As [`compile_kernel`].
-pub fn compile_as_written(pool: &mut Pool, kernel: &Kernel) -> Result<Generated, Vec<Diagnostic>> {
-    let plain = Kernel {
-        computed: Vec::new(),
-        approximation: None,
-        target_forms: Vec::new(),
-        within: None,
-        ..kernel.clone()
-    };
-    generation::generate(pool, &plain, &[])
-}
-
 /// Returns the claims of the kernels of a theory that were not proved, in order.
 pub fn kernel_faults(theory: &mut Theory) -> Vec<Fault> {
     let kernels = theory.kernels.clone();

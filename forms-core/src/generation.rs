@@ -84,6 +84,22 @@ fn account_of_approximation(error: f64) -> String {
 const LONGEST_FORM: usize = 200;
 
 impl Generated {
+    /// Compiles the formula of a kernel as it was written, without any other form and without a promise:
+    /// it takes the least time, and loses whatever digits the formula loses.
+    ///
+    /// # Errors
+    /// As [`compile_kernel`](crate::compile::compile_kernel).
+    pub fn of_formula(pool: &mut Pool, kernel: &Kernel) -> Result<Self, Vec<Diagnostic>> {
+        let plain = Kernel {
+            computed: Vec::new(),
+            approximation: None,
+            target_forms: Vec::new(),
+            within: None,
+            ..kernel.clone()
+        };
+        generate(pool, &plain, &[])
+    }
+
     /// Evaluates the kernel in `f64`, within the promised error.
     pub fn values(&self, arguments: &[f64]) -> Vec<f64> {
         match self.within() {
@@ -165,19 +181,7 @@ pub(crate) fn generate(
     let form = with_form(kernel, &kernel.computed).or_else(|| with_form(kernel, rewritten));
     let computed = form.as_ref().unwrap_or(kernel);
     let program = lowered(pool, &KernelSource { outputs: computed.outputs.clone(), ..source })?;
-    // a chosen form keeps the order of its sums and products, because its rounding depends on that
-    // order
-    let optimised = match &form {
-        // where rules gave the form, and no bound is promised, time counts as well
-        Some(_) if kernel.computed.is_empty() && kernel.within.is_none() => {
-            program.in_order_with_shared_divisors()
-        }
-        Some(_) => program.in_order(),
-        None => program.optimise(),
-    };
-    // a form to compute by, or an error bound, asks for accuracy first
-    let is_stable = form.is_some() || kernel.within.is_some();
-    let optimised = if is_stable { optimised.compensate() } else { optimised };
+    let optimised = optimised(kernel, &program, form.is_some());
     let approximation = kernel.approximation.as_ref().map_or(0.0, |number| nearest_f64(number).next_up());
     let bounded = kernel.within.as_ref().and_then(|within| optimised.keeps(within, approximation));
     if approximation > 0.0 && kernel.within.is_some() && bounded.is_none() {
@@ -204,6 +208,21 @@ pub(crate) fn generate(
             })
         }
     }
+}
+
+/// Optimises the program of a kernel, which computes its formula or another form of it.
+fn optimised(kernel: &Kernel, program: &Program, is_form: bool) -> Program {
+    // a chosen form keeps the order of its sums and products, because its rounding depends on that
+    // order
+    let optimised = match (is_form, kernel.within.is_some()) {
+        // where rules gave the form, and no bound is promised, time counts as well
+        (true, false) if kernel.computed.is_empty() => program.in_order_with_shared_divisors(),
+        (true, _) => program.in_order(),
+        (false, _) => program.optimise(),
+    };
+    // a form to compute by, or an error bound, asks for accuracy first
+    let is_stable = is_form || kernel.within.is_some();
+    if is_stable { optimised.compensate() } else { optimised }
 }
 
 /// Returns the claims of a kernel about itself that were not proved: that its pieces agree where

@@ -14,22 +14,26 @@ ONE = "void {name}(const double *__restrict in, double *__restrict out)"
 COLUMNS = "void {name}_columns(const double *__restrict in, double *__restrict out, size_t stride, size_t count)"
 
 
-def by_forms(program, task, name, folder, sources):
+# the loops of Forms call vector functions of the C library
+VECTOR_LIBRARY = "#define FORMS_VECTOR_LIBRARY\n"
+
+
+def by_forms(program, task, name, folder, sources, tier="stable"):
     """Forms: `forms emit`, with the chosen forms if they are among the sources.
 
-    The function over columns has a file of its own: its loop is vectorised only if no other function calls the kernel.
+    The function over columns has a file of its own, which calls vector functions.
     """
     folder.mkdir()
     for source in sources:
         shutil.copy(source, folder)
-    command = [program, "emit", "--target", "c", "--kernel", task.kernel, folder / sources[0].name]
+    command = [program, "emit", "--target", "c", "--tier", tier, "--kernel", task.kernel, folder / sources[0].name]
     run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode:
         sys.exit(f"{program} emit failed:\n{run.stderr}")
     one, columns = ONE.format(name=name), COLUMNS.format(name=name)
     return [
         f"{run.stdout}{one} {{ {call_of_forms(task)} }}\n",
-        f"{run.stdout}{columns} {{ {batch_of_forms(task)} }}\n",
+        f"{VECTOR_LIBRARY}{run.stdout}{columns} {{ {batch_of_forms(task)} }}\n",
     ]
 
 

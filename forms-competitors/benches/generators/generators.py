@@ -29,8 +29,9 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 PAGE = ROOT / "docs" / "benchmarks.md"
 # names of the functions in C, and headers of their columns
-SCALAR = {"forms": "Forms", "stable": "stable form", "wrenfold": "wrenfold", "sympy": "SymPy", "casadi": "CasADi"}
-BATCH = {"forms": "Forms", "stable": "stable form", "numba": "numba", "jax": "JAX"}
+OWN = {"forms": "Forms", "plain": "as written", "stable": "stable form"}
+SCALAR = OWN | {"wrenfold": "wrenfold", "sympy": "SymPy", "casadi": "CasADi"}
+BATCH = OWN | {"numba": "numba", "jax": "JAX"}
 PACKAGES = ["wrenfold", "sympy", "casadi", "numba", "jax"]
 # number of sets of arguments in a loop, and in batches
 COUNT, SIZES = 1024, (1024, 65536)
@@ -48,6 +49,7 @@ def emitted(task, program, folder):
     source, stable = HERE / "tasks.forms", HERE / "tasks.stable"
     by = {
         "forms": lambda name: emitters.by_forms(program, task, name, folder / name, [source]),
+        "plain": lambda name: emitters.by_forms(program, task, name, folder / name, [source], "plain"),
         "stable": lambda name: emitters.by_forms(program, task, name, folder / name, [source, stable]),
         "wrenfold": lambda name: emitters.by_wrenfold(task, name),
         "sympy": lambda name: emitters.by_sympy(task, name),
@@ -89,6 +91,7 @@ def in_batches(library, count):
     columns[:, :count] = rows.T
     by = {
         "forms": lambda: library.batch("forms", columns, count),
+        "plain": lambda: library.batch("plain", columns, count),
         "stable": lambda: library.batch("stable", columns, count),
         "numba": lambda: batches.by_numba(task, columns, count),
         "jax": lambda: batches.by_jax(task, rows),

@@ -11,7 +11,11 @@ import sys
 
 import numpy as np
 
+from emitters import VECTOR_LIBRARY
+
 FLAGS = ["-O3", "-march=native", "-fno-math-errno"]
+# for loops that call vector functions: these two would be merged into one call, which has no such version
+VECTORS = ["-fno-builtin-sin", "-fno-builtin-cos"]
 # a function of a shared library is inlined in its file as in a program
 SHARED = ["-fPIC", "-fno-semantic-interposition"]
 
@@ -80,7 +84,8 @@ def compiled(folder, name, text):
     ending, program = (".cpp", "c++") if "<cmath>" in text else (".c", "cc")
     source, target = folder / f"{name}{ending}", folder / f"{name}.o"
     source.write_text(text)
-    run(program, *FLAGS, *SHARED, "-c", "-o", target, source)
+    vectors = VECTORS if text.startswith(VECTOR_LIBRARY) else []
+    run(program, *FLAGS, *vectors, *SHARED, "-c", "-o", target, source)
     return target
 
 

@@ -155,11 +155,11 @@ impl Body<'_> {
             return String::new();
         }
         let name = format!("{}{}", self.prefix, self.temporaries);
-        if let Some(declaration) = branches.inside(&name, &comparisons) {
+        let outputs = self.program.outputs.len();
+        if let Some(declaration) = branches.inside(&name, &comparisons, outputs) {
             self.inside = Some(self.temporary());
             return format!("{}{declaration}\n", margin(1));
         }
-        let outputs = self.program.outputs.len();
         comparisons.iter().map(|comparison| branches.leave_unless(comparison, outputs)).collect()
     }
 
@@ -169,8 +169,9 @@ impl Body<'_> {
         let outputs = self.program.outputs.iter().map(|&output| match self.dialect.choices() {
             Choices::Function(function) => self.inside_domain(function, self.text(output)).text,
             Choices::Branches(branches) => {
-                let value = &self.text(output).text;
-                self.inside.as_ref().map_or(value.clone(), |inside| branches.if_inside(inside, value))
+                let (value, outputs) = (self.text(output), self.program.outputs.len());
+                let chosen = self.inside.as_ref().map(|inside| branches.if_inside(inside, value, outputs));
+                chosen.unwrap_or_else(|| value.clone()).text
             }
         });
         let outputs: Vec<String> = outputs.collect();

@@ -11,7 +11,7 @@ use super::docs::{KernelDocs, documentation};
 use super::number::literal;
 use super::parameters::{self, flat_element, numbers, storage};
 use super::target::Precision;
-use super::written::{Binding, Written, function, negated};
+use super::written::{Binding, Written, function, infix, negated};
 use super::{body, names, vector_library};
 use crate::expression::{Operation, Parameter, Relation, Shape};
 use crate::kernel::{Constant, Instruction, ProductSum, Program};
@@ -352,16 +352,24 @@ impl Branches for C {
         format!("({comparison})")
     }
 
-    fn inside(&self, name: &str, comparisons: &[String]) -> Option<String> {
+    fn inside(&self, name: &str, comparisons: &[String], outputs: usize) -> Option<String> {
         let all = match comparisons {
             [only] => only.clone(),
             several => several.iter().map(|one| format!("({one})")).collect::<Vec<_>>().join(" & "),
         };
-        Some(format!("const int {name} = {all};"))
+        let (number, one) = (self.number_type(), self.number(&Constant::integer(1)).text);
+        Some(match outputs {
+            1 => format!("const int {name} = {all};"),
+            // many choices by one condition become a branch in GCC, which no loop is vectorised with
+            _ => format!("const {number} {name} = {all} ? {one} : {};", self.nan()),
+        })
     }
 
-    fn if_inside(&self, name: &str, value: &str) -> String {
-        format!("{name} ? {value} : {}", self.nan())
+    fn if_inside(&self, name: &str, value: &Written, outputs: usize) -> Written {
+        match outputs {
+            1 => Written::new(format!("{name} ? {} : {}", value.text, self.nan()), Binding::Choice),
+            _ => infix(&Written::name(name), "*", value),
+        }
     }
 }
 

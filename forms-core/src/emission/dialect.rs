@@ -79,12 +79,12 @@ pub(super) trait Branches {
     /// Declares a variable that says whether all conditions of the domain hold, in a language that
     /// computes the outputs in any case and then chooses between them and NaN: loops without branches
     /// are vectorised. `None` in others.
-    fn inside(&self, _name: &str, _comparisons: &[String]) -> Option<String> {
+    fn inside(&self, _name: &str, _comparisons: &[String], _outputs: usize) -> Option<String> {
         None
     }
-    /// Chooses between an output and NaN by such a variable.
-    fn if_inside(&self, _name: &str, value: &str) -> String {
-        value.to_string()
+    /// Chooses between one of the outputs and NaN by such a variable.
+    fn if_inside(&self, _name: &str, value: &Written, _outputs: usize) -> Written {
+        value.clone()
     }
     /// Writes the statements that return NaN for every output unless a comparison holds; nothing in a
     /// language that chooses at the end.

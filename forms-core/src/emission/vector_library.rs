@@ -39,7 +39,7 @@ pub(super) fn declarations(programs: &[&Program], suffix: &str) -> String {
     let number = if suffix.is_empty() { "double" } else { "float" };
     let declared = |(name, arguments): &(&str, usize)| {
         let arguments = vec![number; *arguments].join(", ");
-        format!("__attribute__((simd(\"notinbranch\"))) {number} {name}{suffix}({arguments});\n")
+        format!("__attribute__((simd(\"notinbranch\"), const)) {number} {name}{suffix}({arguments});\n")
     };
     let list: String = FUNCTIONS.iter().filter(|(name, _)| called.contains(name)).map(declared).collect();
     if list.is_empty() {

@@ -23,15 +23,15 @@
 // With FORMS_VECTOR_LIBRARY, loops over arrays call the vector functions of glibc (2.35 or newer), which are
 // within 4 ulp. For GCC with -fno-math-errno -fno-builtin-sin -fno-builtin-cos.
 #if defined(FORMS_VECTOR_LIBRARY) && defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
-__attribute__((simd("notinbranch"))) double atan2(double, double);
-__attribute__((simd("notinbranch"))) double cbrt(double);
-__attribute__((simd("notinbranch"))) double cos(double);
-__attribute__((simd("notinbranch"))) double exp(double);
-__attribute__((simd("notinbranch"))) double hypot(double, double);
-__attribute__((simd("notinbranch"))) double log(double);
-__attribute__((simd("notinbranch"))) double pow(double, double);
-__attribute__((simd("notinbranch"))) double sin(double);
-__attribute__((simd("notinbranch"))) double tanh(double);
+__attribute__((simd("notinbranch"), const)) double atan2(double, double);
+__attribute__((simd("notinbranch"), const)) double cbrt(double);
+__attribute__((simd("notinbranch"), const)) double cos(double);
+__attribute__((simd("notinbranch"), const)) double exp(double);
+__attribute__((simd("notinbranch"), const)) double hypot(double, double);
+__attribute__((simd("notinbranch"), const)) double log(double);
+__attribute__((simd("notinbranch"), const)) double pow(double, double);
+__attribute__((simd("notinbranch"), const)) double sin(double);
+__attribute__((simd("notinbranch"), const)) double tanh(double);
 #endif
 
 #ifndef FORMS_MULTIPLY_ADD
@@ -786,9 +786,9 @@ FORMS_FLATTEN static inline void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 static inline void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
-    const int t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0);
-    outputs[0] = t1 ? sqrt(x) / y : NAN;
-    outputs[1] = t1 ? t0 : NAN;
+    const double t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0) ? 1.0 : NAN;
+    outputs[0] = t1 * (sqrt(x) / y);
+    outputs[1] = t1 * t0;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.

@@ -763,9 +763,9 @@ extern "C" __global__ void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline void both_inside(double x, double y, double *outputs) {
     const double t0 = x + y;
-    const int t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0);
-    outputs[0] = t1 ? sqrt(x) / y : forms_nan();
-    outputs[1] = t1 ? t0 : forms_nan();
+    const double t1 = (0.0 < x) & (t0 <= 5.0) & (y < 0.0 || y > 0.0) ? 1.0 : forms_nan();
+    outputs[0] = t1 * (sqrt(x) / y);
+    outputs[1] = t1 * t0;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.

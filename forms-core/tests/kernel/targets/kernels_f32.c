@@ -23,15 +23,15 @@
 // With FORMS_VECTOR_LIBRARY, loops over arrays call the vector functions of glibc (2.35 or newer), which are
 // within 4 ulp. For GCC with -fno-math-errno -fno-builtin-sin -fno-builtin-cos.
 #if defined(FORMS_VECTOR_LIBRARY) && defined(__GNUC__) && !defined(__clang__) && !defined(__cplusplus)
-__attribute__((simd("notinbranch"))) float atan2f(float, float);
-__attribute__((simd("notinbranch"))) float cbrtf(float);
-__attribute__((simd("notinbranch"))) float cosf(float);
-__attribute__((simd("notinbranch"))) float expf(float);
-__attribute__((simd("notinbranch"))) float hypotf(float, float);
-__attribute__((simd("notinbranch"))) float logf(float);
-__attribute__((simd("notinbranch"))) float powf(float, float);
-__attribute__((simd("notinbranch"))) float sinf(float);
-__attribute__((simd("notinbranch"))) float tanhf(float);
+__attribute__((simd("notinbranch"), const)) float atan2f(float, float);
+__attribute__((simd("notinbranch"), const)) float cbrtf(float);
+__attribute__((simd("notinbranch"), const)) float cosf(float);
+__attribute__((simd("notinbranch"), const)) float expf(float);
+__attribute__((simd("notinbranch"), const)) float hypotf(float, float);
+__attribute__((simd("notinbranch"), const)) float logf(float);
+__attribute__((simd("notinbranch"), const)) float powf(float, float);
+__attribute__((simd("notinbranch"), const)) float sinf(float);
+__attribute__((simd("notinbranch"), const)) float tanhf(float);
 #endif
 
 #ifndef FORMS_MULTIPLY_ADDF
@@ -778,9 +778,9 @@ FORMS_FLATTEN static inline void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 static inline void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
-    const int t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f);
-    outputs[0] = t1 ? sqrtf(x) / y : NAN;
-    outputs[1] = t1 ? t0 : NAN;
+    const float t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f) ? 1.0f : NAN;
+    outputs[0] = t1 * (sqrtf(x) / y);
+    outputs[1] = t1 * t0;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.

@@ -755,9 +755,9 @@ extern "C" __global__ void inside_batch(
 // Cost: 1 addition, 1 division, 1 square root.
 __device__ inline void both_inside(float x, float y, float *outputs) {
     const float t0 = x + y;
-    const int t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f);
-    outputs[0] = t1 ? sqrtf(x) / y : forms_nanf();
-    outputs[1] = t1 ? t0 : forms_nanf();
+    const float t1 = (0.0f < x) & (t0 <= 5.0f) & (y < 0.0f || y > 0.0f) ? 1.0f : forms_nanf();
+    outputs[0] = t1 * (sqrtf(x) / y);
+    outputs[1] = t1 * t0;
 }
 
 // `both_inside` for each i < count. Outputs must not overlap other arrays.

@@ -5,7 +5,7 @@
 Samples are taken fourfold until the error is reached; after a run of some length the rest is extrapolated by
 error ~ 1/√samples, and the remark says so. Compiling is not in the times.
 
-On processors with AVX-512 the path integrator needs LLVM 16 or newer: DRJIT_LIBLLVM_PATH names its library.
+On processors with AVX-512 the path integrator needs LLVM 19 (16 ends in an error): DRJIT_LIBLLVM_PATH names its library.
 """
 
 import math
