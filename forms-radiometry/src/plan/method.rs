@@ -190,7 +190,7 @@ fn far_cheaper_paths(
     }
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     let world = world_of(simulated);
-    let (rays, values) = expected_rays(simulated.task(&world, computable));
+    let (rays, values) = expected_rays(simulated.task(&world, computable), expected.solution);
     let reason = if expected.solution.is_infinite() {
         "exact visibility would need too many elements"
     } else if expected.solution > WORTHWHILE * rays {

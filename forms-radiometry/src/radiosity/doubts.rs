@@ -2,9 +2,13 @@
 
 use super::importance::GoalKind;
 use super::partial::spread;
-use super::solution::of_bands;
+use super::solution::{Reflection, Solved};
 use super::system::Radiosity;
 use super::transport::{Group, Scratch};
+
+/// Residual at which the possible errors over all reflections end, relative to those of one; what is
+/// left is added to them.
+const RESIDUAL: f64 = 1e-6;
 
 /// Returns the value of an element in a band; 0 if there are no values.
 fn of_element(all: &[Vec<f64>], element: usize, band: usize) -> f64 {
@@ -18,14 +22,21 @@ impl Radiosity<'_> {
         self.residuals = self.residuals();
         self.missed = self.missed();
         self.doubts = Vec::new();
-        if let Some(operator) = self.operator.as_ref().filter(|_| self.is_doubtful()) {
-            let reflectances = self.reflectances();
-            let once = |(band, reflectances): (usize, &Vec<f64>)| {
-                operator.sums(|element, weights| reflectances[element] * self.astray(element, band, weights))
-            };
-            let once: Vec<Vec<f64>> = reflectances.iter().enumerate().map(once).collect();
-            self.doubts =
-                of_bands(operator, &reflectances, &once, self.question.orders, self.watch).irradiance;
+        if let Some(reflection) = self.reflection.as_ref().filter(|_| self.is_doubtful()) {
+            let Reflection { operator, reflectances, .. } = reflection;
+            let bands = reflectances.len();
+            let once = operator.sums(bands, |element, weights, sums| {
+                let astray = self.astray(element, weights);
+                for (band, sum) in sums.iter_mut().enumerate() {
+                    *sum += reflectances[band][element] * astray(band);
+                }
+            });
+            let Solved { mut irradiance, tail, .. } =
+                reflection.solve(&once, self.question.orders, RESIDUAL, self.watch);
+            for (doubts, tail) in irradiance.iter_mut().zip(tail) {
+                doubts.iter_mut().for_each(|doubt| *doubt += tail);
+            }
+            self.doubts = irradiance;
         }
     }
 
@@ -34,15 +45,22 @@ impl Radiosity<'_> {
         self.missed.iter().chain(&self.jumps).flatten().any(|&irradiance| irradiance > 0.0)
     }
 
-    /// Returns the light of an element that its nodes, with these weights, do not represent, for a
-    /// reflectance of 1.
-    fn astray(&self, element: usize, band: usize, weights: &[f64]) -> f64 {
-        let [jump, missed] = [&self.jumps, &self.missed].map(|all| of_element(all, element, band));
-        if jump == 0.0 && missed == 0.0 {
-            return 0.0;
+    /// Returns the function that gives for each band the light of an element that its nodes, with
+    /// these weights, do not represent, for a reflectance of 1.
+    fn astray(&self, element: usize, weights: &[f64]) -> impl Fn(usize) -> f64 {
+        let of = move |all: &[Vec<f64>], band: usize| of_element(all, element, band);
+        let is_exact = |band: usize| of(&self.jumps, band) == 0.0 && of(&self.missed, band) == 0.0;
+        let (spread, whole) = match (0..self.scene.band_count()).all(is_exact) {
+            true => (0.0, 0.0),
+            false => (
+                spread(weights, &self.elements[element]),
+                weights.iter().map(|weight| weight.abs()).sum::<f64>(),
+            ),
+        };
+        move |band| {
+            let [jump, missed] = [of(&self.jumps, band), of(&self.missed, band)];
+            (jump + missed) * spread + missed * whole
         }
-        let whole: f64 = weights.iter().map(|weight| weight.abs()).sum();
-        (jump + missed) * spread(weights, &self.elements[element]) + missed * whole
     }
 
     /// Returns for each band the possible error of an answer due to shadow borders on elements and
@@ -57,12 +75,12 @@ impl Radiosity<'_> {
                 let group = Group { points: &points, outline: &points, measure };
                 self.weigh(group, None, scratch, |source, _, weights| {
                     let element = &self.elements[source];
+                    let astray = self.astray(source, weights);
                     for (band, sum) in sums.iter_mut().enumerate() {
                         let doubts = self.doubts[band][self.first[source]..].iter();
                         let arriving: f64 =
                             weights.iter().zip(doubts).map(|(w, doubt)| w.abs() * doubt).sum();
-                        *sum +=
-                            self.reflectance(element, band) * (arriving + self.astray(source, band, weights));
+                        *sum += self.reflectance(element, band) * (arriving + astray(band));
                     }
                 });
             }

@@ -6,6 +6,7 @@
 //! ```
 
 use super::measure::Measure;
+use super::solution::Reflection;
 use super::system::Radiosity;
 use super::transport::{Group, Scratch};
 use crate::geometry::Vector;
@@ -14,6 +15,10 @@ use rayon::prelude::*;
 
 /// Number of reflections over which importance is propagated.
 const MOST_REFLECTIONS: usize = 24;
+
+/// Part of the importance below which a reflection ends it, unless it reaches more nodes: it only
+/// says which elements are split next.
+const ENOUGH: f64 = 1e-2;
 
 /// Number of parts that the goals are divided into for parallel evaluation.
 const PARTS: usize = 32;
@@ -78,13 +83,17 @@ impl Radiosity<'_> {
         let orders = self.question.orders.map_or(MOST_REFLECTIONS, |orders| orders as usize);
         let reflections = orders.min(MOST_REFLECTIONS);
         let (mut sum, mut last) = (straight.clone(), straight);
-        if let Some(operator) = &self.operator {
+        if let Some(Reflection { operator, .. }) = &self.reflection {
             for _ in 0..reflections {
                 if self.watch.is_stopped() {
                     break;
                 }
                 last = operator.apply_transposed(&strongest, &last);
+                let is_reached_first = sum.iter().zip(&last).any(|(&sum, &last)| sum == 0.0 && last > 0.0);
                 sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
+                if !is_reached_first && whole(&last) <= ENOUGH * whole(&sum) {
+                    break;
+                }
             }
         }
         let importance = self.first.windows(2).map(|nodes| sum[nodes[0]..nodes[1]].iter().sum()).collect();
@@ -143,4 +152,8 @@ impl Radiosity<'_> {
             }
         }
     }
+}
+
+fn whole(values: &[f64]) -> f64 {
+    values.iter().sum()
 }

@@ -4,9 +4,19 @@
 //! ```text
 //! (G E)ᵢ = Σₑ ρₑ Σₖ Wᵢₑₖ Eₑₖ
 //! ```
-//! The rows are pure geometry: all bands share them.
+//! The rows are pure geometry: all bands share them, and several bands are summed in one pass over
+//! the weights, which memory delivers more slowly than they are multiplied: 15 bands take two times
+//! as long as one.
 
 use rayon::prelude::*;
+
+/// Maximum number of bands that are summed in one pass.
+const TOGETHER: usize = 8;
+/// Number of parts of the rows that are transposed at the same time.
+const PARTS: usize = 8;
+
+/// Reflectances of the elements, and irradiance of the nodes, in one band.
+pub(super) type Band<'a> = [&'a [f64]; 2];
 
 /// Weights of one node for the elements that it sees.
 #[derive(Clone, Debug, Default)]
@@ -35,60 +45,103 @@ impl Operator {
         self.first.last().copied().unwrap_or(0)
     }
 
-    /// Returns G E for these reflectances of the elements.
-    pub(super) fn apply(&self, reflectances: &[f64], irradiance: &[f64]) -> Vec<f64> {
-        self.sums(|element, weights| {
-            let nodes = &irradiance[self.first[element]..self.first[element + 1]];
-            let arriving: f64 = weights.iter().zip(nodes).map(|(weight, value)| weight * value).sum();
-            reflectances[element] * arriving
-        })
+    /// Returns G E of each band.
+    pub(super) fn apply(&self, bands: &[Band]) -> Vec<Vec<f64>> {
+        let together = |bands: &[Band]| match bands.len() {
+            1 => self.apply_together::<1>(bands),
+            2..=4 => self.apply_together::<4>(bands),
+            _ => self.apply_together::<TOGETHER>(bands),
+        };
+        bands.chunks(TOGETHER).flat_map(together).collect()
     }
 
-    /// Returns for each node the sum over the elements that it sees of `of`, applied to the element
-    /// and the weights of its nodes.
-    pub(super) fn sums(&self, of: impl Fn(usize, &[f64]) -> f64 + Sync) -> Vec<f64> {
-        let of_row = |row: &Row| {
-            let mut weights = row.weights.as_slice();
-            let mut sum = 0.0;
-            for &element in &row.elements {
-                let element = element as usize;
-                let (own, rest) = weights.split_at(self.first[element + 1] - self.first[element]);
-                sum += of(element, own);
-                weights = rest;
+    /// Returns G E of at most `COUNT` bands: each weight is read once for all of them.
+    fn apply_together<const COUNT: usize>(&self, bands: &[Band]) -> Vec<Vec<f64>> {
+        let mut exitance = vec![[0.0; COUNT]; self.size()];
+        for (lane, [reflectances, irradiance]) in bands.iter().enumerate() {
+            for (nodes, reflectance) in self.first.windows(2).zip(*reflectances) {
+                for node in nodes[0]..nodes[1] {
+                    exitance[node][lane] = reflectance * irradiance[node];
+                }
             }
-            sum
+        }
+        let of_row = |row: &Row| {
+            let mut sums = [0.0; COUNT];
+            self.each(row, |element, weights| {
+                let mut arriving = [0.0; COUNT];
+                for (weight, exitance) in weights.iter().zip(&exitance[self.first[element]..]) {
+                    arriving.iter_mut().zip(exitance).for_each(|(sum, value)| *sum += weight * value);
+                }
+                sums.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += arriving);
+            });
+            sums
         };
-        self.rows.par_iter().with_min_len(16).map(of_row).collect()
+        let sums: Vec<[f64; COUNT]> = self.rows.par_iter().with_min_len(16).map(of_row).collect();
+        (0..bands.len()).map(|lane| sums.iter().map(|sums| sums[lane]).collect()).collect()
+    }
+
+    /// Returns for each band and each node the sum over the elements that the node sees of what
+    /// `add` adds for an element and the weights of its nodes.
+    pub(super) fn sums(&self, bands: usize, add: impl Fn(usize, &[f64], &mut [f64]) + Sync) -> Vec<Vec<f64>> {
+        let of_row = |row: &Row| {
+            let mut sums = vec![0.0; bands];
+            self.each(row, |element, weights| add(element, weights, &mut sums));
+            sums
+        };
+        let sums: Vec<Vec<f64>> = self.rows.par_iter().with_min_len(16).map(of_row).collect();
+        (0..bands).map(|band| sums.iter().map(|sums| sums[band]).collect()).collect()
+    }
+
+    /// Calls `of` with the elements that a node sees, and the weights of their nodes.
+    fn each(&self, row: &Row, mut of: impl FnMut(usize, &[f64])) {
+        let mut weights = row.weights.as_slice();
+        for &element in &row.elements {
+            let element = element as usize;
+            let (own, rest) = weights.split_at(self.first[element + 1] - self.first[element]);
+            of(element, own);
+            weights = rest;
+        }
     }
 
     /// Returns Gᵀ z for these reflectances.
     pub(super) fn apply_transposed(&self, reflectances: &[f64], importance: &[f64]) -> Vec<f64> {
-        let mut sums = vec![0.0; self.size()];
-        for (row, &z) in self.rows.iter().zip(importance) {
-            let mut weights = row.weights.as_slice();
-            for &element in &row.elements {
-                let element = element as usize;
-                let nodes = &mut sums[self.first[element]..self.first[element + 1]];
-                let (own, rest) = weights.split_at(nodes.len());
-                let factor = reflectances[element] * z;
-                nodes.iter_mut().zip(own).for_each(|(sum, weight)| *sum += factor * weight);
-                weights = rest;
+        // the parts do not depend on the number of threads, nor do the roundings of their sum
+        let part = self.rows.len().div_ceil(PARTS).max(1);
+        let of_part = |(rows, importance): (&[Row], &[f64])| {
+            let mut sums = vec![0.0; self.size()];
+            for (row, &z) in rows.iter().zip(importance) {
+                self.each(row, |element, weights| {
+                    let factor = reflectances[element] * z;
+                    let nodes = &mut sums[self.first[element]..];
+                    nodes.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += factor * weight);
+                });
             }
+            sums
+        };
+        let parts: Vec<Vec<f64>> =
+            self.rows.par_chunks(part).zip(importance.par_chunks(part)).map(of_part).collect();
+        let mut sums = vec![0.0; self.size()];
+        for part in parts {
+            sums.iter_mut().zip(part).for_each(|(sum, value)| *sum += value);
         }
         sums
     }
 
-    /// Estimates the norm of the operator by the part of a uniform irradiance that several
-    /// reflections leave: the smallest ‖Gᵐ‖^(1/m) with m ≤ 4, never more than ‖G‖ at the nodes.
-    pub(super) fn contraction(&self, reflectances: &[f64]) -> f64 {
+    /// Estimates the norm of the operator in each band by the part of a uniform irradiance that
+    /// several reflections leave: the smallest ‖Gᵐ‖^(1/m) with m ≤ 4, never more than ‖G‖ at the
+    /// nodes.
+    pub(super) fn contractions(&self, reflectances: &[Vec<f64>]) -> Vec<f64> {
         const BOUNCES: i32 = 4;
-        let mut light = vec![1.0; self.size()];
-        let mut least = f64::INFINITY;
+        let mut light = vec![vec![1.0; self.size()]; reflectances.len()];
+        let mut least = vec![f64::INFINITY; reflectances.len()];
         for bounce in 1..=BOUNCES {
-            light = self.apply(reflectances, &light);
-            let largest = light.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-            least = least.min(largest.powf(1.0 / f64::from(bounce)));
+            let bands: Vec<Band> = reflectances.iter().zip(&light).map(|(r, e)| [&r[..], e]).collect();
+            light = self.apply(&bands);
+            for (least, light) in least.iter_mut().zip(&light) {
+                let largest = light.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
+                *least = least.min(largest.powf(1.0 / f64::from(bounce)));
+            }
         }
-        if least.is_finite() { least } else { 0.0 }
+        least.into_iter().map(|least| if least.is_finite() { least } else { 0.0 }).collect()
     }
 }

@@ -7,7 +7,7 @@
 //! For all orders the residual is minimised in the Krylov space, which the powers of G span (GMRES:
 //! Saad and Schultz 1986). It takes a few steps where the series would take thousands.
 
-use super::operator::Operator;
+use super::operator::{Band, Operator};
 use crate::watch::Watch;
 
 /// Maximum dimension of the Krylov space before a restart.
@@ -15,7 +15,7 @@ const POWERS: usize = 60;
 /// Maximum number of restarts.
 const RESTARTS: usize = 20;
 /// Residual at which the iteration ends, relative to D.
-const RESIDUAL: f64 = 1e-14;
+pub(super) const RESIDUAL: f64 = 1e-14;
 
 /// Returns the number of orders that reach this relative tolerance if each is at most k times the
 /// one before: the least n with kⁿ ≤ tolerance.
@@ -45,140 +45,204 @@ pub(super) struct Solved {
     pub(super) reflected: Vec<Vec<f64>>,
     /// Largest error that the solution of the equations leaves.
     pub(super) tail: Vec<f64>,
-    /// Largest estimated norm of the operator.
-    pub(super) contraction: f64,
 }
 
-/// Returns the solution for each band, with at most this number of reflections if one is given; a
-/// rough solution if the work is stopped. `reflectances` are those of the elements.
-pub(super) fn of_bands(
-    operator: &Operator,
-    reflectances: &[Vec<f64>],
-    direct: &[Vec<f64>],
-    orders: Option<u32>,
-    watch: &dyn Watch,
-) -> Solved {
-    let (irradiance, reflected, tail) = (Vec::new(), Vec::new(), Vec::new());
-    let mut solved = Solved { irradiance, reflected, tail, contraction: 0.0 };
-    for (reflectances, direct) in reflectances.iter().zip(direct) {
-        let contraction = operator.contraction(reflectances);
-        let (irradiance, reflected, residual) = match orders {
-            Some(orders) => {
-                let [all, but_one] = neumann(operator, reflectances, direct, orders, watch);
-                (all, but_one, 0.0)
+/// The operator, and for each band the reflectances of the elements.
+pub(super) struct Reflection {
+    pub(super) operator: Operator,
+    pub(super) reflectances: Vec<Vec<f64>>,
+    /// Estimated norm in each band.
+    contractions: Vec<f64>,
+}
+
+impl Reflection {
+    pub(super) fn new(operator: Operator, reflectances: Vec<Vec<f64>>) -> Self {
+        let contractions = operator.contractions(&reflectances);
+        Self { operator, reflectances, contractions }
+    }
+
+    /// Returns the solution for each band of direct light, with at most this number of reflections
+    /// if one is given, otherwise to this residual relative to the direct light; a rough solution
+    /// if the work is stopped.
+    pub(super) fn solve(
+        &self,
+        direct: &[Vec<f64>],
+        orders: Option<u32>,
+        residual: f64,
+        watch: &dyn Watch,
+    ) -> Solved {
+        if let Some(orders) = orders {
+            let [irradiance, reflected] = self.neumann(direct, orders, watch);
+            return Solved { irradiance, reflected, tail: vec![0.0; direct.len()] };
+        }
+        let (irradiance, residuals) = self.all_orders(direct, residual, watch);
+        let tail = |(residual, k): (f64, &f64)| residual / (1.0 - k).max(f64::EPSILON);
+        let tail = residuals.into_iter().zip(&self.contractions).map(tail).collect();
+        Solved { reflected: irradiance.clone(), irradiance, tail }
+    }
+
+    /// Returns G E of some bands.
+    fn apply(&self, bands: &[usize], irradiance: &[&[f64]]) -> Vec<Vec<f64>> {
+        let bands = bands.iter().zip(irradiance);
+        let bands: Vec<Band> =
+            bands.map(|(&band, &irradiance)| [&self.reflectances[band][..], irradiance]).collect();
+        self.operator.apply(&bands)
+    }
+
+    /// Returns the irradiance after at most this many reflections, and after one less.
+    pub(super) fn neumann(&self, direct: &[Vec<f64>], orders: u32, watch: &dyn Watch) -> [Vec<Vec<f64>>; 2] {
+        let bands: Vec<usize> = (0..direct.len()).collect();
+        let (mut sum, mut last) = (direct.to_vec(), direct.to_vec());
+        let mut before = sum.clone();
+        for _ in 0..orders {
+            last = self.apply(&bands, &slices(&last));
+            before.clone_from(&sum);
+            if watch.is_stopped() || last.iter().flatten().all(|&value| value == 0.0) {
+                break;
             }
-            None => {
-                let (all, residual) = all_orders(operator, reflectances, direct, watch);
-                (all.clone(), all, residual)
+            let values = sum.iter_mut().flatten().zip(last.iter().flatten());
+            values.for_each(|(sum, last)| *sum += last);
+        }
+        [sum, before]
+    }
+
+    /// Returns the irradiance after all reflections, and for each band the largest remaining
+    /// residual |D + G E − E|.
+    pub(super) fn all_orders(
+        &self,
+        direct: &[Vec<f64>],
+        enough: f64,
+        watch: &dyn Watch,
+    ) -> (Vec<Vec<f64>>, Vec<f64>) {
+        let mut found = direct.to_vec();
+        let mut open: Vec<usize> = (0..direct.len()).collect();
+        let mut left = self.residuals(direct, &open, &found);
+        for _ in 0..RESTARTS {
+            open.retain(|&band| largest(&left[band]) > enough * largest(&direct[band]));
+            if watch.is_stopped() || open.is_empty() {
+                break;
             }
+            let steps = self.minimal_residuals(&open, &left, |band| enough * norm(&direct[band]), watch);
+            let mut next = found.clone();
+            for (&band, step) in open.iter().zip(steps) {
+                next[band].iter_mut().zip(step).for_each(|(found, step)| *found += step);
+            }
+            let left_next = self.residuals(direct, &open, &next);
+            open = open
+                .iter()
+                .zip(left_next)
+                .filter_map(|(&band, left_next)| {
+                    let is_nearer = norm(&left_next) < norm(&left[band]);
+                    is_nearer.then(|| {
+                        found[band].clone_from(&next[band]);
+                        left[band] = left_next;
+                        band
+                    })
+                })
+                .collect();
+        }
+        (found, left.iter().map(|left| largest(left)).collect())
+    }
+
+    /// Returns D + G E − E of some bands.
+    fn residuals(&self, direct: &[Vec<f64>], bands: &[usize], irradiance: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let arriving: Vec<&[f64]> = bands.iter().map(|&band| &irradiance[band][..]).collect();
+        let of_band = |(&band, reflected): (&usize, Vec<f64>)| {
+            let terms = direct[band].iter().zip(reflected).zip(&irradiance[band]);
+            terms.map(|((d, g), e)| d + g - e).collect()
         };
-        solved.irradiance.push(irradiance);
-        solved.reflected.push(reflected);
-        solved.tail.push(residual / (1.0 - contraction).max(f64::EPSILON));
-        solved.contraction = solved.contraction.max(contraction);
+        bands.iter().zip(self.apply(bands, &arriving)).map(of_band).collect()
     }
-    solved
+
+    /// Returns for some bands the x in the Krylov space of G and b that minimises |b − (1 − G) x|,
+    /// where `b` has all bands. A band ends at the residual `enough`.
+    fn minimal_residuals(
+        &self,
+        bands: &[usize],
+        b: &[Vec<f64>],
+        enough: impl Fn(usize) -> f64,
+        watch: &dyn Watch,
+    ) -> Vec<Vec<f64>> {
+        let mut spaces: Vec<Krylov> = bands.iter().map(|&band| Krylov::of(&b[band])).collect();
+        let mut open: Vec<usize> = (0..bands.len()).collect();
+        for _ in 0..POWERS.min(self.operator.size()) {
+            let those: Vec<usize> = open.iter().map(|&index| bands[index]).collect();
+            let last: Vec<&[f64]> = open.iter().map(|&index| spaces[index].last()).collect();
+            let reflected = self.apply(&those, &last);
+            let is_open = |&(index, ref reflected): &(usize, Vec<f64>)| {
+                spaces[index].extend(reflected, enough(bands[index])) && !watch.is_stopped()
+            };
+            open = open.into_iter().zip(reflected).filter(is_open).map(|(index, _)| index).collect();
+            if open.is_empty() {
+                break;
+            }
+        }
+        spaces.iter().map(Krylov::minimum).collect()
+    }
 }
 
-/// Returns the irradiance after at most this many reflections, and after one less.
-pub(super) fn neumann(
-    operator: &Operator,
-    reflectances: &[f64],
-    direct: &[f64],
-    orders: u32,
-    watch: &dyn Watch,
-) -> [Vec<f64>; 2] {
-    let (mut sum, mut last) = (direct.to_vec(), direct.to_vec());
-    let mut before = sum.clone();
-    for _ in 0..orders {
-        last = operator.apply(reflectances, &last);
-        before.clone_from(&sum);
-        if watch.is_stopped() || last.iter().all(|&value| value == 0.0) {
-            break;
-        }
-        sum.iter_mut().zip(&last).for_each(|(sum, last)| *sum += last);
-    }
-    [sum, before]
+/// The Krylov space of G and b, with an orthonormal basis.
+struct Krylov {
+    powers: Vec<Vec<f64>>,
+    /// The columns of the upper triangular matrix, made by Givens rotations.
+    columns: Vec<Vec<f64>>,
+    rotations: Vec<[f64; 2]>,
+    /// The rotated right-hand side.
+    right: Vec<f64>,
 }
 
-/// Returns the irradiance after all reflections, and the largest remaining residual |D + G E − E|.
-pub(super) fn all_orders(
-    operator: &Operator,
-    reflectances: &[f64],
-    direct: &[f64],
-    watch: &dyn Watch,
-) -> (Vec<f64>, f64) {
-    let residual = |e: &[f64]| -> Vec<f64> {
-        let reflected = operator.apply(reflectances, e);
-        direct.iter().zip(reflected).zip(e).map(|((d, g), e)| d + g - e).collect()
-    };
-    let largest = |values: &[f64]| values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-    let mut found = direct.to_vec();
-    let mut left = residual(&found);
-    for _ in 0..RESTARTS {
-        if watch.is_stopped() || largest(&left) <= RESIDUAL * largest(direct) {
-            break;
-        }
-        let step = minimal_residual(operator, reflectances, &left, RESIDUAL * norm(direct), watch);
-        let next: Vec<f64> = found.iter().zip(step).map(|(found, step)| found + step).collect();
-        let left_next = residual(&next);
-        if norm(&left_next) >= norm(&left) {
-            break;
-        }
-        (found, left) = (next, left_next);
+impl Krylov {
+    fn of(b: &[f64]) -> Self {
+        let scale = norm(b);
+        let powers = vec![b.iter().map(|value| value / scale).collect::<Vec<f64>>()];
+        Self { powers, columns: Vec::new(), rotations: Vec::new(), right: vec![scale] }
     }
-    let left = largest(&left);
-    (found, left)
-}
 
-/// Returns the x in the Krylov space of G and b that minimises |b − (1 − G) x|.
-fn minimal_residual(
-    operator: &Operator,
-    reflectances: &[f64],
-    b: &[f64],
-    enough: f64,
-    watch: &dyn Watch,
-) -> Vec<f64> {
-    let scale = norm(b);
-    let mut powers = vec![b.iter().map(|value| value / scale).collect::<Vec<f64>>()];
-    // the columns of the upper triangular matrix, made by Givens rotations, and the rotated
-    // right-hand side
-    let (mut columns, mut rotations, mut right) =
-        (Vec::<Vec<f64>>::new(), Vec::<[f64; 2]>::new(), vec![scale]);
-    for step in 0..POWERS.min(b.len()) {
-        let last = &powers[step];
-        let reflected = operator.apply(reflectances, last);
-        let mut next: Vec<f64> = last.iter().zip(reflected).map(|(x, g)| x - g).collect();
+    /// Returns the last vector of the basis.
+    fn last(&self) -> &[f64] {
+        &self.powers[self.powers.len() - 1]
+    }
+
+    /// Adds a dimension by G of the last vector. Returns whether another one is needed for the
+    /// residual `enough`.
+    fn extend(&mut self, reflected: &[f64], enough: f64) -> bool {
+        let step = self.columns.len();
+        let mut next: Vec<f64> = self.last().iter().zip(reflected).map(|(x, g)| x - g).collect();
         let mut column = Vec::with_capacity(step + 2);
-        for power in &powers {
+        for power in &self.powers {
             let along = dot(&next, power);
             next.iter_mut().zip(power).for_each(|(x, p)| *x -= along * p);
             column.push(along);
         }
         let rest = norm(&next);
         column.push(rest);
-        for (i, [c, s]) in rotations.iter().enumerate() {
+        for (i, [c, s]) in self.rotations.iter().enumerate() {
             (column[i], column[i + 1]) =
                 (c * column[i] + s * column[i + 1], c * column[i + 1] - s * column[i]);
         }
         let length = column[step].hypot(rest);
         if length == 0.0 {
-            break;
+            return false;
         }
         let [c, s] = [column[step] / length, rest / length];
         column.truncate(step);
         column.push(length);
-        columns.push(column);
-        rotations.push([c, s]);
-        let turned = right[step];
-        right[step] = c * turned;
-        right.push(-s * turned);
-        if watch.is_stopped() || right[step + 1].abs() <= enough || rest <= f64::EPSILON * length {
-            break;
+        self.columns.push(column);
+        self.rotations.push([c, s]);
+        let turned = self.right[step];
+        self.right[step] = c * turned;
+        self.right.push(-s * turned);
+        if self.right[step + 1].abs() <= enough || rest <= f64::EPSILON * length {
+            return false;
         }
-        powers.push(next.iter().map(|x| x / rest).collect());
+        self.powers.push(next.iter().map(|x| x / rest).collect());
+        true
     }
-    combine(&powers, &columns, &right)
+
+    /// Returns the x that minimises the residual.
+    fn minimum(&self) -> Vec<f64> {
+        combine(&self.powers, &self.columns, &self.right)
+    }
 }
 
 /// Returns the combination of the basis vectors whose coefficients solve the upper triangular
@@ -197,6 +261,14 @@ fn combine(powers: &[Vec<f64>], columns: &[Vec<f64>], right: &[f64]) -> Vec<f64>
         sum.iter_mut().zip(power).for_each(|(sum, p)| *sum += coefficient * p);
     }
     sum
+}
+
+fn slices(values: &[Vec<f64>]) -> Vec<&[f64]> {
+    values.iter().map(Vec::as_slice).collect()
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, value| m.max(value.abs()))
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

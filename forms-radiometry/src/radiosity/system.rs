@@ -14,7 +14,7 @@ use super::received::{OfNodes, Received};
 use super::reflectance::{is_reflecting, reflectance};
 use super::residual::{Check, Residual};
 use super::shadows::Shadows;
-use super::solution::of_bands;
+use super::solution::{RESIDUAL, Reflection};
 use super::transport::{Group, Scratch, Transport};
 use crate::faces::is_bright;
 use crate::form_factor::double_double::{Rounded, area};
@@ -42,7 +42,7 @@ pub(crate) struct Radiosity<'t> {
     pub(super) outlines: Vec<Vec<Vector>>,
     pub(super) changes: Vec<[Change; 2]>,
     /// `None` if reflections are not requested.
-    pub(super) operator: Option<Operator>,
+    pub(super) reflection: Option<Reflection>,
     /// The first node of each element, and at the end the number of all nodes.
     pub(super) first: Vec<usize>,
     /// For each band the irradiance of each node.
@@ -102,7 +102,7 @@ impl<'t> Radiosity<'t> {
             question,
             outlines: Vec::new(),
             changes: Vec::new(),
-            operator: None,
+            reflection: None,
             first: Vec::new(),
             irradiance: Vec::new(),
             brightest: Vec::new(),
@@ -146,21 +146,20 @@ impl<'t> Radiosity<'t> {
             self.doubt_anew();
             return true;
         }
-        let operator = Operator::new(rows, self.first.clone());
-        let reflectances = self.reflectances();
-        let solved = of_bands(&operator, &reflectances, &direct, self.question.orders, self.watch);
+        let reflection = Reflection::new(Operator::new(rows, self.first.clone()), self.reflectances());
+        let solved = reflection.solve(&direct, self.question.orders, RESIDUAL, self.watch);
         if self.watch.is_stopped() {
             return false;
         }
         (self.reflected, self.tail) = (solved.reflected, solved.tail);
         self.take(solved.irradiance);
-        (self.direct, self.operator) = (direct, Some(operator));
+        (self.direct, self.reflection) = (direct, Some(reflection));
         self.doubt_anew();
         true
     }
 
     /// Returns for each band the reflectance of each element.
-    pub(super) fn reflectances(&self) -> Vec<Vec<f64>> {
+    fn reflectances(&self) -> Vec<Vec<f64>> {
         let of_band = |band| self.elements.iter().map(|element| self.reflectance(element, band)).collect();
         (0..self.scene.band_count()).map(of_band).collect()
     }

@@ -5,7 +5,7 @@ use super::element::Element;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::reference::MOST_NODES;
-use super::solution::{all_orders, neumann, orders};
+use super::solution::{Reflection, orders};
 use super::weights;
 use super::whole_elements::Whole;
 use crate::geometry::{Outline, Vector};
@@ -183,29 +183,79 @@ fn operator(size: usize) -> Operator {
     Operator::new((0..size).map(row).collect(), (0..=size).collect())
 }
 
+/// Bands of different reflectances and light, the last of them dark.
+fn bands(count: usize, size: usize) -> [Vec<Vec<f64>>; 2] {
+    let all = |of: fn(usize, usize) -> f64| -> Vec<Vec<f64>> {
+        (0..count).map(|band| (0..size).map(|i| of(band, i)).collect()).collect()
+    };
+    let mut direct = all(|band, i| ((i + band) % 5) as f64);
+    direct[count - 1].fill(0.0);
+    [all(|band, i| 0.3 + 0.02 * band as f64 + 0.01 * i as f64), direct]
+}
+
 #[test]
 fn all_orders_at_once_are_the_limit_of_the_series() {
-    let operator = operator(40);
-    let reflectances: Vec<f64> = (0..40).map(|i| 0.5 + 0.01 * f64::from(i)).collect();
-    let direct: Vec<f64> = (0..40).map(|i| f64::from(i % 5)).collect();
-    let (at_once, residual) = all_orders(&operator, &reflectances, &direct, &Unwatched);
-    let [series, _] = neumann(&operator, &reflectances, &direct, 500, &Unwatched);
-    assert!(residual < 1e-12, "{residual:e}");
-    for (a, b) in at_once.iter().zip(&series) {
-        assert!((a - b).abs() < 1e-11, "{a} and {b}");
+    for count in [1, 2, 8, 19] {
+        let [reflectances, direct] = bands(count, 40);
+        let reflection = Reflection::new(operator(40), reflectances);
+        let (at_once, residuals) = reflection.all_orders(&direct, 1e-14, &Unwatched);
+        let [series, _] = reflection.neumann(&direct, 500, &Unwatched);
+        for band in 0..count {
+            assert!(residuals[band] < 1e-12, "{:e}", residuals[band]);
+            for (a, b) in at_once[band].iter().zip(&series[band]) {
+                assert!((a - b).abs() < 1e-11, "{a} and {b}");
+            }
+        }
+        let (_, residuals) = reflection.all_orders(&direct, 1e-3, &Unwatched);
+        assert!(residuals.iter().all(|&residual| residual <= 4e-3));
     }
-    let k = operator.contraction(&reflectances);
-    assert!(k < 0.95 && k > 0.5, "{k}");
+}
+
+#[test]
+fn bands_are_summed_together_as_one_by_one() {
+    let operator = operator(30);
+    for count in [1, 2, 5, 8, 9, 21] {
+        let [reflectances, irradiance] = bands(count, 30);
+        let pairs: Vec<[&[f64]; 2]> =
+            reflectances.iter().zip(&irradiance).map(|(r, e)| [&r[..], e]).collect();
+        let together = operator.apply(&pairs);
+        for (pair, together) in pairs.iter().zip(&together) {
+            let exitance: Vec<f64> = pair[0].iter().zip(pair[1]).map(|(r, e)| r * e).collect();
+            assert_eq!(operator.apply(&[*pair])[0], *together);
+            // each element has one node: G E of one band by its definition
+            let sums = operator.sums(1, |element, weights, sums| sums[0] += weights[0] * exitance[element]);
+            assert_eq!(sums[0], *together);
+        }
+    }
+}
+
+#[test]
+fn the_transposed_operator_has_the_same_products() {
+    let operator = operator(30);
+    let [reflectances, vectors] = bands(3, 30);
+    let [x, z] = [&vectors[0], &vectors[1]];
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let of_x = operator.apply(&[[&reflectances[0], x]]).swap_remove(0);
+    let [one, other] = [dot(&of_x, z), dot(x, &operator.apply_transposed(&reflectances[0], z))];
+    assert!((one - other).abs() <= 1e-12 * one.abs(), "{one} and {other}");
+}
+
+#[test]
+fn a_reflection_leaves_the_part_that_the_norm_says() {
+    let [reflectances, _] = bands(3, 40);
+    for k in operator(40).contractions(&reflectances) {
+        assert!(k < 0.95 && k > 0.2, "{k}");
+    }
 }
 
 #[test]
 fn an_order_is_the_light_of_one_more_reflection() {
-    let operator = operator(10);
-    let (reflectances, direct) = (vec![0.5; 10], vec![1.0; 10]);
-    let [two, one] = neumann(&operator, &reflectances, &direct, 2, &Unwatched);
-    let reflected = operator.apply(&reflectances, &one);
+    let reflection = Reflection::new(operator(10), vec![vec![0.5; 10]]);
+    let direct = vec![vec![1.0; 10]];
+    let [two, one] = reflection.neumann(&direct, 2, &Unwatched);
+    let reflected = reflection.operator.apply(&[[&[0.5; 10], &one[0]]]);
     for i in 0..10 {
-        assert!((two[i] - (direct[i] + reflected[i])).abs() < 1e-15);
+        assert!((two[0][i] - (direct[0][i] + reflected[0][i])).abs() < 1e-15);
     }
 }
 

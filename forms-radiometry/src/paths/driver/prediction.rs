@@ -21,8 +21,10 @@ use rayon::prelude::*;
 
 /// Number of samples of each replicate.
 const SAMPLES: u32 = 8;
-/// Maximum number of estimands for which paths are traced.
-const MOST_TRACED: usize = 64;
+/// Numbers of estimands for which paths are traced.
+const TRACED: [f64; 2] = [8.0, 64.0];
+/// Part of the cost of the other method that a prediction may cost.
+const PART: f64 = 0.02;
 /// Maximum number of reflections of a path.
 const MOST_REFLECTIONS: u32 = 256;
 /// Mean number of reflections of a path among surfaces of the reflectance ρ, times 1 − ρ: Russian
@@ -32,8 +34,9 @@ const LENGTH: f64 = 3.3;
 const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
 
 /// Returns the number of rays that path tracing is expected to need for a scene, and the number of
-/// values: numbers, cells and pixels.
-pub(crate) fn expected_rays(task: Task<'_>) -> (f64, usize) {
+/// values: numbers, cells and pixels. The prediction is compared with the cost of another method, in
+/// rays: where that is small, fewer paths have to tell.
+pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
     let Task { world, effects, .. } = task;
     let limits = Limits::of(effects);
     let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
@@ -46,7 +49,10 @@ pub(crate) fn expected_rays(task: Task<'_>) -> (f64, usize) {
     let samplers = samplers(task, Limits { reflections: Some(reflections), ..limits });
     let (scene, bands) = (&*world.scene, world.scene.band_count());
     let mut requests = requests(task, &Computing::nothing());
-    let step = requests.len().div_ceil(MOST_TRACED).max(1);
+    let vertices = f64::from(reflections).min(LENGTH / (1.0 - reflectance)) + 1.0;
+    let of_one = (REPLICATES as u32 * SAMPLES) as f64 * vertices * world.rays_of_a_vertex();
+    let traced = (PART * other / of_one).clamp(TRACED[0], TRACED[1]) as usize;
+    let step = requests.len().div_ceil(traced).max(1);
     let trace = |(index, request): (usize, &mut Request)| {
         request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
         request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true)
