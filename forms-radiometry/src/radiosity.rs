@@ -29,6 +29,7 @@ mod emission;
 mod first_faces;
 mod gathered_light;
 mod importance;
+mod kept;
 mod kernels;
 mod measure;
 mod operator;

@@ -73,7 +73,7 @@ impl Radiosity<'_> {
             GoalKind::At { position, measure } => {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };
-                self.weigh(group, None, scratch, |source, _, weights| {
+                self.weigh(group, scratch, |source, _, weights| {
                     let element = &self.elements[source];
                     let astray = self.astray(source, weights);
                     for (band, sum) in sums.iter_mut().enumerate() {

@@ -136,7 +136,7 @@ impl Radiosity<'_> {
             GoalKind::At { position, measure } => {
                 let points = [position];
                 let group = Group { points: &points, outline: &points, measure };
-                self.weigh(group, None, scratch, |source, _, weights| {
+                self.weigh(group, scratch, |source, _, weights| {
                     each(
                         source,
                         &mut weights.iter().map(|weight| goal.weight * strongest[source] * weight.abs()),

@@ -19,7 +19,7 @@ const PARTS: usize = 8;
 pub(super) type Band<'a> = [&'a [f64]; 2];
 
 /// Weights of one node for the elements that it sees.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Row {
     /// The elements.
     pub(super) elements: Vec<u32>,
@@ -27,8 +27,28 @@ pub(super) struct Row {
     pub(super) weights: Vec<f64>,
 }
 
+impl Row {
+    /// Adds an element that comes after the others.
+    pub(super) fn push(&mut self, element: usize, weights: &[f64]) {
+        self.elements.push(element as u32);
+        self.weights.extend_from_slice(weights);
+    }
+
+    /// Returns the elements with the weights of their nodes; `first` has the first node of each
+    /// element.
+    pub(super) fn entries<'r>(&'r self, first: &'r [usize]) -> impl Iterator<Item = (usize, &'r [f64])> {
+        let mut weights = self.weights.as_slice();
+        self.elements.iter().map(move |&element| {
+            let element = element as usize;
+            let (own, rest) = weights.split_at(first[element + 1] - first[element]);
+            weights = rest;
+            (element, own)
+        })
+    }
+}
+
 /// The rows of all nodes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Operator {
     rows: Vec<Row>,
     /// The first node of each element, and at the end the number of all nodes.
@@ -38,6 +58,11 @@ pub(super) struct Operator {
 impl Operator {
     pub(super) fn new(rows: Vec<Row>, first: Vec<usize>) -> Self {
         Self { rows, first }
+    }
+
+    /// Returns the elements that a node sees with the weights of their nodes.
+    pub(super) fn entries(&self, node: usize) -> impl Iterator<Item = (usize, &[f64])> {
+        self.rows[node].entries(&self.first)
     }
 
     /// Returns the number of nodes.
@@ -67,13 +92,13 @@ impl Operator {
         }
         let of_row = |row: &Row| {
             let mut sums = [0.0; COUNT];
-            self.each(row, |element, weights| {
+            for (element, weights) in row.entries(&self.first) {
                 let mut arriving = [0.0; COUNT];
                 for (weight, exitance) in weights.iter().zip(&exitance[self.first[element]..]) {
                     arriving.iter_mut().zip(exitance).for_each(|(sum, value)| *sum += weight * value);
                 }
                 sums.iter_mut().zip(arriving).for_each(|(sum, arriving)| *sum += arriving);
-            });
+            }
             sums
         };
         let sums: Vec<[f64; COUNT]> = self.rows.par_iter().with_min_len(16).map(of_row).collect();
@@ -85,22 +110,11 @@ impl Operator {
     pub(super) fn sums(&self, bands: usize, add: impl Fn(usize, &[f64], &mut [f64]) + Sync) -> Vec<Vec<f64>> {
         let of_row = |row: &Row| {
             let mut sums = vec![0.0; bands];
-            self.each(row, |element, weights| add(element, weights, &mut sums));
+            row.entries(&self.first).for_each(|(element, weights)| add(element, weights, &mut sums));
             sums
         };
         let sums: Vec<Vec<f64>> = self.rows.par_iter().with_min_len(16).map(of_row).collect();
         (0..bands).map(|band| sums.iter().map(|sums| sums[band]).collect()).collect()
-    }
-
-    /// Calls `of` with the elements that a node sees, and the weights of their nodes.
-    fn each(&self, row: &Row, mut of: impl FnMut(usize, &[f64])) {
-        let mut weights = row.weights.as_slice();
-        for &element in &row.elements {
-            let element = element as usize;
-            let (own, rest) = weights.split_at(self.first[element + 1] - self.first[element]);
-            of(element, own);
-            weights = rest;
-        }
     }
 
     /// Returns Gᵀ z for these reflectances.
@@ -110,11 +124,11 @@ impl Operator {
         let of_part = |(rows, importance): (&[Row], &[f64])| {
             let mut sums = vec![0.0; self.size()];
             for (row, &z) in rows.iter().zip(importance) {
-                self.each(row, |element, weights| {
+                for (element, weights) in row.entries(&self.first) {
                     let factor = reflectances[element] * z;
                     let nodes = &mut sums[self.first[element]..];
                     nodes.iter_mut().zip(weights).for_each(|(sum, weight)| *sum += factor * weight);
-                });
+                }
             }
             sums
         };

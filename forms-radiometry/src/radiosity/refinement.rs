@@ -13,6 +13,7 @@ use super::coarsest_elements::MOST_NODES;
 use super::convergence::{Change, decay};
 use super::element::Element;
 use super::importance::Goal;
+use super::kept::Kept;
 use super::reference::MOST_NODES as MOST_NODES_OF_ELEMENT;
 use super::system::Radiosity;
 use crate::geometry::Vector;
@@ -119,9 +120,11 @@ impl Radiosity<'_> {
             return None;
         }
         let (mut elements, mut changes, mut split) = (Vec::new(), Vec::new(), Vec::new());
+        let mut now = vec![None; self.elements.len()];
         for (index, element) in self.elements.iter().enumerate() {
             let from = elements.len();
             if chosen[index] == [false; 2] {
+                now[index] = Some(from);
                 elements.push(element.clone());
             } else {
                 elements.extend(element.divided(chosen[index]));
@@ -132,7 +135,7 @@ impl Radiosity<'_> {
         let before = std::mem::replace(&mut self.elements, elements);
         let changes_before = std::mem::replace(&mut self.changes, changes);
         let (outlines, first) = (self.outlines.clone(), self.first.clone());
-        if !self.solve() {
+        if !self.solve(&Kept::of(now, self.elements.len(), first.clone())) {
             (self.elements, self.changes, self.outlines, self.first) =
                 (before, changes_before, outlines, first);
             return None;

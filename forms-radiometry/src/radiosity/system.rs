@@ -6,6 +6,7 @@ use super::convergence::Change;
 use super::direct::{Integral, Lights};
 use super::element::Element;
 use super::gathered_light::Kinds;
+use super::kept::Kept;
 use super::measure::Measure;
 use super::operator::{Operator, Row};
 use super::partial::OnElement;
@@ -120,20 +121,20 @@ impl<'t> Radiosity<'t> {
             elements,
         };
         radiosity.check();
-        radiosity.solve();
+        radiosity.solve(&Kept::nothing(radiosity.elements.len()));
         radiosity.changes = radiosity.unknown_changes();
         radiosity
     }
 
-    /// Computes the light at the nodes of the current elements; returns whether this was done
-    /// before the work was stopped.
-    pub(super) fn solve(&mut self) -> bool {
+    /// Computes the light at the nodes of the current elements, of which some are those of the
+    /// current solution; returns whether this was done before the work was stopped.
+    pub(super) fn solve(&mut self, kept: &Kept) -> bool {
         self.outlines = self.elements.iter().map(Element::outline).collect();
         self.first = vec![0];
         for element in &self.elements {
             self.first.push(self.first[self.first.len() - 1] + element.count());
         }
-        let of_elements = self.all_rows();
+        let of_elements = self.all_rows(kept);
         if self.watch.is_stopped() {
             return false;
         }
@@ -165,10 +166,10 @@ impl<'t> Radiosity<'t> {
     }
 
     /// Returns the rows of the nodes of each element, and their direct light.
-    fn all_rows(&self) -> Vec<Received> {
+    fn all_rows(&self, kept: &Kept) -> Vec<Received> {
         let done = AtomicUsize::new(0);
         let of_element = |scratch: &mut Scratch, index| {
-            let rows = self.rows(index, scratch);
+            let rows = self.rows(index, kept, scratch);
             let part = done.fetch_add(1, Ordering::Relaxed) as f64 / self.elements.len() as f64;
             if !self.watch.is_stopped() {
                 self.watch.progress("interreflection", part);
@@ -187,7 +188,7 @@ impl<'t> Radiosity<'t> {
 
     /// Returns the rows of the nodes of an element, and their direct light; only part of it if the
     /// work is stopped.
-    fn rows(&self, index: usize, scratch: &mut Scratch) -> Received {
+    fn rows(&self, index: usize, kept: &Kept, scratch: &mut Scratch) -> Received {
         let element = &self.elements[index];
         let points: Vec<Vector> = element.nodes().collect();
         let measure = Measure::Plane(element.normal);
@@ -195,13 +196,19 @@ impl<'t> Radiosity<'t> {
         let reflects = self.question.orders != Some(0);
         let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
         if reflects && self.receives_reflected(element) {
-            self.weigh(group, Some(element.face), scratch, |source, node, weights| {
-                rows[node].elements.push(source as u32);
-                rows[node].weights.extend_from_slice(weights);
+            let is_kept = kept.has(index);
+            let is_asked =
+                |source: usize| self.elements[source].face != element.face && !(is_kept && kept.has(source));
+            self.weigh_some(is_asked, group, scratch, |source, node, weights| {
+                rows[node].push(source, weights);
             });
+            self.add_kept(index, kept, &mut rows);
         }
         if self.watch.is_stopped() {
             return Received { rows, ..Received::default() };
+        }
+        if let Some(before) = self.received_before(index, kept) {
+            return Received { rows, ..before };
         }
         let mut direct = self.lights.reaching(group, self.transport, scratch);
         if !self.lights.kinds().beams {
@@ -325,7 +332,7 @@ impl<'t> Radiosity<'t> {
     /// Adds the light that surfaces reflect: Σ ρ W E over their nodes.
     fn add_reflected(&self, group: Group, scratch: &mut Scratch, reflected: &mut [f64]) {
         let bands = self.scene.band_count();
-        self.weigh(group, None, scratch, |source, point, weights| {
+        self.weigh(group, scratch, |source, point, weights| {
             let nodes = self.first[source]..self.first[source + 1];
             let element = &self.elements[source];
             for (band, sum) in reflected[point * bands..][..bands].iter_mut().enumerate() {

@@ -152,18 +152,23 @@ impl Transport {
 
 impl Radiosity<'_> {
     /// Calls `each` with an element that reflects, the index of a point and its weights for the
-    /// nodes of the element, for all such elements except those of one face; only for some if the
-    /// work is stopped. The visibility of a face is computed before that of its elements, which
-    /// follow each other.
-    pub(super) fn weigh(
+    /// nodes of the element, for all such elements in their order; only for some if the work is
+    /// stopped. The visibility of a face is computed before that of its elements, which follow each
+    /// other.
+    pub(super) fn weigh(&self, group: Group, scratch: &mut Scratch, each: impl FnMut(usize, usize, &[f64])) {
+        self.weigh_some(|_| true, group, scratch, each);
+    }
+
+    /// Calls `each` in the same way for some of these elements.
+    pub(super) fn weigh_some(
         &self,
+        is_asked: impl Fn(usize) -> bool,
         group: Group,
-        but: Option<usize>,
         scratch: &mut Scratch,
         mut each: impl FnMut(usize, usize, &[f64]),
     ) {
         let mut last = None;
-        for (source, element) in self.sources().filter(|(_, element)| Some(element.face) != but) {
+        for (source, element) in self.sources().filter(|&(source, _)| is_asked(source)) {
             if self.watch.is_stopped() {
                 return;
             }

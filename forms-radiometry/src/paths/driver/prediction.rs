@@ -10,7 +10,7 @@
 
 use super::analytic::Computing;
 use super::radiances::passed_on;
-use super::request::{Request, requests};
+use super::request::{Request, all_estimands, some_requests};
 use super::scale::{Scales, known, of_request};
 use super::{Task, samplers};
 use crate::effects::EffectSet;
@@ -48,23 +48,24 @@ pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
     };
     let samplers = samplers(task, Limits { reflections: Some(reflections), ..limits });
     let (scene, bands) = (&*world.scene, world.scene.band_count());
-    let mut requests = requests(task, &Computing::nothing());
     let vertices = f64::from(reflections).min(LENGTH / (1.0 - reflectance)) + 1.0;
-    let of_one = (REPLICATES as u32 * SAMPLES) as f64 * vertices * world.rays_of_a_vertex();
-    let traced = (PART * other / of_one).clamp(TRACED[0], TRACED[1]) as usize;
-    let step = requests.len().div_ceil(traced).max(1);
+    let of_traced = (REPLICATES as u32 * SAMPLES) as f64 * vertices * world.rays_of_a_vertex();
+    let traced = (PART * other / of_traced).clamp(TRACED[0], TRACED[1]) as usize;
+    let count = all_estimands(scene).len();
+    let step = count.div_ceil(traced).max(1);
+    let mut requests = some_requests(task, &Computing::nothing(), step);
     let trace = |(index, request): (usize, &mut Request)| {
         request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
         request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true)
     };
-    let segments: Vec<u64> = requests.par_iter_mut().step_by(step).enumerate().map(trace).collect();
+    let segments: Vec<u64> = requests.par_iter_mut().enumerate().map(trace).collect();
     let scales = known(&requests, scene.receivers.len(), bands);
     let of_one = |(request, segments): (&Request, u64)| {
         expected_paths(request, &scales, bands, scene.solve.tolerance) * segments as f64
             / request.replicates.count()
     };
-    let all: f64 = requests.iter().step_by(step).zip(segments).map(of_one).sum();
-    (step as f64 * world.rays_of_a_vertex() * longer * all, requests.len())
+    let all: f64 = requests.iter().zip(segments).map(of_one).sum();
+    (step as f64 * world.rays_of_a_vertex() * longer * all, count)
 }
 
 /// Returns the number of paths after which the error of an estimand is expected to meet the

@@ -97,6 +97,11 @@ impl Division {
 
 /// Returns all questions of a task; `computing` answers those that need no samples.
 pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request> {
+    some_requests(task, computing, 1)
+}
+
+/// Returns the first of every `step` questions of a task.
+pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, step: usize) -> Vec<Request> {
     let Task { world, metres, .. } = task;
     let scene = &*world.scene;
     let effects = EffectSet::of_scene(scene);
@@ -104,6 +109,7 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
         !scene.lights.is_empty() && (effects.has(Effect::Mirror) || effects.has(Effect::Refraction));
     let left_out = if has_images { LEFT_OUT * scene.solve.tolerance } else { 0.0 };
     let mut all: Vec<Request> = Vec::new();
+    let mut numbers = 0..;
     let unhidden = unhidden(scene);
     let radiances = Radiances::of(task, &unhidden);
     for (index, receiver) in scene.receivers.iter().enumerate() {
@@ -113,7 +119,8 @@ pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request
             ReceiverKind::Camera(camera) => shown(scene, &unhidden.faces, camera),
             _ => Vec::new(),
         };
-        for (cell, estimand) in estimands(receiver, scene, &unhidden) {
+        let own = estimands(receiver, scene, &unhidden).into_iter().zip(&mut numbers);
+        for ((cell, estimand), _) in own.filter(|(_, number): &(_, usize)| number.is_multiple_of(step)) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &estimand, scene.band_count(), bins);
             let is_in_raster = cell.is_some() && receiver.kind.raster().is_some();

@@ -126,3 +126,49 @@ impl<'s> Work<'s> {
         found
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::effects::SimulatedEffects;
+    use crate::progress::Progress;
+    use crate::radiosity::FirstFaces;
+    use crate::radiosity::kept::Kept;
+    use crate::radiosity::solution::Reflection;
+    use crate::watch::Unwatched;
+
+    #[test]
+    fn kept_elements_receive_what_new_ones_would() {
+        for (name, more) in [
+            ("lamp", ""),
+            (
+                "sun",
+                "[[light]]\nname = \"sun\"\nkind = \"distant\"\ndirection = [0.3, 0.2, -1]\nirradiance = 2\n",
+            ),
+        ] {
+            let text = [crate::CORNELL_BOX, "[solve]\ntolerance = 0.3\n", more].concat();
+            let scene =
+                crate::scene::read(&text, "test.toml").unwrap_or_else(|errors| panic!("{}", errors[0]));
+            let plan = crate::simulation::plan(&scene).unwrap_or_else(|errors| panic!("{}", errors[0]));
+            let (first, progress) = (FirstFaces::default(), Progress::new(&Unwatched));
+            let work = Work::new(&scene, SimulatedEffects::of(plan.effects()), &first, &progress);
+            let transport = work.transport(0);
+            let lights = Lights::of(&scene, &transport);
+            let mut radiosity = Radiosity::new(&scene, &transport, &lights, work.question(), &Unwatched);
+            for round in 0..2 {
+                let found = work.read(&radiosity, None);
+                let (asking, _) = work.asking(&radiosity, &found);
+                assert!(radiosity.refine(&asking).is_some(), "{name}, round {round}");
+            }
+            let operator = |radiosity: &Radiosity| {
+                radiosity.reflection.as_ref().map(|Reflection { operator, .. }| operator.clone())
+            };
+            let kept = (operator(&radiosity), radiosity.direct.clone(), radiosity.beams.clone());
+            assert!(radiosity.solve(&Kept::nothing(radiosity.elements.len())));
+            assert!(
+                kept == (operator(&radiosity), radiosity.direct.clone(), radiosity.beams.clone()),
+                "{name}"
+            );
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Kept elements: what a refinement does not split is not computed again. The weights of two kept
+//! elements, and the direct light of one, are pure geometry and stay as they are.
+//!
+//! ```text
+//!                     kept sources   new sources
+//! kept elements       copied         computed
+//! new elements        computed       computed
+//! ```
+
+use super::operator::Row;
+use super::received::Received;
+use super::solution::Reflection;
+use super::system::Radiosity;
+use std::ops::Range;
+
+/// Elements before and after a refinement. Their order does not change.
+pub(super) struct Kept {
+    /// The first node of each element before, and at the end the number of all nodes.
+    first: Vec<usize>,
+    /// For each element its index before, if it was not split.
+    before: Vec<Option<usize>>,
+    /// For each element before its index now, if it was not split.
+    now: Vec<Option<usize>>,
+}
+
+impl Kept {
+    /// Nothing is kept: there are no elements before.
+    pub(super) fn nothing(elements: usize) -> Self {
+        Self { first: vec![0], before: vec![None; elements], now: Vec::new() }
+    }
+
+    /// `now` has the index of each earlier element, if it was not split; `elements` is the number
+    /// of elements now.
+    pub(super) fn of(now: Vec<Option<usize>>, elements: usize, first: Vec<usize>) -> Self {
+        let mut before = vec![None; elements];
+        for (index, now) in now.iter().enumerate().filter_map(|(index, now)| Some((index, (*now)?))) {
+            before[now] = Some(index);
+        }
+        Self { first, before, now }
+    }
+
+    /// Whether an element was there before.
+    pub(super) fn has(&self, element: usize) -> bool {
+        self.before[element].is_some()
+    }
+}
+
+impl Radiosity<'_> {
+    /// Returns what the nodes of an element received before, without rows; `None` if the element is
+    /// new.
+    pub(super) fn received_before(&self, element: usize, kept: &Kept) -> Option<Received> {
+        let before = kept.before[element]?;
+        let nodes = kept.first[before]..kept.first[before + 1];
+        Some(Received {
+            rows: Vec::new(),
+            direct: of_nodes(&self.direct, nodes.clone()),
+            beams: of_nodes(&self.beams, nodes),
+            jump: self.jumps.iter().filter_map(|band| band.get(before).copied()).collect(),
+        })
+    }
+
+    /// Adds to the rows of a kept element, which have only the new sources, the weights of kept
+    /// sources.
+    pub(super) fn add_kept(&self, element: usize, kept: &Kept, rows: &mut [Row]) {
+        let (Some(Reflection { operator, .. }), Some(before)) = (&self.reflection, kept.before[element])
+        else {
+            return;
+        };
+        for (row, node) in rows.iter_mut().zip(kept.first[before]..) {
+            let new = std::mem::take(row);
+            let mut new = new.entries(&self.first).peekable();
+            for (source, weights) in operator.entries(node) {
+                let Some(source) = kept.now[source] else { continue };
+                while let Some((new, weights)) = new.next_if(|&(new, _)| new < source) {
+                    row.push(new, weights);
+                }
+                row.push(source, weights);
+            }
+            new.for_each(|(new, weights)| row.push(new, weights));
+        }
+    }
+}
+
+/// Returns for each of these nodes the values in all bands; none if there are none.
+fn of_nodes(values: &[Vec<f64>], nodes: Range<usize>) -> Vec<Vec<f64>> {
+    if values.iter().all(Vec::is_empty) {
+        return Vec::new();
+    }
+    nodes.map(|node| values.iter().map(|band| band[node]).collect()).collect()
+}
