@@ -49,6 +49,7 @@ mod products;
 mod program;
 mod quotients;
 mod raise;
+mod rebuild;
 mod schedule;
 mod shared_divisors;
 mod sharing;

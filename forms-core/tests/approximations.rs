@@ -177,7 +177,7 @@ impl Known {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// What is accepted is within the tolerance at every point, and what is clearly within it is accepted.
+    /// An accepted form is within the tolerance at every point, and a form clearly within it is accepted.
     #[test]
     fn a_form_is_accepted_if_and_only_if_it_is_close(
         which in 0..KNOWN.len(),

@@ -8,39 +8,23 @@
 
 use super::numbering::number_values;
 use super::program::{Instruction, Program, Value};
+use super::rebuild::sum_or_difference;
 
 /// Takes the common factor out of sums and differences of two products that nothing else uses.
 pub(super) fn take_out_common_factors(program: &Program) -> Program {
-    let uses = program.uses();
-    let product = |value: Value| match program.instruction(value) {
-        Instruction::Multiply(a, b) if uses[value.place()] == 1 => Some([*a, *b]),
-        _ => None,
-    };
-    let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
-    let mut values: Vec<Value> = Vec::with_capacity(program.instructions.len());
-    let mut push = |instruction: Instruction| {
-        instructions.push(instruction);
-        Value(instructions.len() as u32 - 1)
-    };
-    for instruction in &program.instructions {
-        let operands = match instruction {
-            Instruction::Add(p, q) | Instruction::Subtract(p, q) => product(*p).zip(product(*q)),
-            _ => None,
+    let product = program.products_used_once();
+    let taken = program.rebuilt(|rebuilt, instruction| {
+        let (p, q, is_difference) = match instruction {
+            Instruction::Add(p, q) => (p, q, false),
+            Instruction::Subtract(p, q) => (p, q, true),
+            _ => return None,
         };
-        let value = match operands.and_then(|(left, right)| common(left, right)) {
-            Some((factor, rest)) => {
-                let [left, right] = rest.map(|value| values[value.place()]);
-                let is_sum = matches!(instruction, Instruction::Add(..));
-                let sum =
-                    if is_sum { Instruction::Add(left, right) } else { Instruction::Subtract(left, right) };
-                let sum = push(sum);
-                push(Instruction::Multiply(values[factor.place()], sum))
-            }
-            None => push(instruction.with_operands(|operand| values[operand.place()])),
-        };
-        values.push(value);
-    }
-    number_values(&program.with_instructions(instructions, |root| values[root.place()]))
+        let (factor, rest) = common(product(*p)?, product(*q)?)?;
+        let [left, right] = rest.map(|value| rebuilt.value(value));
+        let sum = rebuilt.push(sum_or_difference(left, right, is_difference));
+        Some(rebuilt.push(Instruction::Multiply(rebuilt.value(factor), sum)))
+    });
+    number_values(&taken)
 }
 
 /// Returns the common factor of two products, and the other factor of each.

@@ -6,7 +6,6 @@
 //! A root of a number is rounded once in either case; a product takes a fraction of the time of a
 //! quotient.
 
-use super::constant::Constant;
 use super::program::{Instruction, Program, Value};
 
 /// Replaces divisions by roots of numbers.
@@ -26,36 +25,18 @@ pub(super) fn invert_constant_divisors(program: &Program) -> Program {
         }
         _ => radicand(divisor).map(|number| (None, number)),
     };
-    let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
-    let mut values: Vec<Value> = Vec::with_capacity(program.instructions.len());
-    let mut push = |instruction: Instruction| {
-        instructions.push(instruction);
-        Value(instructions.len() as u32 - 1)
-    };
-    for instruction in &program.instructions {
-        let value = match instruction {
-            Instruction::Divide(dividend, divisor) => {
-                let Some((rest, number)) = split(*divisor) else {
-                    values.push(push(instruction.with_operands(|operand| values[operand.place()])));
-                    continue;
-                };
-                let dividend = values[dividend.place()];
-                let quotient =
-                    rest.map_or(dividend, |rest| push(Instruction::Divide(dividend, values[rest.place()])));
-                let root = root(&mut push, number);
-                push(Instruction::Multiply(quotient, root))
-            }
-            other => push(other.with_operands(|operand| values[operand.place()])),
-        };
-        values.push(value);
-    }
-    program.with_instructions(instructions, |root| values[root.place()])
-}
-
-/// Appends √(1/c).
-fn root(push: &mut impl FnMut(Instruction) -> Value, number: &Constant) -> Value {
-    let inverse = push(Instruction::Constant(number.reciprocal()));
-    push(Instruction::Sqrt(inverse))
+    program.rebuilt(|rebuilt, instruction| {
+        let Instruction::Divide(dividend, divisor) = instruction else { return None };
+        let (rest, number) = split(*divisor)?;
+        let dividend = rebuilt.value(*dividend);
+        let quotient = rest.map_or(dividend, |rest| {
+            let divide = Instruction::Divide(dividend, rebuilt.value(rest));
+            rebuilt.push(divide)
+        });
+        let inverse = rebuilt.push(Instruction::Constant(number.reciprocal()));
+        let root = rebuilt.push(Instruction::Sqrt(inverse));
+        Some(rebuilt.push(Instruction::Multiply(quotient, root)))
+    })
 }
 
 #[cfg(test)]

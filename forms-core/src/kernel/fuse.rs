@@ -9,18 +9,14 @@
 //! accuracy, since it doubles the cost.
 
 use super::common_factor::take_out_common_factors;
-use super::constant::Constant;
 use super::numbering::without_unused;
 use super::program::{Instruction, ProductSum, Program, Value};
+use super::rebuild::{Rebuilt, sum_or_difference};
 use super::schedule::schedule;
 
 /// Fuses products that have a single sum as their user into that sum.
 pub(super) fn fuse(program: &Program) -> Program {
-    let uses = program.uses();
-    let product = |value: Value| match program.instruction(value) {
-        Instruction::Multiply(a, b) if uses[value.place()] == 1 => Some([*a, *b]),
-        _ => None,
-    };
+    let product = program.products_used_once();
     rewritten(program, |instruction| {
         let (a, b, is_difference) = match *instruction {
             Instruction::Add(a, b) => (a, b, false),
@@ -40,11 +36,7 @@ pub(super) fn fuse(program: &Program) -> Program {
 
 /// Compensates the sums and differences of two products whose terms may cancel.
 pub(super) fn compensate(program: &Program) -> Program {
-    let uses = program.uses();
-    let product = |value: Value| match program.instruction(value) {
-        Instruction::Multiply(a, b) if uses[value.place()] == 1 => Some([*a, *b]),
-        _ => None,
-    };
+    let product = program.products_used_once();
     rewritten(program, |instruction| match *instruction {
         Instruction::Add(p, q) => {
             let ([a, b], [c, d]) = (product(p)?, product(q)?);
@@ -66,7 +58,7 @@ fn rewritten(program: &Program, replacement: impl Fn(&Instruction) -> Option<Ins
     without_unused(&program.with_instructions(rewritten, |value| value))
 }
 
-/// What becomes of compensated products when instructions are split.
+/// Treatment of compensated products when instructions are split.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Compensated {
     Kept,
@@ -75,30 +67,21 @@ enum Compensated {
     Corrected,
 }
 
-fn push(instructions: &mut Vec<Instruction>, instruction: Instruction) -> Value {
-    instructions.push(instruction);
-    Value(instructions.len() as u32 - 1)
-}
-
-fn sum_or_difference(left: Value, right: Value, is_difference: bool) -> Instruction {
-    if is_difference { Instruction::Subtract(left, right) } else { Instruction::Add(left, right) }
-}
-
 /// Appends a b ± c d in separate operations.
 fn products(
-    instructions: &mut Vec<Instruction>,
+    rebuilt: &mut Rebuilt,
     [a, b, c, d]: [Value; 4],
     is_difference: bool,
     compensated: Compensated,
 ) -> Value {
-    let left = push(instructions, Instruction::Multiply(a, b));
-    let right = push(instructions, Instruction::Multiply(c, d));
-    let value = push(instructions, sum_or_difference(left, right, is_difference));
+    let left = rebuilt.push(Instruction::Multiply(a, b));
+    let right = rebuilt.push(Instruction::Multiply(c, d));
+    let value = rebuilt.push(sum_or_difference(left, right, is_difference));
     if compensated != Compensated::Corrected {
         return value;
     }
-    let correction = push(instructions, Instruction::Constant(Constant::integer(0)));
-    push(instructions, Instruction::Add(value, correction))
+    let correction = rebuilt.integer(0);
+    rebuilt.push(Instruction::Add(value, correction))
 }
 
 impl Program {
@@ -127,27 +110,20 @@ impl Program {
     }
 
     fn taken_apart(&self, compensated: Compensated) -> Program {
-        let mut instructions: Vec<Instruction> = Vec::with_capacity(self.instructions.len());
-        let mut values: Vec<Value> = Vec::with_capacity(self.instructions.len());
-        for instruction in &self.instructions {
-            let instruction = instruction.with_operands(|operand| values[operand.place()]);
-            let value = match instruction {
-                Instruction::MultiplyAdd(sum, [a, b, c]) => {
-                    let product = push(&mut instructions, Instruction::Multiply(a, b));
-                    let [left, right] = sum.terms(product, c);
-                    push(&mut instructions, sum_or_difference(left, right, sum.is_difference()))
-                }
-                Instruction::DifferenceOfProducts(factors) if compensated != Compensated::Kept => {
-                    products(&mut instructions, factors, true, compensated)
-                }
-                Instruction::SumOfProducts(factors) if compensated != Compensated::Kept => {
-                    products(&mut instructions, factors, false, compensated)
-                }
-                other => push(&mut instructions, other),
-            };
-            values.push(value);
-        }
-        self.with_instructions(instructions, |root| values[root.place()])
+        self.rebuilt(|rebuilt, instruction| match rebuilt.moved(instruction) {
+            Instruction::MultiplyAdd(sum, [a, b, c]) => {
+                let product = rebuilt.push(Instruction::Multiply(a, b));
+                let [left, right] = sum.terms(product, c);
+                Some(rebuilt.push(sum_or_difference(left, right, sum.is_difference())))
+            }
+            Instruction::DifferenceOfProducts(factors) if compensated != Compensated::Kept => {
+                Some(products(rebuilt, factors, true, compensated))
+            }
+            Instruction::SumOfProducts(factors) if compensated != Compensated::Kept => {
+                Some(products(rebuilt, factors, false, compensated))
+            }
+            _ => None,
+        })
     }
 }
 

@@ -8,6 +8,7 @@
 //! their rounding does.
 
 use super::program::{Instruction, Program, Value};
+use super::rebuild::Rebuilt;
 use super::shared_divisors::share_divisors;
 use num_integer::Integer;
 use num_rational::Ratio;
@@ -34,32 +35,20 @@ impl Program {
 
 /// Writes small integer powers as products, and half-integer powers with one root.
 fn written_out(program: &Program) -> Program {
-    let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
-    let mut places: Vec<Value> = Vec::with_capacity(program.instructions.len());
-    for instruction in &program.instructions {
-        let instruction = instruction.with_operands(|operand| places[operand.place()]);
-        let value = match instruction {
-            Instruction::Power(base, exponent) if is_short(exponent) => {
-                power(&mut instructions, base, exponent)
-            }
-            other => push(&mut instructions, other),
-        };
-        places.push(value);
-    }
-    program.with_instructions(instructions, |root| places[root.place()])
+    program.rebuilt(|rebuilt, instruction| match *instruction {
+        Instruction::Power(base, exponent) if is_short(exponent) => {
+            Some(power(rebuilt, rebuilt.value(base), exponent))
+        }
+        _ => None,
+    })
 }
 
 fn is_short(exponent: Ratio<i64>) -> bool {
     *exponent.denom() <= 2 && exponent.numer().abs() <= WRITTEN_OUT * exponent.denom()
 }
 
-fn push(instructions: &mut Vec<Instruction>, instruction: Instruction) -> Value {
-    instructions.push(instruction);
-    Value(instructions.len() as u32 - 1)
-}
-
 /// xⁿ by squaring, x^(n/2) = x^⌊n/2⌋ √x, x⁻ʳ = 1/xʳ
-fn power(instructions: &mut Vec<Instruction>, base: Value, exponent: Ratio<i64>) -> Value {
+fn power(rebuilt: &mut Rebuilt, base: Value, exponent: Ratio<i64>) -> Value {
     let size = exponent.numer().abs();
     let (whole, half) = size.div_rem(exponent.denom());
     let mut factors: Vec<Value> = Vec::new();
@@ -70,21 +59,21 @@ fn power(instructions: &mut Vec<Instruction>, base: Value, exponent: Ratio<i64>)
         }
         rest /= 2;
         if rest > 0 {
-            square = push(instructions, Instruction::Multiply(square, square));
+            square = rebuilt.push(Instruction::Multiply(square, square));
         }
     }
     if half > 0 {
-        factors.push(push(instructions, Instruction::Sqrt(base)));
+        factors.push(rebuilt.push(Instruction::Sqrt(base)));
     }
     let product = factors
         .into_iter()
-        .reduce(|product, factor| push(instructions, Instruction::Multiply(product, factor)))
+        .reduce(|product, factor| rebuilt.push(Instruction::Multiply(product, factor)))
         .expect("an exponent is not zero");
     if *exponent.numer() > 0 {
         return product;
     }
-    let one = push(instructions, Instruction::Constant(super::Constant::integer(1)));
-    push(instructions, Instruction::Divide(one, product))
+    let one = rebuilt.integer(1);
+    rebuilt.push(Instruction::Divide(one, product))
 }
 
 #[cfg(test)]

@@ -24,31 +24,19 @@ pub(super) fn share_divisors(program: &Program) -> Program {
     let is_number = |value: Value| matches!(program.instruction(value), Instruction::Constant(_));
     quotients.retain(|divisor, count| *count >= SHARED && !is_number(*divisor));
     let mut reciprocals: FxHashMap<Value, Value> = FxHashMap::default();
-    let mut instructions: Vec<Instruction> = Vec::with_capacity(program.instructions.len());
-    let mut values: Vec<Value> = Vec::with_capacity(program.instructions.len());
-    let mut push = |instruction: Instruction| {
-        instructions.push(instruction);
-        Value(instructions.len() as u32 - 1)
-    };
-    for instruction in &program.instructions {
-        let value = match instruction {
-            Instruction::Divide(dividend, divisor) if quotients.contains_key(divisor) => {
-                let reciprocal = *reciprocals.entry(*divisor).or_insert_with(|| {
-                    let one = push(Instruction::Constant(Constant::integer(1)));
-                    push(Instruction::Divide(one, values[divisor.place()]))
-                });
-                let is_one = program.instruction(*dividend) == &Instruction::Constant(Constant::integer(1));
-                if is_one {
-                    reciprocal
-                } else {
-                    push(Instruction::Multiply(values[dividend.place()], reciprocal))
-                }
-            }
-            other => push(other.with_operands(|operand| values[operand.place()])),
-        };
-        values.push(value);
-    }
-    program.with_instructions(instructions, |root| values[root.place()])
+    program.rebuilt(|rebuilt, instruction| {
+        let Instruction::Divide(dividend, divisor) = instruction else { return None };
+        if !quotients.contains_key(divisor) {
+            return None;
+        }
+        let reciprocal = *reciprocals.entry(*divisor).or_insert_with(|| {
+            let one = rebuilt.integer(1);
+            rebuilt.push(Instruction::Divide(one, rebuilt.value(*divisor)))
+        });
+        let is_one = program.instruction(*dividend) == &Instruction::Constant(Constant::integer(1));
+        let product = Instruction::Multiply(rebuilt.value(*dividend), reciprocal);
+        Some(if is_one { reciprocal } else { rebuilt.push(product) })
+    })
 }
 
 #[cfg(test)]

@@ -78,7 +78,7 @@ struct Search<'a> {
     seen: FxHashSet<Vec<Expr>>,
     /// Whether forms lose no more than the formula at other arguments, where that is known.
     valid: FxHashMap<Vec<Expr>, bool>,
-    /// What the rules propose for an expression, found once: equal expressions, and close ones.
+    /// Proposals of the rules for an expression, found once: equal expressions, and close ones.
     proposals: FxHashMap<Expr, [Vec<Expr>; 2]>,
     /// Parts of the formula as written, for which approximations are tried.
     parts: FxHashSet<Expr>,

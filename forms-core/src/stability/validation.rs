@@ -37,7 +37,7 @@ const EDGES: &[f64] =
 /// Magnitude from which one more rounding can overflow to infinity.
 const BESIDE_THE_LARGEST: f64 = f64::MAX / 16.0;
 
-/// Samples that were not used to choose a form, with what the formula as written makes of them.
+/// Samples that were not used to choose a form, with the values of the formula as written.
 pub(super) struct Validation {
     /// Samples of each regime, then the grids.
     regimes: Vec<Unseen>,
