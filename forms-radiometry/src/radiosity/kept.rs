@@ -7,10 +7,8 @@
 //! new elements        computed       computed
 //! ```
 
-use super::operator::Row;
+use super::operator::{Operator, Row};
 use super::received::Received;
-use super::solution::Reflection;
-use super::system::Radiosity;
 use std::ops::Range;
 
 /// Elements before and after a refinement. Their order does not change.
@@ -39,38 +37,37 @@ impl Kept {
         Self { first, before, now }
     }
 
-    /// Whether an element was there before.
-    pub(super) fn has(&self, element: usize) -> bool {
-        self.before[element].is_some()
+    /// Whether the weights of a source at the nodes of an element were there before.
+    pub(super) fn has(&self, element: usize, source: usize) -> bool {
+        self.before[element].is_some() && self.before[source].is_some()
     }
-}
 
-impl Radiosity<'_> {
-    /// Returns what the nodes of an element received before, without rows; `None` if the element is
-    /// new.
-    pub(super) fn received_before(&self, element: usize, kept: &Kept) -> Option<Received> {
-        let before = kept.before[element]?;
-        let nodes = kept.first[before]..kept.first[before + 1];
+    /// Returns what the nodes of an element received before, without rows, from the direct light and
+    /// the jumps before; `None` if the element is new.
+    pub(super) fn received(
+        &self,
+        element: usize,
+        [direct, beams, jumps]: [&[Vec<f64>]; 3],
+    ) -> Option<Received> {
+        let before = self.before[element]?;
+        let nodes = self.first[before]..self.first[before + 1];
         Some(Received {
             rows: Vec::new(),
-            direct: of_nodes(&self.direct, nodes.clone()),
-            beams: of_nodes(&self.beams, nodes),
-            jump: self.jumps.iter().filter_map(|band| band.get(before).copied()).collect(),
+            direct: of_nodes(direct, nodes.clone()),
+            beams: of_nodes(beams, nodes),
+            jump: jumps.iter().filter_map(|band| band.get(before).copied()).collect(),
         })
     }
 
-    /// Adds to the rows of a kept element, which have only the new sources, the weights of kept
-    /// sources.
-    pub(super) fn add_kept(&self, element: usize, kept: &Kept, rows: &mut [Row]) {
-        let (Some(Reflection { operator, .. }), Some(before)) = (&self.reflection, kept.before[element])
-        else {
-            return;
-        };
-        for (row, node) in rows.iter_mut().zip(kept.first[before]..) {
+    /// Adds to the rows of an element the weights of the sources that they had before, if the
+    /// element is kept. `first` has the first node of each element now.
+    pub(super) fn add(&self, element: usize, operator: &Operator, first: &[usize], rows: &mut [Row]) {
+        let Some(before) = self.before[element] else { return };
+        for (row, node) in rows.iter_mut().zip(self.first[before]..) {
             let new = std::mem::take(row);
-            let mut new = new.entries(&self.first).peekable();
+            let mut new = new.entries(first).peekable();
             for (source, weights) in operator.entries(node) {
-                let Some(source) = kept.now[source] else { continue };
+                let Some(source) = self.now[source] else { continue };
                 while let Some((new, weights)) = new.next_if(|&(new, _)| new < source) {
                     row.push(new, weights);
                 }

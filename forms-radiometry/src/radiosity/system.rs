@@ -196,18 +196,19 @@ impl<'t> Radiosity<'t> {
         let reflects = self.question.orders != Some(0);
         let mut rows = if reflects { vec![Row::default(); points.len()] } else { Vec::new() };
         if reflects && self.receives_reflected(element) {
-            let is_kept = kept.has(index);
             let is_asked =
-                |source: usize| self.elements[source].face != element.face && !(is_kept && kept.has(source));
+                |source: usize| self.elements[source].face != element.face && !kept.has(index, source);
             self.weigh_some(is_asked, group, scratch, |source, node, weights| {
                 rows[node].push(source, weights);
             });
-            self.add_kept(index, kept, &mut rows);
+            if let Some(reflection) = &self.reflection {
+                kept.add(index, &reflection.operator, &self.first, &mut rows);
+            }
         }
         if self.watch.is_stopped() {
             return Received { rows, ..Received::default() };
         }
-        if let Some(before) = self.received_before(index, kept) {
+        if let Some(before) = kept.received(index, [&self.direct, &self.beams, &self.jumps]) {
             return Received { rows, ..before };
         }
         let mut direct = self.lights.reaching(group, self.transport, scratch);
@@ -265,14 +266,12 @@ impl<'t> Radiosity<'t> {
         self.transport
     }
 
-    /// Returns the error that the solution of the equations leaves, as a radiance from all
-    /// directions.
+    /// Returns the error that the solution of the equations leaves, as radiance from all sides.
     pub(crate) fn floor(&self, band: usize) -> f64 {
         self.tail[band] / PI
     }
 
-    /// Returns the quadrature error relative to an answer. Quadrature is exact for light that is
-    /// the same everywhere.
+    /// Returns the quadrature error relative to an answer: none for light that is equal everywhere.
     pub(crate) fn rules(&self) -> f64 {
         let variation = |irradiance: &Vec<f64>| {
             let ends = irradiance.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
