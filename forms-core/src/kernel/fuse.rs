@@ -110,16 +110,19 @@ impl Program {
     }
 
     fn taken_apart(&self, compensated: Compensated) -> Program {
-        self.rebuilt(|rebuilt, instruction| match rebuilt.moved(instruction) {
-            Instruction::MultiplyAdd(sum, [a, b, c]) => {
+        self.rebuilt(|rebuilt, instruction| match instruction {
+            Instruction::MultiplyAdd(sum, values) => {
+                let [a, b, c] = values.map(|value| rebuilt.value(value));
                 let product = rebuilt.push(Instruction::Multiply(a, b));
                 let [left, right] = sum.terms(product, c);
                 Some(rebuilt.push(sum_or_difference(left, right, sum.is_difference())))
             }
             Instruction::DifferenceOfProducts(factors) if compensated != Compensated::Kept => {
+                let factors = factors.map(|factor| rebuilt.value(factor));
                 Some(products(rebuilt, factors, true, compensated))
             }
             Instruction::SumOfProducts(factors) if compensated != Compensated::Kept => {
+                let factors = factors.map(|factor| rebuilt.value(factor));
                 Some(products(rebuilt, factors, false, compensated))
             }
             _ => None,

@@ -30,11 +30,6 @@ impl Rebuilt {
     pub(super) fn value(&self, before: Value) -> Value {
         self.values[before.place()]
     }
-
-    /// Returns an instruction of the program on the values that have taken the places of its own.
-    pub(super) fn moved(&self, instruction: &Instruction) -> Instruction {
-        instruction.with_operands(|before| self.value(before))
-    }
 }
 
 impl Program {
@@ -49,7 +44,7 @@ impl Program {
             Rebuilt { instructions: Vec::with_capacity(count), values: Vec::with_capacity(count) };
         for instruction in &self.instructions {
             let value = replace(&mut rebuilt, instruction).unwrap_or_else(|| {
-                let moved = rebuilt.moved(instruction);
+                let moved = instruction.with_operands(|before| rebuilt.value(before));
                 rebuilt.push(moved)
             });
             rebuilt.values.push(value);

@@ -1,4 +1,4 @@
-//! Kept elements: what a refinement does not split is not computed again. The weights of two kept
+//! Kept elements: elements that a refinement does not split are not computed again. The weights of two kept
 //! elements, and the direct light of one, are pure geometry and stay as they are.
 //!
 //! ```text
@@ -42,7 +42,7 @@ impl Kept {
         self.before[element].is_some() && self.before[source].is_some()
     }
 
-    /// Returns what the nodes of an element received before, without rows, from the direct light and
+    /// Returns the earlier light at the nodes of an element, without rows, from the direct light and
     /// the jumps before; `None` if the element is new.
     pub(super) fn received(
         &self,

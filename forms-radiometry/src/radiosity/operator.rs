@@ -152,10 +152,14 @@ impl Operator {
             let bands: Vec<Band> = reflectances.iter().zip(&light).map(|(r, e)| [&r[..], e]).collect();
             light = self.apply(&bands);
             for (least, light) in least.iter_mut().zip(&light) {
-                let largest = light.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-                *least = least.min(largest.powf(1.0 / f64::from(bounce)));
+                *least = least.min(largest(light).powf(1.0 / f64::from(bounce)));
             }
         }
         least.into_iter().map(|least| if least.is_finite() { least } else { 0.0 }).collect()
     }
+}
+
+/// Returns the largest size of these values; 0 if there are none.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, value| m.max(value.abs()))
 }

@@ -7,7 +7,7 @@
 //! For all orders the residual is minimised in the Krylov space, which the powers of G span (GMRES:
 //! Saad and Schultz 1986). It takes a few steps where the series would take thousands.
 
-use super::operator::{Band, Operator};
+use super::operator::{Band, Operator, largest};
 use crate::watch::Watch;
 
 /// Maximum dimension of the Krylov space before a restart.
@@ -267,10 +267,6 @@ fn slices(values: &[Vec<f64>]) -> Vec<&[f64]> {
     values.iter().map(Vec::as_slice).collect()
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, value| m.max(value.abs()))
-}
-
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
@@ -281,7 +277,7 @@ fn norm(a: &[f64]) -> f64 {
     if length.is_normal() {
         return length;
     }
-    let largest = a.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let largest = largest(a);
     if largest == 0.0 || !largest.is_finite() {
         return largest;
     }

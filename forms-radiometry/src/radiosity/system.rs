@@ -8,7 +8,7 @@ use super::element::Element;
 use super::gathered_light::Kinds;
 use super::kept::Kept;
 use super::measure::Measure;
-use super::operator::{Operator, Row};
+use super::operator::{Operator, Row, largest};
 use super::partial::OnElement;
 use super::question::Question;
 use super::received::{OfNodes, Received};
@@ -181,8 +181,7 @@ impl<'t> Radiosity<'t> {
 
     /// Stores the irradiance of the nodes.
     fn take(&mut self, irradiance: Vec<Vec<f64>>) {
-        let largest = |values: &Vec<f64>| values.iter().fold(0.0, |m: f64, value| m.max(value.abs()));
-        self.brightest = irradiance.iter().map(largest).collect();
+        self.brightest = irradiance.iter().map(|values| largest(values)).collect();
         self.irradiance = irradiance;
     }
 

@@ -10,7 +10,7 @@
 
 use super::analytic::Computing;
 use super::radiances::passed_on;
-use super::request::{Request, all_estimands, some_requests};
+use super::request::{Request, some_requests};
 use super::scale::{Scales, known, of_request};
 use super::{Task, samplers};
 use crate::effects::EffectSet;
@@ -51,9 +51,7 @@ pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
     let vertices = f64::from(reflections).min(LENGTH / (1.0 - reflectance)) + 1.0;
     let of_traced = (REPLICATES as u32 * SAMPLES) as f64 * vertices * world.rays_of_a_vertex();
     let traced = (PART * other / of_traced).clamp(TRACED[0], TRACED[1]) as usize;
-    let count = all_estimands(scene).len();
-    let step = count.div_ceil(traced).max(1);
-    let mut requests = some_requests(task, &Computing::nothing(), step);
+    let (mut requests, count) = some_requests(task, &Computing::nothing(), traced);
     let trace = |(index, request): (usize, &mut Request)| {
         request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
         request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true)
@@ -65,6 +63,7 @@ pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
             / request.replicates.count()
     };
     let all: f64 = requests.iter().zip(segments).map(of_one).sum();
+    let step = count.div_ceil(requests.len().max(1));
     (step as f64 * world.rays_of_a_vertex() * longer * all, count)
 }
 

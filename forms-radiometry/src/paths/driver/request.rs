@@ -97,11 +97,11 @@ impl Division {
 
 /// Returns all questions of a task; `computing` answers those that need no samples.
 pub(crate) fn requests(task: Task<'_>, computing: &Computing<'_>) -> Vec<Request> {
-    some_requests(task, computing, 1)
+    some_requests(task, computing, usize::MAX).0
 }
 
-/// Returns the first of every `step` questions of a task.
-pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, step: usize) -> Vec<Request> {
+/// Returns evenly chosen questions of a task, at most this number of them, and the number of all.
+pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, most: usize) -> (Vec<Request>, usize) {
     let Task { world, metres, .. } = task;
     let scene = &*world.scene;
     let effects = EffectSet::of_scene(scene);
@@ -112,14 +112,18 @@ pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, step: usi
     let mut numbers = 0..;
     let unhidden = unhidden(scene);
     let radiances = Radiances::of(task, &unhidden);
-    for (index, receiver) in scene.receivers.iter().enumerate() {
+    let of_receivers: Vec<_> =
+        scene.receivers.iter().map(|receiver| estimands(receiver, scene, &unhidden)).collect();
+    let count = of_receivers.iter().map(Vec::len).sum();
+    let step = usize::div_ceil(count, most).max(1);
+    for (index, (receiver, own)) in scene.receivers.iter().zip(of_receivers).enumerate() {
         let bins = receiver.time.as_ref().map(|time| bins(time, metres));
         let own_key = key(scene.solve.seed, index as u64);
         let shown = match &receiver.kind {
             ReceiverKind::Camera(camera) => shown(scene, &unhidden.faces, camera),
             _ => Vec::new(),
         };
-        let own = estimands(receiver, scene, &unhidden).into_iter().zip(&mut numbers);
+        let own = own.into_iter().zip(&mut numbers);
         for ((cell, estimand), _) in own.filter(|(_, number): &(_, usize)| number.is_multiple_of(step)) {
             let key = cell.map_or(own_key, |cell| key(own_key, 1 + cell as u64));
             let replicates = Replicates::new(key, &estimand, scene.band_count(), bins);
@@ -155,7 +159,7 @@ pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, step: usi
     let instant = all.par_iter_mut().filter(|request| scene.receivers[request.receiver].time.is_none());
     instant.for_each(|request| request.compute(computing));
     divide_time(&mut all, begin);
-    all
+    (all, count)
 }
 
 /// Divides the time of a loop over questions, which began at this time and has just ended, among
