@@ -172,7 +172,7 @@ impl Rows {
         } else {
             let mut rays = Rays::pilot(self.emitters(), surface, known, self.scene.solve.seed);
             let most = if self.round.is_some() { MOST_RAYS } else { cost };
-            if rays.needed(goal) <= most {
+            if rays.need_at_most(most, goal) {
                 rays.reach(goal, watch);
                 rays.row()
             } else {

@@ -22,8 +22,13 @@ use crate::sampling::{Draws, Samples};
 use crate::scene::MaterialKind;
 use crate::visibility::Start;
 
-/// A point light is reached if the ray hits nothing before this fraction of its distance.
+/// A light source is reached if the ray hits nothing before this fraction of its distance.
 const REACHED: f64 = 1.0 - 1e-12;
+
+/// Returns the distance before which walls hide a light source at this distance.
+fn before(reach: f64) -> f64 {
+    if reach.is_finite() { REACHED * reach } else { reach }
+}
 
 impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Adds the light from light sources that a segment scatters towards its start, both direct and
@@ -131,6 +136,23 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
     }
 
+    /// The same where every wall that is not the light source hides it: any of them, whichever is the
+    /// first.
+    fn reached_past_all(&self, path: &Path<N>, start: Start, towards: &LightSample) -> Option<Reached<N>> {
+        let (walls, direction) = (&self.world.walls, towards.direction);
+        let (reach, but) = match towards.source {
+            Source::Wall { wall, .. } => {
+                let (distance, is_front) = walls.at(wall, start, direction)?;
+                (self.world.is_bright(wall, is_front).then_some(distance)?, Some(wall))
+            }
+            Source::Beam(_) | Source::Environment => (towards.reach, None),
+        };
+        let is_hidden = walls.are_between(start, direction, before(reach), but);
+        let medium = self.medium(path.filling);
+        let optical_path_length = self.longer(path.optical_path_length, &medium, reach);
+        Some(Reached { left: [1.0; N], optical_path_length, is_hidden })
+    }
+
     /// Traces a ray from a vertex to a light source. `None` if the ray misses the light source or
     /// hits its dark side. A mirror that is not where the chain needs it counts as an occluder.
     fn reached(
@@ -143,11 +165,13 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let has_media = L::ABSORPTION || L::SCATTERING;
         let mut reached =
             Reached { left: [1.0; N], optical_path_length: path.optical_path_length, is_hidden: false };
+        if self.world.is_opaque && steps.is_empty() && !has_media {
+            return self.reached_past_all(path, start, towards);
+        }
         let (mut filling, mut direction, mut reach) = (path.filling, towards.direction, towards.reach);
         let mut steps = steps.iter();
         loop {
-            let within = if reach.is_finite() { REACHED * reach } else { reach };
-            let met = self.world.walls.first(start, direction, within);
+            let met = self.world.walls.first(start, direction, before(reach));
             let length = met.as_ref().map_or(reach, |met| met.distance);
             let medium = self.medium(filling);
             if has_media {

@@ -35,6 +35,10 @@ pub(crate) struct World {
     pub(super) walls: Walls,
     /// The interface that each wall belongs to.
     pub(super) interfaces: Vec<Interface>,
+    /// Whether the medium around the scene is on both sides of all walls.
+    is_of_one_medium: bool,
+    /// Whether every wall ends all light that goes straight on.
+    pub(super) is_opaque: bool,
     pub(super) luminaires: Luminaires,
     /// Light from outside, if it depends on the direction.
     pub(super) environment: Option<EnvironmentLight>,
@@ -79,10 +83,17 @@ impl World {
         let rough_coats = scene.materials.iter().map(rough_coat).collect();
         let textures = WallTextures::of(&scene, &walls, &interfaces);
         let walls = Walls::of(walls);
+        let is_boundary = |surface: &Surface| {
+            matches!(scene.materials[surface.material].kind, MaterialKind::Dielectric { .. })
+        };
+        let is_opaque = !scene.surfaces.iter().any(is_boundary);
+        let is_of_one_medium = interfaces.iter().all(|one| one.fillings == [scene.ambient.medium; 2]);
         Self {
             scene,
             walls,
             interfaces,
+            is_of_one_medium,
+            is_opaque,
             luminaires,
             environment,
             chains,
@@ -138,6 +149,9 @@ impl World {
 
     /// Returns the medium that a ray starts in.
     pub(super) fn medium_at(&self, start: Start, direction: Vector) -> Filling {
+        if self.is_of_one_medium {
+            return self.scene.ambient.medium;
+        }
         match self.walls.first(start, direction, f64::INFINITY) {
             Some(Met { wall, is_front, .. }) => self.interfaces[wall].filling(is_front),
             None => self.scene.ambient.medium,

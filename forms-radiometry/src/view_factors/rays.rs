@@ -17,12 +17,15 @@ use rayon::prelude::*;
 
 /// Rule of three: an event that none of n rays has met is rarer than this over n, as a rule.
 const UNMET: f64 = 3.0;
-/// Rays of each replicate of the pilot, and the largest number of them.
+/// Rays of each replicate of the pilot, those of them that come first, and the largest number.
 const FIRST: u32 = 1 << 8;
+const FEW: u32 = 1 << 5;
 const MOST: u32 = 1 << 30;
 /// Power of the number of rays with which errors fall, as a cautious guess: 1/2 is that of random
 /// rays, and low-discrepancy rays reach 0.6 to 0.75.
 const POWER: f64 = 0.6;
+/// The largest factor by which a number of rays predicted from the first few is off.
+const UNSURE: f64 = 8.0;
 /// Largest factor by which the number of rays grows at once: a guess from few rays can be far off.
 const STEP: f64 = 16.0;
 
@@ -49,7 +52,7 @@ impl<'e> Rays<'e> {
     ) -> Self {
         let arrived = vec![vec![0; known.len()]; REPLICATES];
         let mut rays = Self { emitters, surface, key: key(seed, surface as u64), known, arrived, count: 0 };
-        rays.extend(FIRST);
+        rays.extend(FEW);
         rays
     }
 
@@ -91,8 +94,17 @@ impl<'e> Rays<'e> {
         ViewFactor { value, error }
     }
 
-    /// Returns the number of rays, of all replicates, that are expected to meet the goal.
-    pub(super) fn needed(&self, goal: Goal) -> f64 {
+    /// Whether no more than this number of rays, of all replicates, are expected to meet the goal. The
+    /// rest of the pilot is traced only where its first rays do not settle that.
+    pub(super) fn need_at_most(&mut self, most: f64, goal: Goal) -> bool {
+        if self.needed(goal) > UNSURE * most {
+            return false;
+        }
+        self.extend(FIRST);
+        self.needed(goal) <= most
+    }
+
+    fn needed(&self, goal: Goal) -> f64 {
         REPLICATES as f64 * f64::from(self.count) * self.growth(goal)
     }
 
@@ -102,6 +114,7 @@ impl<'e> Rays<'e> {
 
     /// Traces rays until the goal is met, or the work is stopped.
     pub(super) fn reach(&mut self, goal: Goal, watch: &dyn Watch) {
+        self.extend(self.count.max(FIRST));
         loop {
             let growth = self.growth(goal);
             if growth <= 1.0 || self.count >= MOST || watch.is_stopped() {

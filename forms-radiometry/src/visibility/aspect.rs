@@ -30,6 +30,11 @@ const UNSURE: f64 = 1e-11;
 /// The largest number of sides of a body for which aspects are computed.
 const MOST_SIDES: usize = 64;
 
+/// The largest number of occluders for each point for which aspects are computed: their planes take
+/// longer than the shadows themselves if there are few points, and of many occluders hardly any
+/// point sees the shadow of only one.
+pub(super) const MOST_OCCLUDERS: f64 = 0.7;
+
 /// Receivers that see a luminaire behind some occluders.
 #[derive(Clone, Copy)]
 pub(crate) struct Looking<'l> {

@@ -79,6 +79,14 @@ struct Ray<'w> {
     first: Option<(usize, bool)>,
 }
 
+/// A ray that ends at the first wall that any order of traversal meets.
+struct Segment<'w> {
+    ray: Ray<'w>,
+    /// A wall that it may hit.
+    but: Option<usize>,
+    is_free: bool,
+}
+
 impl Wall {
     /// Returns points whose convex hull contains the wall: its own vertices, those of polygons around
     /// a disk or a quadric, or those of a cube around a sphere.
@@ -196,6 +204,20 @@ impl Walls {
         let (position, normal) = self.walls[wall].foot(start.position + ray.reach * direction);
         Some(Met { wall, distance: ray.reach, position, normal, is_front })
     }
+
+    /// Returns the distance at which a ray hits a wall, whatever lies before it, and whether it hits
+    /// the front.
+    pub(crate) fn at(&self, wall: usize, start: Start, direction: Vector) -> Option<(f64, bool)> {
+        Ray { walls: self, start, direction, reach: f64::INFINITY, first: None }.met(wall)
+    }
+
+    /// Whether a ray hits any wall but this one within a reach.
+    pub(crate) fn are_between(&self, start: Start, direction: Vector, reach: f64, but: Option<usize>) -> bool {
+        let ray = Ray { walls: self, start, direction, reach, first: None };
+        let mut segment = Segment { ray, but, is_free: true };
+        self.branches.iter().for_each(|branches| branches.walk(&mut segment));
+        !segment.is_free
+    }
 }
 
 impl Way for Ray<'_> {
@@ -208,21 +230,43 @@ impl Way for Ray<'_> {
     }
 
     fn at(&mut self, leaf: usize) -> ControlFlow<()> {
-        let met = match &self.walls.walls[leaf] {
-            Wall::Sphere(sphere) => self.sphere(leaf, sphere),
-            Wall::Quadric(quadric) => self.quadric(leaf, quadric),
-            flat => self.flat(leaf, flat),
-        };
-        if let Some((distance, is_front)) = met {
+        if let Some((distance, is_front)) = self.met(leaf) {
             (self.reach, self.first) = (distance, Some((leaf, is_front)));
         }
         ControlFlow::Continue(())
     }
 }
 
+impl Way for Segment<'_> {
+    fn ray(&self) -> [Vector; 2] {
+        self.ray.ray()
+    }
+
+    fn end(&self) -> f64 {
+        self.ray.reach
+    }
+
+    fn at(&mut self, leaf: usize) -> ControlFlow<()> {
+        if self.but == Some(leaf) || self.ray.met(leaf).is_none() {
+            return ControlFlow::Continue(());
+        }
+        self.is_free = false;
+        ControlFlow::Break(())
+    }
+}
+
 impl Ray<'_> {
-    /// Returns the distance to a flat wall if the ray hits it within its reach, and whether it hits
-    /// the front.
+    /// Returns the distance to a wall if the ray hits it within its reach, and whether it hits the
+    /// front.
+    fn met(&self, wall: usize) -> Option<(f64, bool)> {
+        match &self.walls.walls[wall] {
+            Wall::Sphere(sphere) => self.sphere(wall, sphere),
+            Wall::Quadric(quadric) => self.quadric(wall, quadric),
+            flat => self.flat(wall, flat),
+        }
+    }
+
+    /// Returns the same for a flat wall.
     fn flat(&self, index: usize, wall: &Wall) -> Option<(f64, bool)> {
         let Start { position, wall: left, clearance, .. } = self.start;
         let plane = wall.plane()?;
@@ -233,6 +277,9 @@ impl Ray<'_> {
             return None;
         }
         let (distance, is_front) = (-height / along, height > 0.0);
+        if distance >= self.reach {
+            return None;
+        }
         let is_inside = match wall {
             Wall::Polygon { vertices, .. } => {
                 let relative = vertices.iter().map(|&v| v - position);
@@ -241,7 +288,7 @@ impl Ray<'_> {
             Wall::Disk(disk) => disk.reaches(position + distance * self.direction),
             Wall::Sphere(_) | Wall::Quadric(_) => false,
         };
-        (distance < self.reach && is_inside).then_some((distance, is_front))
+        is_inside.then_some((distance, is_front))
     }
 
     /// Returns the same for a sphere: |o + t d|² = R². The root computed as a sum, and the product

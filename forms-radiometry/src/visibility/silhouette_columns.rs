@@ -14,7 +14,7 @@
 
 use super::Screens;
 use super::arrangement::{Arrangement, Cell};
-use super::aspect::{Aspect, Looking, Shadows, edge_after};
+use super::aspect::{Aspect, Looking, MOST_OCCLUDERS, Shadows, edge_after};
 use super::horizon::Workspace;
 use super::silhouette_crossing::{End, MOST};
 use crate::geometry::Vector;
@@ -90,9 +90,10 @@ impl Screens {
     /// Collects the contour edges of the visible parts, where contours are available.
     fn take_borders(&self, looking: &Looking, borders: &mut Borders) {
         let Borders { edges, planes: [planes, crossings], shadows, drawing, rest, aspects } = borders;
-        let Looking { points, outline, luminaire: (corners, _), .. } = *looking;
+        let Looking { points, outline, luminaire: (corners, _), screens, .. } = *looking;
         let all = 0..points.len() as u32;
         let is_parted = corners.len() <= MOST
+            && screens.len() as f64 <= MOST_OCCLUDERS * points.len() as f64
             && self.add_planes(looking, planes).is_some()
             && planes.part(points, all.clone(), outline).is_some();
         if !is_parted {
