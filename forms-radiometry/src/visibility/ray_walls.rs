@@ -212,7 +212,13 @@ impl Walls {
     }
 
     /// Whether a ray hits any wall but this one within a reach.
-    pub(crate) fn are_between(&self, start: Start, direction: Vector, reach: f64, but: Option<usize>) -> bool {
+    pub(crate) fn are_between(
+        &self,
+        start: Start,
+        direction: Vector,
+        reach: f64,
+        but: Option<usize>,
+    ) -> bool {
         let ray = Ray { walls: self, start, direction, reach, first: None };
         let mut segment = Segment { ray, but, is_free: true };
         self.branches.iter().for_each(|branches| branches.walk(&mut segment));

@@ -87,3 +87,37 @@ fn bounce(walls: &Walls, center: Vector) {
         direction = frame.place(forms_kernels::cosine_hemisphere_sample(samples.next(), samples.next()));
     }
 }
+
+/// Random squares, disks and spheres: a wall is hidden if the ray meets another one before it.
+#[test]
+fn a_wall_is_hidden_where_another_one_is_met_first() {
+    let mut samples = crate::sampling::Random::new(11);
+    let mut number = |low: f64, high: f64| low + (high - low) * samples.next();
+    let mut counts = [0; 3];
+    for _ in 0..40 {
+        let mut place = || Vector::new(number(-3.0, 3.0), number(-3.0, 3.0), number(1.0, 6.0));
+        let squares = (0..6).map(|_| square(0.8, 0.0, place())).collect::<Vec<_>>();
+        let disks = (0..6).map(|_| Disk { center: place(), normal: -UP, radius: 0.9, hole: 0.3 });
+        let disks = disks.map(Wall::Disk).collect::<Vec<_>>();
+        let spheres = (0..6).map(|_| Sphere { center: place(), radius: 0.6, inward: false });
+        let walls = Walls::of([squares, disks, spheres.map(Wall::Sphere).collect()].concat());
+        for _ in 0..200 {
+            let start = walls.start_free(Vector::new(number(-2.0, 2.0), number(-2.0, 2.0), 0.0));
+            let direction = Vector::new(number(-0.5, 0.5), number(-0.5, 0.5), 1.0).unit().unwrap();
+            let first = walls.first(start, direction, f64::INFINITY);
+            for wall in 0..18 {
+                let Some((distance, is_front)) = walls.at(wall, start, direction) else {
+                    assert_ne!(first.map(|met| met.wall), Some(wall));
+                    counts[0] += 1;
+                    continue;
+                };
+                let is_hidden = walls.are_between(start, direction, distance, Some(wall));
+                let met = first.expect("something is met");
+                assert_eq!(is_hidden, met.wall != wall);
+                assert!(is_hidden || (met.distance, met.is_front) == (distance, is_front));
+                counts[1 + usize::from(is_hidden)] += 1;
+            }
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 1000), "{counts:?}");
+}
