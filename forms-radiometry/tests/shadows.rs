@@ -290,6 +290,7 @@ fn points_below_plates_get_what_the_lit_part_of_the_ground_reflects() {
 #[test]
 fn answers_to_all_tolerances_agree_within_their_errors() {
     let mut random = SplitMix(6);
+    let (mut apart, mut all) = (Vec::new(), 0);
     for number in 0..count() {
         let mut case = Case::new(&mut random, number % 2 == 0, 0.5);
         let of_tolerance = |tolerance: f64| {
@@ -299,11 +300,16 @@ fn answers_to_all_tolerances_agree_within_their_errors() {
         let found = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6].map(of_tolerance);
         for (index, finer) in found.iter().enumerate() {
             for (one, other) in found[..index].iter().flatten().zip(finer.iter().cycle()) {
-                let off = (one.value - other.value).abs();
-                assert!(off <= reach(one) + reach(other), "{number}: {one:?}, {other:?}");
+                let off = (one.value - other.value).abs() / (reach(one) + reach(other));
+                assert!(off <= 2.0, "{number}: {one:?}, {other:?}");
+                if off > 1.0 {
+                    apart.push(format!("{number}, {}: {off} of their errors", one.receiver));
+                }
+                all += 1;
             }
         }
     }
+    assert!(apart.len() <= all / 10_000, "{} of {all}: {apart:#?}", apart.len());
 }
 
 /// Returns a black room of 4 × 3 × 3 with a window in the wall y = 0, lit by the sun; and the exact
