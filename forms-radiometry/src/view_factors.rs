@@ -7,7 +7,7 @@
 //!          └─ rays: the fractions of rays that arrive at each surface ─────┴─▶ F by row
 //! ```
 //! A one-sided surface sends light from its front, a two-sided one from both sides. The cost of
-//! pairs is that of the faces and their occluders, and hardly depends on the tolerance. The cost of
+//! pairs is that of the faces and their occluders, and depends little on the tolerance. The cost of
 //! rays is that of the tolerance, and hardly depends on the number of faces. Both are predicted for
 //! each row. No surface sends more than all of its light: a row whose sum exceeds 1 by more than its
 //! error is an error of the scene ([`ViewFactors::contradictions`]).
@@ -166,7 +166,7 @@ impl Rows {
             return Some(row);
         }
         let known = known.into_iter().map(|known| known.map(|(factor, _)| factor)).collect();
-        let cost = self.pairs.expected_cost(surface);
+        let cost = self.pairs.expected_cost(surface, tolerance);
         let row = if self.round.is_none() && cost <= Rays::fewest(tolerance) {
             self.of_flat(surface, watch)
         } else {

@@ -17,9 +17,11 @@ use rayon::prelude::*;
 /// hides.
 const TURNED: f64 = 0.05;
 const FREE: f64 = 4.0;
-/// Cost of the exchange of two faces that others partly hide, alone and in a sum of many, and the
-/// number of occluders that doubles it.
+/// Cost of the exchange of two faces that others partly hide, alone to a tolerance of 10⁻³, with the
+/// power by which it falls with the tolerance, and in a sum of many; and the number of occluders that
+/// doubles it.
 const HIDDEN: f64 = 50.0 * 16.0;
+const POWER: f64 = 0.4;
 const ROUGH: f64 = 10.0 * 16.0;
 const CROWD: f64 = 8.0;
 /// Part of its goal that the error of a sum may have: it is a sum of changes.
@@ -68,12 +70,12 @@ impl Pairs {
         self.areas[surface]
     }
 
-    /// Predicts the cost of a row, in rays, from some of its pairs.
-    pub(super) fn expected_cost(&self, surface: usize) -> f64 {
+    /// Predicts the cost of a row to a tolerance, in rays, from some of its pairs.
+    pub(super) fn expected_cost(&self, surface: usize, tolerance: f64) -> f64 {
         let own = &self.of_surfaces[surface];
         let pairs = own.len() * self.sides.len();
         let mut between = Vec::new();
-        let hidden = if own.len() > 1 { ROUGH } else { HIDDEN };
+        let hidden = if own.len() > 1 { ROUGH } else { HIDDEN * (1e-3 / tolerance).powf(POWER) };
         let mut of_pair = |place: usize| {
             // strides through both lists that visit all parts of them
             let from = &self.sides[own[place * own.len() / ASKED.min(pairs)]];
