@@ -136,8 +136,8 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         }
     }
 
-    /// The same where every wall that is not the light source hides it: any of them, whichever is the
-    /// first.
+    /// Traces a ray from a vertex to a light source that every other wall hides: whichever wall is met
+    /// hides it. `None` if the ray misses the light source or hits its dark side.
     fn reached_past_all(&self, path: &Path<N>, start: Start, towards: &LightSample) -> Option<Reached<N>> {
         let (walls, direction) = (&self.world.walls, towards.direction);
         let (reach, but) = match towards.source {

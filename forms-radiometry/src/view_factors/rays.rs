@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 /// Rule of three: an event that none of n rays has met is rarer than this over n, as a rule.
 const UNMET: f64 = 3.0;
-/// Rays of each replicate of the pilot, those of them that come first, and the largest number.
+/// Rays of each replicate: of the pilot, of its first part, and at most.
 const FIRST: u32 = 1 << 8;
 const FEW: u32 = 1 << 5;
 const MOST: u32 = 1 << 30;

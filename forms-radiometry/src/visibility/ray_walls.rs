@@ -79,7 +79,7 @@ struct Ray<'w> {
     first: Option<(usize, bool)>,
 }
 
-/// A ray that ends at the first wall that any order of traversal meets.
+/// State of a ray that ends at any wall within its reach, near or far.
 struct Segment<'w> {
     ray: Ray<'w>,
     /// A wall that it may hit.
