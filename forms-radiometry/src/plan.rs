@@ -20,7 +20,7 @@ pub(crate) mod working_scene;
 use crate::effects::PlannedEffect;
 use crate::scene::Scene;
 use crate::used_kernel::UsedKernel;
-use method::{Method, ReceiverMethod, Solver, distinct};
+use method::{Choice, Method, ReceiverMethod, Solver, distinct};
 use reduced_scene::without;
 use working_scene::SimulatedScene;
 
@@ -35,19 +35,22 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Returns the plan of a scene that is simulated with these effects as they are: nothing is
-    /// surveyed, decided or refused. The effects are those of
-    /// [`Effect::ALL`](crate::scene::Effect::ALL), in this order.
-    pub fn with_effects(scene: &Scene, effects: Vec<PlannedEffect>) -> Self {
-        let reason = method::reason_for_paths(&without(scene, &effects));
-        Self::new(scene, (effects, 0.0), reason)
+    /// Returns the plan of a scene that is simulated with these effects as they are, by path tracing
+    /// if that is asked for or if the effects need it: nothing is surveyed, compared, decided or
+    /// refused. The effects are those of [`Effect::ALL`](crate::scene::Effect::ALL), in this order.
+    pub fn with_effects(scene: &Scene, effects: Vec<PlannedEffect>, by_paths: bool) -> Self {
+        let needed = method::reason_for_paths(&without(scene, &effects));
+        let choice = match needed.or_else(|| by_paths.then(|| "it was asked for".to_owned())) {
+            Some(reason) => Choice::Paths(reason),
+            None => Choice::Whole,
+        };
+        Self::new(scene, (effects, 0.0), choice)
     }
 
-    /// Returns the plan with these effects and the error budget spent on omitted effects. The scene
-    /// is solved by path tracing if there is a reason for it.
-    fn new(scene: &Scene, (effects, dropped): (Vec<PlannedEffect>, f64), paths: Option<String>) -> Self {
+    /// Returns the plan with these effects and the error budget spent on omitted effects.
+    fn new(scene: &Scene, (effects, dropped): (Vec<PlannedEffect>, f64), choice: Choice) -> Self {
         let mut simulated = SimulatedScene::of(scene, &effects, dropped);
-        let (solver, methods) = method::decide(&mut simulated, paths);
+        let (solver, methods) = method::decide(&mut simulated, choice);
         let kernels = kernels::of(&simulated, &solver);
         Self { effects, methods, kernels, simulated, solver }
     }

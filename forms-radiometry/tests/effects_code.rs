@@ -189,7 +189,7 @@ fn the_counted_scene_has_answers() {
         why: String::new(),
         bound: None,
     };
-    let plan = Plan::with_effects(&scene(name), Effect::ALL.into_iter().map(effect).collect());
+    let plan = Plan::with_effects(&scene(name), Effect::ALL.into_iter().map(effect).collect(), false);
     let found = simulate(&plan, &Unwatched);
     assert!(found.answers.iter().all(|answer| answer.value.is_finite()), "{name}");
 }

@@ -19,22 +19,25 @@ use forms_testing::page;
 use std::fmt::Write;
 use std::path::Path;
 
-/// First argument with which this program starts itself under Valgrind; the file of a scene and the
-/// effects that are on follow.
+/// First argument with which this program starts itself under Valgrind; the file of a scene, the
+/// effects that are on and the solver follow.
 const COUNTED: &str = "--counted";
+const SOLVERS: [&str; 2] = ["whole", "paths"];
 /// Tolerance of the simulations, or the scene's own where that is larger; then the largest number
-/// of cells of a map along each side. Under Valgrind everything takes fifty times as long.
+/// of cells of a map and of pixels of an image along each side. Under Valgrind everything takes fifty
+/// times as long.
 const TOLERANCE: f64 = 0.3;
 const CELLS: usize = 8;
+const PIXELS: usize = 16;
 const HEAD: &str =
     "| scene | effect | plan | instructions, as planned | instructions, all on |\n|---|---|---|---|---|\n";
 
 fn main() -> Result<(), Problem> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let [mode, file, on] = arguments.as_slice()
+    if let [mode, file, on, solver] = arguments.as_slice()
         && mode == COUNTED
     {
-        return run(Path::new(file), on);
+        return run(Path::new(file), on, solver == SOLVERS[1]);
     }
     if !forms_testing::is_installed("valgrind") {
         println!("valgrind is not installed: no instructions were counted");
@@ -57,7 +60,7 @@ fn main() -> Result<(), Problem> {
 }
 
 /// Simulates a scene with these effects, without planning, so that only the simulation is counted.
-fn run(file: &Path, on: &str) -> Result<(), Problem> {
+fn run(file: &Path, on: &str, by_paths: bool) -> Result<(), Problem> {
     let scene = coarse(file)?;
     let planned = |(name, effect): (&str, Effect)| {
         let mut words = on.split(',').filter_map(|word| word.split_once('='));
@@ -70,7 +73,7 @@ fn run(file: &Path, on: &str) -> Result<(), Problem> {
             bound: None,
         }
     };
-    let plan = Plan::with_effects(&scene, Effect::ALL.into_iter().map(planned).collect());
+    let plan = Plan::with_effects(&scene, Effect::ALL.into_iter().map(planned).collect(), by_paths);
     let found = simulate(&plan, &Unwatched);
     let are_numbers = found.answers.iter().all(|answer| answer.value.is_finite());
     if are_numbers { Ok(()) } else { Err("an answer is not finite".into()) }
@@ -80,8 +83,12 @@ fn coarse(file: &Path) -> Result<Scene, Problem> {
     let mut scene = scene(&std::fs::read_to_string(file)?, &gallery::name(file))?;
     scene.solve.tolerance = scene.solve.tolerance.max(TOLERANCE);
     for receiver in &mut scene.receivers {
-        if let ReceiverKind::Surface { grid: Some(size), .. } = &mut receiver.kind {
-            *size = size.map(|cells| cells.min(CELLS));
+        match &mut receiver.kind {
+            ReceiverKind::Surface { grid: Some(size), .. } => *size = size.map(|cells| cells.min(CELLS)),
+            ReceiverKind::Camera(camera) => {
+                camera.resolution = camera.resolution.map(|pixels| pixels.min(PIXELS));
+            }
+            _ => {}
         }
     }
     Ok(scene)
@@ -91,14 +98,17 @@ fn coarse(file: &Path) -> Result<Scene, Problem> {
 fn rows(file: &Path) -> Result<String, Problem> {
     let name = gallery::name(file);
     let scene = coarse(file)?;
-    let effects = plan(&scene).map_err(said)?.effects().to_vec();
-    // what runs: the method that these effects ask for, without a comparison of costs
-    let plan = Plan::with_effects(&scene, effects);
+    let plan = plan(&scene).map_err(said)?;
     let is_by_paths = plan.is_by_paths();
+    let plan = Plan::with_effects(&scene, plan.effects().to_vec(), is_by_paths);
     let is_on = |effect: Effect| plan.effects().iter().any(|planned| planned.effect == effect && planned.on);
-    let planned = counted(file, &words(plan.effects().iter().filter(|planned| planned.on)))?;
+    let planned = words(plan.effects().iter().filter(|planned| planned.on));
     let all: Vec<String> = Effect::ALL.iter().map(|(name, _)| format!("{name}=")).collect();
-    let all = counted(file, &all.join(","))?;
+    let (planned, all) = std::thread::scope(|scope| {
+        let all = scope.spawn(|| counted(file, &all.join(","), is_by_paths));
+        (counted(file, &planned, is_by_paths), all.join().expect("the other count does not panic"))
+    });
+    let (planned, all) = (planned?, all?);
     if !parts::has_lines(&all) {
         return Err("this program has no line information: build it with --profile counted".into());
     }
@@ -149,8 +159,10 @@ fn words<'p>(on: impl Iterator<Item = &'p PlannedEffect>) -> String {
     on.map(word).collect::<Vec<_>>().join(",")
 }
 
-/// Counts the instructions that this program executes for a scene with these effects.
-fn counted(file: &Path, on: &str) -> Result<Counts, Problem> {
-    let file = file.to_str().ok_or("the path is not valid UTF-8")?;
-    Ok(callgrind::counted(&std::env::current_exe()?, &[COUNTED, file, on], &[])?)
+/// Counts the instructions that this program executes for a scene with these effects, solved by
+/// paths or as a whole.
+fn counted(file: &Path, on: &str, by_paths: bool) -> std::io::Result<Counts> {
+    let not_text = || std::io::Error::other("the path is not valid UTF-8");
+    let file = file.to_str().ok_or_else(not_text)?;
+    callgrind::counted(&std::env::current_exe()?, &[COUNTED, file, on, SOLVERS[usize::from(by_paths)]], &[])
 }

@@ -10,7 +10,7 @@
 //! once.
 
 use super::Plan;
-use super::method::{Solver, reason_for_paths};
+use super::method::{Choice, Solver, reason_for_paths};
 use super::reduced_scene::without_forced;
 use super::survey::Survey;
 use crate::effects::{EffectSet, PlannedEffect, forcing};
@@ -42,7 +42,7 @@ pub fn plan(scene: &Scene) -> Result<Plan, Vec<SceneError>> {
         let expected = "a reflectance below 1 on one of the surfaces around it, or an opening";
         return Err(vec![SceneError::new(&surface.place, message, expected)]);
     }
-    Ok(Plan::new(scene, decided(scene, survey), None))
+    Ok(Plan::new(scene, decided(scene, survey), Choice::Cheaper))
 }
 
 /// Returns the plan of a scene that is simulated by path tracing for this reason.
@@ -53,7 +53,8 @@ fn plan_of_paths(scene: &Scene, reason: String) -> Result<Plan, Vec<SceneError>>
         let message = format!("path tracing, which is needed because {reason}, cannot ignore occlusion");
         return Err(vec![SceneError::new(&forced.place, message, "no `occlusion`, or \"on\"")]);
     }
-    let mut plan = Plan::new(scene, decided(scene, Survey::without_bounds(scene)), Some(reason));
+    let effects = decided(scene, Survey::without_bounds(scene));
+    let mut plan = Plan::new(scene, effects, Choice::Paths(reason));
     let Solver::Paths { world, computable } = &plan.solver else { return Ok(plan) };
     if let Some(refused) = refused(world, &Limits::of(&plan.simulated.effects)) {
         return Err(vec![refused]);

@@ -79,6 +79,16 @@ pub struct ReceiverMethod {
     pub why: String,
 }
 
+/// How the solver of a scene is chosen.
+pub(super) enum Choice {
+    /// By path tracing, for this reason.
+    Paths(String),
+    /// As a whole.
+    Whole,
+    /// As a whole, unless path tracing is expected to cost far less.
+    Cheaper,
+}
+
 /// Solver of a scene, with the choices that it takes from the plan.
 #[derive(Clone, Debug)]
 pub(crate) enum Solver {
@@ -139,17 +149,17 @@ fn reason_of_surfaces(scene: &Scene) -> Option<String> {
         .or_else(|| first(&|surface| surface.shape.is_smooth(), "has interpolated normals"))
 }
 
-/// Chooses the solver of a scene, and the methods of each of its receivers. The scene is solved by
-/// path tracing if there is a reason for it, or if that is expected to cost far less.
-pub(super) fn decide(simulated: &mut SimulatedScene, paths: Option<String>) -> (Solver, Vec<ReceiverMethod>) {
+/// Chooses the solver of a scene, and the methods of each of its receivers.
+pub(super) fn decide(simulated: &mut SimulatedScene, choice: Choice) -> (Solver, Vec<ReceiverMethod>) {
     let (scene, effects) = (simulated.scene(), &simulated.effects);
-    if let Some(shells) = Shells::of(scene, effects).filter(|_| paths.is_none()) {
+    if let Some(shells) = Shells::of(scene, effects).filter(|_| !matches!(choice, Choice::Paths(_))) {
         return (Solver::Shells(Arc::new(shells)), of_shells(scene));
     }
     let computable = Computable::of(scene, &Limits::of(effects));
-    let by_paths = match paths {
-        Some(reason) => Some((world_of(simulated), computable, reason)),
-        None => far_cheaper_paths(simulated, computable),
+    let by_paths = match choice {
+        Choice::Paths(reason) => Some((world_of(simulated), computable, reason)),
+        Choice::Whole => None,
+        Choice::Cheaper => far_cheaper_paths(simulated, computable),
     };
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     match by_paths {
