@@ -1,4 +1,4 @@
-"""Random scenes: rooms, open or closed, with lamps, obstacles and receivers of all kinds.
+"""Random scenes: rooms, open or closed, with lamps, obstacles and a receiver of any kind.
 
 `written(FOLDER, COUNT)` writes them. The scene of a number is always the same. All surfaces are diffuse in half of the scenes;
 the others have a mirror, a body of glass, or haze.
@@ -33,7 +33,7 @@ def scene(number):
     parts = [*materials(chance, special), *walls(chance, size), *lamps(chance, size, special), *obstacles(chance, size)]
     if special in ("mirror", "glass"):
         parts.append(body(chance, size, special, special))
-    parts += receivers(chance, size)
+    parts.append(receiver(chance, size))
     if special == "haze":
         parts.append('[ambient]\nmedium = "haze"')
     elif chance.random() < 0.2:
@@ -125,26 +125,25 @@ def body(chance, size, name, material):
     return f'[[surface]]\nname = "{name}"\nmaterial = "{material}"\nsphere = {{ center = {shown(centre)}, radius = 0.12 }}'
 
 
-def receivers(chance, size):
-    """Returns one to three receivers of different kinds."""
-    kinds = chance.sample(["point", "surface", "map", "ray", "camera", "sphere"], chance.choice([1, 2, 3]))
+def receiver(chance, size):
+    """Returns one receiver: several would each have a scale of errors of their own."""
+    kind = chance.choice(["point", "surface", "map", "ray", "camera", "sphere"])
     x, y, z = size
-    for kind in kinds:
-        if kind == "point":
-            text = f'kind = "point"\nposition = {shown([0.3 * x, 0.6 * y, 1e-3])}\nnormal = [0, 0, 1]'
-        elif kind == "surface":
-            text = 'kind = "surface"\nsurface = "floor"'
-        elif kind == "map":
-            text = 'kind = "surface"\nsurface = "floor"\ngrid = [8, 8]'
-        elif kind == "ray":
-            angle = chance.uniform(0, 2 * math.pi)
-            direction = shown([math.cos(angle), math.sin(angle), -0.8])
-            text = f'kind = "ray"\norigin = {shown([0.5 * x, 0.5 * y, 0.7 * z])}\ndirection = {direction}'
-        elif kind == "sphere":
-            text = f'kind = "sphere"\nposition = {shown([0.4 * x, 0.45 * y, 0.12 * z])}'
-        else:
-            text = (
-                f'kind = "camera"\norigin = {shown([0.1 * x, 0.1 * y, 0.6 * z])}\ntarget = {shown([0.6 * x, 0.7 * y, 0])}\n'
-                "up = [0, 0, 1]\nfov = 60\nresolution = [24, 18]"
-            )
-        yield f'[[receiver]]\nname = "{kind}"\n{text}'
+    if kind == "point":
+        text = f'kind = "point"\nposition = {shown([0.3 * x, 0.6 * y, 1e-3])}\nnormal = [0, 0, 1]'
+    elif kind == "surface":
+        text = 'kind = "surface"\nsurface = "floor"'
+    elif kind == "map":
+        text = 'kind = "surface"\nsurface = "floor"\ngrid = [8, 8]'
+    elif kind == "ray":
+        angle = chance.uniform(0, 2 * math.pi)
+        direction = shown([math.cos(angle), math.sin(angle), -0.8])
+        text = f'kind = "ray"\norigin = {shown([0.5 * x, 0.5 * y, 0.7 * z])}\ndirection = {direction}'
+    elif kind == "sphere":
+        text = f'kind = "sphere"\nposition = {shown([0.4 * x, 0.45 * y, 0.12 * z])}'
+    else:
+        text = (
+            f'kind = "camera"\norigin = {shown([0.1 * x, 0.1 * y, 0.6 * z])}\ntarget = {shown([0.6 * x, 0.7 * y, 0])}\n'
+            "up = [0, 0, 1]\nfov = 60\nresolution = [24, 18]"
+        )
+    return f'[[receiver]]\nname = "{kind}"\n{text}'

@@ -8,6 +8,7 @@
 //! solver cannot be given the plan of another scene, takes every choice from the plan, and builds
 //! nothing again.
 
+mod comparison;
 pub(crate) mod decision;
 mod kernels;
 pub(crate) mod method;

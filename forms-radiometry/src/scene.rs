@@ -3,6 +3,7 @@
 //! support.
 
 mod bands;
+mod brightest_source;
 mod cone;
 mod division;
 mod effect;
@@ -42,6 +43,7 @@ mod words;
 mod working_units;
 mod xml;
 
+pub(crate) use brightest_source::brightest_source;
 pub use cone::Cone;
 pub use division::Division;
 pub use effect::{Effect, Force, ForcedEffect};

@@ -5,7 +5,8 @@
 //! a component of a vector, a bin    the largest of all components, of all bins
 //! a cell, a pixel                   max(scale of its map, |value|)          see Map::scales
 //! a net flux                        the flux, or its own |value| if that is larger
-//! dark numbers                      at least 1e-9 of the largest number
+//! dark numbers                      at least 1e-9 of the largest number, and of the irradiance by the
+//!                                   brightest source
 //! ```
 //! Printed errors, the list of missed tolerances, and the last point of a convergence plot are all
 //! taken from this module, so that they agree. The scales of all answers are found once, in time
@@ -15,7 +16,7 @@ use super::quantity::Quantity;
 use super::results::{Answer, Map, Simulation};
 use std::collections::HashMap;
 
-/// Answers below this part of the largest one are dark.
+/// Answers below this part of the largest one, or of the brightest light of the sources, are dark.
 pub(crate) const DARK: f64 = 1e-9;
 
 /// Answers of a simulation with the scale of each.
@@ -62,7 +63,7 @@ impl Simulation {
         let scales = self.answers.iter().map(|answer| largest[&group(answer)]).collect();
         let cells = self.maps.iter().flat_map(|map| map.values.iter().flatten());
         let values = self.answers.iter().map(|answer| &answer.value).chain(cells);
-        let dark = DARK * values.fold(0.0, |most: f64, value| most.max(value.abs()));
+        let dark = DARK * values.fold(self.brightest, |most: f64, value| most.max(value.abs()));
         Accuracy { found: self, scales, dark }
     }
 }
@@ -139,8 +140,8 @@ impl<'s> Accuracy<'s> {
         cells.map(move |(value, &error)| self.relative(error, map.scales[band].max(value.abs())))
     }
 
-    /// Returns an error relative to a scale. Where there is no light at all, every error other than
-    /// zero is infinite.
+    /// Returns an error relative to a scale. Where no source sends light either, every error other
+    /// than zero is infinite.
     fn relative(&self, error: f64, scale: f64) -> f64 {
         relative(error, scale.max(self.dark))
     }

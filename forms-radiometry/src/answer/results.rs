@@ -96,6 +96,9 @@ pub struct Simulation {
     /// Time of the work in seconds, including earlier runs that it was continued from; for merged
     /// shards, the sum.
     pub seconds: f64,
+    /// The brightest light that the sources of the scene send to a receiver: an irradiance. Numbers
+    /// far below it are dark, and their errors are not judged by their own size.
+    pub brightest: f64,
     /// Whether the work was stopped before it was done. Receivers may then be missing, or be less
     /// accurate than requested.
     pub stopped: bool,

@@ -14,6 +14,7 @@ impl Simulation {
                 answer.multiply(units.square_metres);
             }
         }
+        self.brightest *= units.light;
         if units.light != 1.0 {
             for map in &mut self.maps {
                 let numbers = map.values.iter_mut().chain(&mut map.errors).chain([&mut map.scales]);

@@ -16,6 +16,7 @@
 
 pub(crate) mod analytic;
 mod checkpoint;
+mod darkness;
 mod foresight;
 mod neighbours;
 mod pixels;
@@ -38,7 +39,7 @@ pub(crate) use analytic::Computable;
 use analytic::Computing;
 pub(crate) use checkpoint::OfPaths;
 use neighbours::spreads;
-pub(crate) use prediction::expected_rays;
+pub(crate) use prediction::{ExpectedRays, expected_rays};
 use rayon::prelude::*;
 pub(crate) use request::{Division, all_estimands};
 use request::{Request, divide_time, requests};
@@ -162,14 +163,16 @@ impl<'w> Work<'w> {
         while self.requests.iter().any(|request| !request.is_there()) {
             // the first estimand runs in any case, so that the work advances under constant pauses
             let has_begun = AtomicBool::new(false);
-            let is_paused = || progress.is_stopped() || keeper.is_some_and(Keeper::is_due);
+            let is_stopped = || progress.is_stopped();
+            let is_paused = || is_stopped() || keeper.is_some_and(Keeper::is_due);
             let begin = Instant::now();
             let estimands =
                 self.requests.par_iter_mut().enumerate().filter(|(_, request)| !request.is_there());
             estimands.for_each(|(estimand, request)| {
                 if !(has_begun.swap(true, Ordering::Relaxed) && is_paused()) {
                     let is_meant = |replicate| division.has_replicate(estimand, replicate);
-                    request.reach(samplers, is_meant, is_paused, |count| samples.add(count, progress));
+                    let pauses = (is_paused, &is_stopped as &(dyn Fn() -> bool + Sync));
+                    request.reach(samplers, is_meant, pauses, |count| samples.add(count, progress));
                 }
             });
             divide_time(&mut self.requests, begin);
@@ -286,6 +289,7 @@ impl<'w> Work<'w> {
             stopped: !self.is_done,
             seconds: self.progress.seconds(),
             history: self.history,
+            ..Simulation::default()
         }
     }
 }

@@ -32,13 +32,14 @@ impl Replicates {
     }
 
     /// Adds samples to the selected replicates, up to the number `to`. Returns the number of path
-    /// segments that were traced for them.
+    /// segments that were traced for them. Long paths are cut where the work was stopped.
     pub(crate) fn extend(
         &mut self,
         to: u32,
         estimand: &Estimand,
         samplers: &[Box<dyn PathSampler + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
+        is_stopped: &(dyn Fn() -> bool + Sync),
     ) -> u64 {
         let (from, own) = (self.samples, self.key);
         let extend = |(replicate, sums): (usize, &mut Sums)| {
@@ -46,7 +47,7 @@ impl Replicates {
             let mut segments = 0;
             for index in from..to {
                 for path_samplers in samplers {
-                    let mut draws = Draws::new(key ^ path_samplers.bands()[0] as u64, index);
+                    let mut draws = Draws::new(key ^ path_samplers.bands()[0] as u64, index, is_stopped);
                     path_samplers.sample(estimand, &mut draws, sums);
                     segments += draws.segments;
                 }
@@ -57,6 +58,11 @@ impl Replicates {
         let segments = all.filter(|(replicate, _)| is_meant(*replicate)).map(extend).sum();
         self.samples = to;
         segments
+    }
+
+    /// Whether a path was cut.
+    pub(crate) fn are_cut(&self) -> bool {
+        self.of.iter().flat_map(|sums| &sums.missed).any(|missed| missed.is_infinite())
     }
 
     /// Returns the number of samples of all replicates together.

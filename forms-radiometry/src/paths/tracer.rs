@@ -121,8 +121,7 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
     /// Traces a path to its end, and adds its contributions: a value for each band, and the optical
     /// path length.
     pub(crate) fn follow(&self, mut path: Path<N>, draws: &mut Draws, add: &mut impl FnMut(&[f64; N], f64)) {
-        loop {
-            draws.segments += 1;
+        while !draws.is_cut() {
             let met = self.world.walls.first(path.start, path.direction, f64::INFINITY);
             let length = met.as_ref().map_or(f64::INFINITY, |met| met.distance);
             let medium = self.medium(path.filling);

@@ -4,37 +4,23 @@
 //! concentric spheres ─▶ closed forms
 //! diffuse surfaces in a vacuum
 //!   no reflections ─▶ closed forms, integrated over surfaces ┐ path tracing where that is
-//!   reflections    ─▶ radiosity                              ┘ expected to cost far less
+//!   reflections    ─▶ radiosity                              ┘ expected to cost less
 //! anything else    ─▶ path tracing; quadrature and ray trees where these need no samples
 //! ```
 //! [`Solver`] is the decision as a solver takes it, and [`ReceiverMethod`] the same decision for one
 //! receiver, by name and with its reason. Where only the work shows which of two methods suffices,
 //! both are named.
-//!
-//! The cost of radiosity is that of pairs of elements, that of path tracing the number of samples
-//! until they agree: neither follows from the contents of a scene alone. Both are predicted in the
-//! same unit, the cost of a ray, by [`expected_cost`] and [`expected_rays`].
 
+use super::comparison::{cheaper_paths, is_image, world_of};
 use super::survey::MANY;
 use super::working_scene::SimulatedScene;
-use crate::effects::{EffectSet, Hiding, SimulatedEffects};
+use crate::effects::{EffectSet, SimulatedEffects};
 use crate::faces::{faces, is_round};
-use crate::paths::driver::{Computable, expected_rays};
+use crate::paths::driver::Computable;
 use crate::paths::{Limits, World};
-use crate::radiosity::{Question, Shells, expected_cost};
+use crate::radiosity::Shells;
 use crate::scene::{Effect, MaterialKind, Receiver, ReceiverKind, Scene, Surface};
 use std::sync::Arc;
-
-/// Cost of radiosity, in rays, below which it is not compared with that of path tracing: a fraction
-/// of a second.
-const SMALL: f64 = 1e6;
-/// Cost of radiosity, relative to that of path tracing, up to which it is used: predictions are
-/// right within a few times, and its errors promise more than one standard deviation.
-const WORTHWHILE: f64 = 3.0;
-
-/// Number of faces beyond which they are not kept together with the world of paths: there is no room
-/// for both, and to build them again takes little of the time of a solution.
-const CROWDED: usize = 200_000;
 
 /// Method that finds answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -85,7 +71,7 @@ pub(super) enum Choice {
     Paths(String),
     /// As a whole.
     Whole,
-    /// As a whole, unless path tracing is expected to cost far less.
+    /// As a whole, unless path tracing is expected to cost less.
     Cheaper,
 }
 
@@ -159,7 +145,10 @@ pub(super) fn decide(simulated: &mut SimulatedScene, choice: Choice) -> (Solver,
     let by_paths = match choice {
         Choice::Paths(reason) => Some((world_of(simulated), computable, reason)),
         Choice::Whole => None,
-        Choice::Cheaper => far_cheaper_paths(simulated, computable),
+        Choice::Cheaper => cheaper_paths(simulated, computable).map(|(world, computable, reason)| {
+            let possible = reason_for_radiosity(&simulated.effects);
+            (world, computable, format!("{possible}; {reason}"))
+        }),
     };
     let (scene, effects) = (simulated.scene(), &simulated.effects);
     match by_paths {
@@ -168,62 +157,6 @@ pub(super) fn decide(simulated: &mut SimulatedScene, choice: Choice) -> (Solver,
             (Solver::Paths { world, computable }, methods)
         }
         None => (Solver::Radiosity, of_radiosity(scene, effects)),
-    }
-}
-
-fn is_image(receiver: &Receiver) -> bool {
-    matches!(receiver.kind, ReceiverKind::Camera(_))
-}
-
-fn world_of(simulated: &SimulatedScene) -> Arc<World> {
-    Arc::new(World::new(simulated.shared_scene()))
-}
-
-/// Returns the world in which paths are traced, the receivers that need no samples, and the reason,
-/// if path tracing is expected to cost far less than radiosity. Direct light at points has closed
-/// forms there, too, unless these cost more than samples.
-fn far_cheaper_paths(
-    simulated: &mut SimulatedScene,
-    computable: Computable,
-) -> Option<(Arc<World>, Computable, String)> {
-    let (scene, effects) = (simulated.scene(), &simulated.effects);
-    if !may_be_by_paths(scene, effects) {
-        return None;
-    }
-    let question = Question::of(scene, effects);
-    let expected = expected_cost(scene, &question, effects.hiding, simulated.first_faces());
-    if expected.solution <= SMALL {
-        return None;
-    }
-    if expected.solution.is_infinite() || simulated.first_faces().faces(scene).len() > CROWDED {
-        simulated.forget_faces();
-    }
-    let (scene, effects) = (simulated.scene(), &simulated.effects);
-    let world = world_of(simulated);
-    let (rays, values) = expected_rays(simulated.task(&world, computable), expected.solution);
-    let reason = if expected.solution.is_infinite() {
-        "exact visibility would need too many elements"
-    } else if expected.solution > WORTHWHILE * rays {
-        "paths are expected to take less time than exact visibility"
-    } else {
-        return None;
-    };
-    let is_straight = effects.orders == Some(0) && Limits::of(effects).direct && !is_round(scene);
-    let computable = match is_straight && expected.point <= rays / values as f64 {
-        true => computable.with_straight(),
-        false => computable,
-    };
-    Some((world, computable, format!("{}; {reason}", reason_for_radiosity(effects))))
-}
-
-/// Whether a scene of diffuse surfaces in a vacuum may be solved by path tracing. Paths always
-/// account for occlusion: they are not traced where it is omitted. They are not needed where all
-/// light has closed forms.
-fn may_be_by_paths(scene: &Scene, effects: &SimulatedEffects) -> bool {
-    match effects.hiding {
-        Hiding::LeftOut => false,
-        Hiding::Nothing if effects.orders == Some(0) => false,
-        Hiding::Nothing | Hiding::Simulated => !scene.receivers.iter().any(is_image),
     }
 }
 

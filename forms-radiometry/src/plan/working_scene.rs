@@ -7,7 +7,7 @@ use crate::effects::{PlannedEffect, SimulatedEffects};
 use crate::paths::World;
 use crate::paths::driver::{Computable, Task};
 use crate::radiosity::FirstFaces;
-use crate::scene::{Scene, WorkingUnits};
+use crate::scene::{Scene, WorkingUnits, brightest_source};
 use std::sync::Arc;
 
 /// Scene as it is simulated: reduced to the effects that are simulated, in working units.
@@ -78,6 +78,7 @@ impl SimulatedScene {
 
     /// Converts the results to the units of their quantities and to all bands.
     pub(crate) fn finished(&self, mut simulation: Simulation) -> Simulation {
+        simulation.brightest = brightest_source(&self.scene);
         simulation.leave_working_units(&self.units);
         if self.dropped > 0.0 {
             add_dropped(&mut simulation, self.dropped);

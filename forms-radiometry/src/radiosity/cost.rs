@@ -52,6 +52,12 @@ const PARTS: f64 = 4.0;
 /// Error of the second polyhedra of curved shapes; that of each further one is a quarter.
 const SHAPE: f64 = 1e-2;
 
+/// Cost of polyhedra of curved shapes that reflect light, relative to flat surfaces with as many
+/// nodes: median of random rooms.
+const ROUND: f64 = 3.0;
+/// Number of points at which the light of a pixel is gathered.
+const PIXEL: usize = 4;
+
 /// Expected costs in rays.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Expected {
@@ -70,11 +76,13 @@ pub(crate) fn expected_cost(
 ) -> Expected {
     let finest = if is_round(scene) { finest(scene.solve.tolerance) } else { 0 };
     let costs = (0..=finest).map(|fineness| at_fineness(scene, fineness, question, hiding, first));
+    let of_shapes = if finest > 0 && question.orders != Some(0) { ROUND } else { 1.0 };
     let add = |a: Expected, b: Expected| Expected {
         solution: a.solution + b.solution,
         point: a.point.max(b.point),
     };
-    costs.fold(Expected { solution: 0.0, point: 0.0 }, add)
+    let Expected { solution, point } = costs.fold(Expected { solution: 0.0, point: 0.0 }, add);
+    Expected { solution: of_shapes * solution, point }
 }
 
 /// Returns the tessellation level at which curved shapes are expected to meet the tolerance.
@@ -185,7 +193,11 @@ fn requested_values(scene: &Scene) -> (usize, usize) {
                 points += Reading::of(index, receiver).len();
             }
             ReceiverKind::Points(_) => points += Reading::cells(index, receiver, scene).count(),
-            ReceiverKind::Faces { .. } | ReceiverKind::Camera(_) => {}
+            ReceiverKind::Camera(ref camera) => {
+                let [columns, rows] = camera.resolution;
+                cells += PIXEL * columns * rows;
+            }
+            ReceiverKind::Faces { .. } => {}
         }
     }
     (points, cells)

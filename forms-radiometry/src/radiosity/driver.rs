@@ -295,6 +295,7 @@ impl<'s> Work<'s> {
             history,
             seconds: self.progress.seconds(),
             stopped: self.watch.is_stopped(),
+            ..Simulation::default()
         }
     }
 

@@ -6,7 +6,7 @@
 
 use super::effect::{Effect, Force};
 use super::error::SceneError;
-use super::model::{LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
+use super::model::{Light, LightKind, MaterialKind, Receiver, ReceiverKind, Scene, Shape, Surface};
 use super::place::Place;
 
 /// Returns an error for each requested feature that is not simulated, in the order of the file. A
@@ -14,6 +14,7 @@ use super::place::Place;
 pub fn not_simulated(scene: &Scene) -> Vec<SceneError> {
     let mut refused = Refusals::default();
     scene.receivers.iter().for_each(|receiver| refused.receiver(scene, receiver));
+    scene.receivers.iter().for_each(|receiver| refused.lights_at(scene, receiver));
     refused.beams(scene);
     refused.in_order()
 }
@@ -56,6 +57,23 @@ impl Refusals {
                 _ => ("pixels and map cells", "a receiver without `time`, or one without pixels or `grid`"),
             };
             self.refuse(&time.place, &format!("the time resolution of {what}"), simulated);
+        }
+    }
+
+    /// Rejects a receiver with a point at a point light, where its light is infinite.
+    fn lights_at(&mut self, scene: &Scene, receiver: &Receiver) {
+        let is_at = |light: &&Light| match light.kind {
+            LightKind::Point { position, .. } => receiver.kind.points().any(|(point, _)| point == position),
+            LightKind::Distant { .. } => false,
+        };
+        if let Some(light) = scene.lights.iter().find(is_at) {
+            let name = if light.name.is_empty() { String::new() } else { format!(" `{}`", light.name) };
+            let message = format!(
+                "the receiver `{}` is at the point light{name}, whose irradiance is infinite there",
+                receiver.name
+            );
+            let error = SceneError::new(&receiver.place, message, "a receiver beside the light");
+            self.errors.push((receiver.place.order(), error));
         }
     }
 

@@ -23,7 +23,7 @@ use crate::scene::{Medium, Receiver, ReceiverKind, Scene};
 use serde::{Deserialize, Serialize};
 
 /// A number and its error budget, without the rounding of the number itself.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Computed {
     pub(crate) value: f64,
     pub(crate) parts: ErrorParts,

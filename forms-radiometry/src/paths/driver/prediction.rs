@@ -23,8 +23,9 @@ use rayon::prelude::*;
 const SAMPLES: u32 = 8;
 /// Numbers of estimands for which paths are traced.
 const TRACED: [f64; 2] = [8.0, 64.0];
-/// Part of the cost of the other method that a prediction may cost.
+/// Part of the cost of the other method that a prediction should cost, and the most that it may.
 const PART: f64 = 0.02;
+const MOST: f64 = 0.1;
 /// Maximum number of reflections of a path.
 const MOST_REFLECTIONS: u32 = 256;
 /// Mean number of reflections of a path among surfaces of the reflectance ρ, times 1 − ρ: Russian
@@ -33,10 +34,17 @@ const LENGTH: f64 = 3.3;
 /// Key of the random numbers.
 const KEY: u64 = 0x9b1a_44c7_0e6d_2f35;
 
-/// Returns the number of rays that path tracing is expected to need for a scene, and the number of
-/// values: numbers, cells and pixels. The prediction is compared with the cost of another method, in
-/// rays: where that is small, fewer paths have to tell.
-pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
+/// Number of rays that path tracing is expected to need for a scene.
+pub(crate) struct ExpectedRays {
+    pub(crate) rays: f64,
+    /// Number of values: numbers, cells and pixels.
+    pub(crate) values: usize,
+}
+
+/// Returns the number of rays that path tracing is expected to need for a scene. The prediction is
+/// compared with the cost of another method, in rays: where that is small, fewer paths have to tell;
+/// `None` where they would cost too much of it.
+pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> Option<ExpectedRays> {
     let Task { world, effects, .. } = task;
     let limits = Limits::of(effects);
     let reflections = limits.reflections.map_or(MOST_REFLECTIONS, |most| most.min(MOST_REFLECTIONS));
@@ -51,10 +59,13 @@ pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
     let vertices = f64::from(reflections).min(LENGTH / (1.0 - reflectance)) + 1.0;
     let of_traced = (REPLICATES as u32 * SAMPLES) as f64 * vertices * world.rays_of_a_vertex();
     let traced = (PART * other / of_traced).clamp(TRACED[0], TRACED[1]) as usize;
-    let (mut requests, count) = some_requests(task, &Computing::nothing(), traced);
+    let (mut requests, values) = some_requests(task, &Computing::nothing(), traced);
+    if requests.len() as f64 * of_traced > MOST * other {
+        return None;
+    }
     let trace = |(index, request): (usize, &mut Request)| {
         request.replicates = Replicates::new(key(KEY, index as u64), &request.estimand, bands, None);
-        request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true)
+        request.replicates.extend(SAMPLES, &request.estimand, &samplers, |_| true, &|| false)
     };
     let segments: Vec<u64> = requests.par_iter_mut().enumerate().map(trace).collect();
     let scales = known(&requests, scene.receivers.len(), bands);
@@ -63,13 +74,16 @@ pub(crate) fn expected_rays(task: Task<'_>, other: f64) -> (f64, usize) {
             / request.replicates.count()
     };
     let all: f64 = requests.iter().zip(segments).map(of_one).sum();
-    let step = count.div_ceil(requests.len().max(1));
-    (step as f64 * world.rays_of_a_vertex() * longer * all, count)
+    let step = values.div_ceil(requests.len().max(1));
+    Some(ExpectedRays { rays: step as f64 * world.rays_of_a_vertex() * longer * all, values })
 }
 
 /// Returns the number of paths after which the error of an estimand is expected to meet the
 /// tolerance.
 fn expected_paths(request: &Request, scales: &Scales, bands: usize, tolerance: f64) -> f64 {
+    if request.computed.is_some() {
+        return 0.0;
+    }
     let scales = of_request(request, Some(scales), bands);
     let [first, most] = [request.first(), MOST_SAMPLES].map(f64::from);
     REPLICATES as f64 * request.needed(&scales, tolerance).clamp(first, most)

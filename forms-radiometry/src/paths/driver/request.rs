@@ -5,6 +5,7 @@ mod errors;
 
 use super::Task;
 use super::analytic::{Computed, Computing};
+use super::darkness::Darkness;
 use super::neighbours::Spread;
 use super::pixels::shown;
 use super::radiances::Radiances;
@@ -28,8 +29,10 @@ const FIRST: u32 = 32;
 /// than a number; and the least for a pixel that sees several surfaces.
 const FIRST_OF_CELLS: usize = 1024;
 const FIRST_OF_SEVERAL: u32 = 8;
-/// Samples of a replicate between two checks for a pause.
+/// Samples of a replicate between two checks for a pause, at most; and the time in seconds after which
+/// the next step has fewer.
 const STEP: u32 = 1 << 12;
+const LONG: f64 = 0.05;
 /// The speed of light, in m/s.
 const LIGHT: f64 = 299_792_458.0;
 
@@ -148,18 +151,33 @@ pub(super) fn some_requests(task: Task<'_>, computing: &Computing<'_>, most: usi
             });
         }
     }
-    let begin = Instant::now();
+    look(&mut all, task);
+    compute(&mut all, (scene, &unhidden), computing);
+    (all, count)
+}
+
+/// Finds what questions along rays see first.
+fn look(all: &mut [Request], task: Task<'_>) {
     let counts_direct = task.effects.has(Effect::Direct);
     all.par_iter_mut().for_each(|request| {
-        let seen = request.estimand.seen(world);
+        let seen = request.estimand.seen(task.world);
         // without direct light, a ray sees of an emitter what it reflects
         request.seen = FirstHit { is_emitter: seen.is_emitter && counts_direct, ..seen };
     });
-    // light in time bins is sampled
+}
+
+/// Answers the questions that need no samples. Light in time bins is sampled.
+fn compute(all: &mut [Request], (scene, unhidden): (&Scene, &Transport), computing: &Computing<'_>) {
+    let begin = Instant::now();
+    let darkness = Darkness::of(scene, unhidden, all.len());
     let instant = all.par_iter_mut().filter(|request| scene.receivers[request.receiver].time.is_none());
-    instant.for_each(|request| request.compute(computing));
-    divide_time(&mut all, begin);
-    (all, count)
+    instant.for_each(|request| {
+        let begin = Instant::now();
+        let dark = darkness.as_ref().and_then(|darkness| darkness.answer(&request.estimand));
+        request.computed = dark.or_else(|| computing.answer(&request.estimand));
+        request.elapsed = begin.elapsed().as_secs_f64();
+    });
+    divide_time(all, begin);
 }
 
 /// Divides the time of a loop over questions, which began at this time and has just ended, among
@@ -227,13 +245,6 @@ fn cells_of_grid(receiver: &Receiver, scene: &Scene, unhidden: &Transport) -> Ve
 }
 
 impl Request {
-    /// Computes the answer, if it needs no samples.
-    fn compute(&mut self, computing: &Computing<'_>) {
-        let begin = Instant::now();
-        self.computed = computing.answer(&self.estimand);
-        self.elapsed = begin.elapsed().as_secs_f64();
-    }
-
     /// Whether there is an answer, however large its error.
     pub(crate) fn is_answered(&self) -> bool {
         self.computed.is_some() || self.replicates.samples > 0
@@ -245,23 +256,32 @@ impl Request {
     }
 
     /// Adds samples up to the target, or until a pause is requested, but at least one step. `note`
-    /// receives the number of samples of each step.
+    /// receives the number of samples of each step. Where the work is stopped, a step of one sample
+    /// that is not done is given up.
     pub(crate) fn reach(
         &mut self,
         samplers: &[Box<dyn PathSampler + '_>],
         is_meant: impl Fn(usize) -> bool + Sync,
-        is_paused: impl Fn() -> bool,
+        (is_paused, is_stopped): (impl Fn() -> bool, &(dyn Fn() -> bool + Sync)),
         note: impl Fn(u32),
     ) {
         let begin = Instant::now();
+        let mut step = 1;
         loop {
-            let before = self.replicates.samples;
-            let next = self.target.min(before.saturating_add(STEP));
-            self.replicates.extend(next, &self.estimand, samplers, &is_meant);
+            let (before, started) = (self.replicates.samples, Instant::now());
+            let next = self.target.min(before.saturating_add(step));
+            let kept = (step == 1).then(|| self.replicates.clone());
+            self.replicates.extend(next, &self.estimand, samplers, &is_meant, is_stopped);
+            if let Some(kept) = kept.filter(|_| is_stopped() && self.replicates.are_cut()) {
+                self.replicates = kept;
+                break;
+            }
             note(next - before);
             if self.is_there() || is_paused() {
                 break;
             }
+            let is_long = started.elapsed().as_secs_f64() > LONG;
+            step = if is_long { (step / 2).max(1) } else { (2 * step).min(STEP) };
         }
         self.elapsed = begin.elapsed().as_secs_f64();
     }

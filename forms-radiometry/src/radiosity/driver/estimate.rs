@@ -79,9 +79,9 @@ impl Estimate {
         Self { value, changed: 0.0, change: 0.0, left: 0.0, kept: 0.0, floor }
     }
 
-    /// Records that refinement does not change the value.
-    pub(crate) fn settle(&mut self) {
-        *self = Self::exact(self.value, self.floor);
+    /// Records that no reflected light is part of the value.
+    pub(crate) fn settle_unreached(&mut self) {
+        *self = Self::exact(self.value, ErrorParts { orders: 0.0, ..self.floor });
     }
 
     /// Returns the kind of its error. Quadrature, elements, and tessellated disks and spheres leave

@@ -62,8 +62,8 @@ impl<'s> Work<'s> {
         }
     }
 
-    /// Removes the error by elements from readings that no element reaches, or that have no goal;
-    /// from all where no light reaches an element.
+    /// Removes the errors by elements and of reflections left out from readings that no element
+    /// reaches; from all where no light reaches an element.
     fn settle(&self, radiosity: &Radiosity, found: &mut [Found]) {
         let is_unlit = radiosity.is_unlit();
         for (reading, found) in self.readings.iter().zip(found) {
@@ -71,7 +71,7 @@ impl<'s> Work<'s> {
             let is_reached = goal.is_some_and(|goal| radiosity.reaches(goal));
             // where the work was stopped, it is not known which elements reach the reading
             if (is_unlit || !is_reached) && !self.watch.is_stopped() {
-                found.bands.iter_mut().for_each(Estimate::settle);
+                found.bands.iter_mut().for_each(Estimate::settle_unreached);
             }
         }
     }
@@ -90,13 +90,15 @@ impl<'s> Work<'s> {
             };
             let largest = reading.largest(radiosity.transport());
             let doubts = reading.doubts(self.scene, radiosity, scratch);
+            // a ray that meets no surface, or a dark one
+            let is_known = reading.goal(self.scene, radiosity.transport()).is_none();
             let of_band = |(band, value): (usize, f64)| {
                 let straight = reading.straight_error(radiosity, band);
                 let [of_rules, of_rounding] = straight.unwrap_or_default();
                 let quadrature = of_rules + doubts[band];
                 let rounding = rounding.get(band).copied().unwrap_or(0.0) + of_rounding;
                 let integral = ErrorParts { quadrature, rounding, ..ErrorParts::default() };
-                if self.effects.orders == Some(0) && straight.is_some() {
+                if is_known || (self.effects.orders == Some(0) && straight.is_some()) {
                     return Estimate::exact(value, integral);
                 }
                 let before = earlier.map(|earlier| earlier.of(index, band));

@@ -8,7 +8,7 @@
 //! found only by chance, or where all samples found the same, the brightest light.
 
 use super::Request;
-use crate::answer::{ErrorKind, ErrorParts};
+use crate::answer::{DARK, ErrorKind, ErrorParts};
 use crate::job::MOST_SAMPLES;
 use crate::radiosity::driver::ROUNDING;
 
@@ -97,12 +97,14 @@ impl Request {
         largest
     }
 
-    /// Returns the scale of a value, given the scales of bands; for a cell, at least its own value;
-    /// where nothing was found, the brightest light.
+    /// Returns the scale of a value, given the scales of bands; for a cell, at least its own value.
+    /// Where nothing was found, it is the brightest light for cells, of which there are many, and
+    /// otherwise so little that the search goes on.
     fn scale(&self, place: usize, value: f64, scales: &[f64]) -> f64 {
         let own = if self.cell.is_some() { value.abs() } else { 0.0 };
+        let part = if self.cell.is_some() { 1.0 } else { DARK };
         let scale = scales[self.replicates.band(place)].max(own);
-        if scale > 0.0 { scale } else { self.brightest() }
+        if scale > 0.0 { scale } else { part * self.brightest() }
     }
 
     /// Returns the largest error relative to the scales.
@@ -129,7 +131,13 @@ impl Request {
             }
         };
         let most = (0..self.replicates.len()).map(times).fold(0.0, f64::max);
-        f64::from(self.replicates.samples) * most
+        let needed = f64::from(self.replicates.samples) * most;
+        if self.has_found_nothing() { needed.min(f64::from(NOTHING)) } else { needed }
+    }
+
+    /// Whether no sample found anything.
+    fn has_found_nothing(&self) -> bool {
+        (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2])
     }
 
     /// Predicts the samples of a replicate with which the error meets this tolerance with these
@@ -144,7 +152,7 @@ impl Request {
         if self.computed.is_some() {
             return false;
         }
-        let is_nothing = || (0..self.replicates.len()).all(|place| self.replicates.found(place) == [0.0; 2]);
-        self.replicates.samples < MOST_SAMPLES && !(self.replicates.samples >= NOTHING && is_nothing())
+        let samples = self.replicates.samples;
+        samples < MOST_SAMPLES && !(samples >= NOTHING && self.has_found_nothing())
     }
 }
