@@ -25,7 +25,7 @@ import random_scenes
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FORMS = ROOT / "target" / "release" / "forms"
 RUNS = 3
-LONGEST = 30
+LONGEST = 120
 # Largest ratio that is no loss.
 MARGIN = 1.05
 

@@ -2,7 +2,7 @@
 //! and a light at a receiver makes no number.
 
 use forms_radiometry::scene::{Scene, read};
-use forms_radiometry::simulation::{Plan, Simulation, Unwatched, Watch, plan, simulate};
+use forms_radiometry::simulation::{ErrorKind, Plan, Simulation, Unwatched, Watch, plan, simulate};
 use forms_testing::SplitMix;
 use forms_testing::scene_text::{Point, material, point_receiver, polygon, surface, tolerance};
 
@@ -94,10 +94,12 @@ fn a_place_that_sees_a_sliver_of_a_lamp_is_not_dark() {
             point_receiver("here", [0.0; 3], normal),
             tolerance(3e-1),
         ];
-        for found in both(&text.concat(), &Stopped) {
-            let answer = &found.answers[0];
-            assert!(answer.value > 0.0 || answer.error > 0.0, "{answer:?}\n{}", text.concat());
-        }
+        let [whole, paths] = both(&text.concat(), &Stopped).map(|found| found.answers[0].clone());
+        assert!(
+            whole.value > 0.0 && paths.kind == ErrorKind::Sigma,
+            "{whole:?}, {paths:?}\n{}",
+            text.concat()
+        );
     }
 }
 

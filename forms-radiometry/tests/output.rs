@@ -43,7 +43,14 @@ fn simulation(bands: usize) -> Simulation {
     let asked = [Quantity::Irradiance, Quantity::VectorIrradiance(2)];
     let answers = asked.into_iter().flat_map(|quantity| (0..bands).map(move |index| (quantity, band(index))));
     let answers = answers.map(answer).collect();
-    Simulation { answers, maps: vec![map(bands)], history: Vec::new(), seconds: 0.0, stopped: false }
+    Simulation {
+        answers,
+        maps: vec![map(bands)],
+        history: Vec::new(),
+        seconds: 0.0,
+        stopped: false,
+        brightest: 0.0,
+    }
 }
 
 fn scene(bands: &str) -> Scene {

@@ -21,7 +21,6 @@ use crate::geometry::Vector;
 use crate::sampling::{Draws, Samples};
 use crate::scene::MaterialKind;
 use crate::visibility::Start;
-use std::f64::consts::FRAC_1_PI;
 
 /// A light source is reached if the ray hits nothing before this fraction of its distance.
 const REACHED: f64 = 1.0 - 1e-12;
@@ -116,7 +115,6 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         let densities = vertex.law.density(towards.direction);
         let own = mean(&densities, self.count());
         if own == 0.0 {
-            self.miss_below_horizon(path, towards, hidden);
             return;
         }
         let (radiance, part) = match towards.source {
@@ -135,15 +133,6 @@ impl<L: Specialisation, const N: usize> Tracer<'_, L, N> {
         } else if !(path.is_same && towards.chance == 1.0 && matches!(towards.source, Source::Beam(_))) {
             // a beam that is occluded at one place is occluded for all samples there
             miss(hidden, &value);
-        }
-    }
-
-    /// Records what a part of a lamp may send that lies above a horizon, where a sample of the lamp lies
-    /// below: all samples may.
-    fn miss_below_horizon(&self, path: &Path<N>, towards: &LightSample, hidden: &mut [f64]) {
-        if let Source::Wall { surface, .. } = towards.source {
-            let brings = times(&path.throughput, &self.optics.radiances[surface]);
-            miss(hidden, &scaled(FRAC_1_PI / towards.density, &brings));
         }
     }
 

@@ -141,21 +141,12 @@ impl Operator {
         sums
     }
 
-    /// Estimates the norm of the operator in each band by the part of a uniform irradiance that
-    /// several reflections leave: the smallest ‖Gᵐ‖^(1/m) with m ≤ 4, never more than ‖G‖ at the
-    /// nodes.
-    pub(super) fn contractions(&self, reflectances: &[Vec<f64>]) -> Vec<f64> {
-        const BOUNCES: i32 = 4;
-        let mut light = vec![vec![1.0; self.size()]; reflectances.len()];
-        let mut least = vec![f64::INFINITY; reflectances.len()];
-        for bounce in 1..=BOUNCES {
-            let bands: Vec<Band> = reflectances.iter().zip(&light).map(|(r, e)| [&r[..], e]).collect();
-            light = self.apply(&bands);
-            for (least, light) in least.iter_mut().zip(&light) {
-                *least = least.min(largest(light).powf(1.0 / f64::from(bounce)));
-            }
-        }
-        least.into_iter().map(|least| if least.is_finite() { least } else { 0.0 }).collect()
+    /// Returns the norm of the operator in each band: the largest part of a uniform irradiance that
+    /// a reflection leaves at a node.
+    pub(super) fn norms(&self, reflectances: &[Vec<f64>]) -> Vec<f64> {
+        let unit = vec![1.0; self.size()];
+        let bands: Vec<Band> = reflectances.iter().map(|r| [&r[..], &unit[..]]).collect();
+        self.apply(&bands).iter().map(|light| largest(light)).collect()
     }
 }
 

@@ -14,6 +14,10 @@ use crate::watch::Watch;
 const POWERS: usize = 60;
 /// Maximum number of restarts.
 const RESTARTS: usize = 20;
+/// Norm up to which it bounds the sum of all orders well.
+const CONTRACTING: f64 = 0.9;
+/// Residual of the solution that bounds this sum otherwise.
+const ROUGH: f64 = 1e-3;
 /// Residual at which the iteration ends, relative to D.
 pub(super) const RESIDUAL: f64 = 1e-14;
 
@@ -51,14 +55,14 @@ pub(super) struct Solved {
 pub(super) struct Reflection {
     pub(super) operator: Operator,
     pub(super) reflectances: Vec<Vec<f64>>,
-    /// Estimated norm in each band.
-    contractions: Vec<f64>,
+    /// Norm in each band.
+    norms: Vec<f64>,
 }
 
 impl Reflection {
     pub(super) fn new(operator: Operator, reflectances: Vec<Vec<f64>>) -> Self {
-        let contractions = operator.contractions(&reflectances);
-        Self { operator, reflectances, contractions }
+        let norms = operator.norms(&reflectances);
+        Self { operator, reflectances, norms }
     }
 
     /// Returns the solution for each band of direct light, with at most this number of reflections
@@ -76,9 +80,26 @@ impl Reflection {
             return Solved { irradiance, reflected, tail: vec![0.0; direct.len()] };
         }
         let (irradiance, residuals) = self.all_orders(direct, residual, watch);
-        let tail = |(residual, k): (f64, &f64)| residual / (1.0 - k).max(f64::EPSILON);
-        let tail = residuals.into_iter().zip(&self.contractions).map(tail).collect();
+        let growths = self.growths(watch);
+        let tail = |(residual, growth): (f64, f64)| if residual == 0.0 { 0.0 } else { residual * growth };
+        let tail = residuals.into_iter().zip(growths).map(tail).collect();
         Solved { reflected: irradiance.clone(), irradiance, tail }
+    }
+
+    /// Returns for each band the largest irradiance that a unit of residual causes: ‖(1 − G)⁻¹‖ ≤
+    /// 1/(1 − ‖G‖). Where faces hide nothing from each other, ‖G‖ can be above 1 although light dies
+    /// out. Then w = 1 + G w − r with w > 0 and |r| ≤ ε < 1 bounds it, since G ≥ 0: by max w/(1 − ε).
+    pub(super) fn growths(&self, watch: &dyn Watch) -> Vec<f64> {
+        if self.norms.iter().all(|&norm| norm < CONTRACTING) {
+            return self.norms.iter().map(|norm| 1.0 / (1.0 - norm)).collect();
+        }
+        let unit = vec![vec![1.0; self.operator.size()]; self.norms.len()];
+        let (found, residuals) = self.all_orders(&unit, ROUGH, watch);
+        let of_band = |(w, residual): (Vec<f64>, f64)| {
+            let is_positive = w.iter().all(|&value| value > 0.0);
+            if is_positive && residual < 1.0 { largest(&w) / (1.0 - residual) } else { f64::INFINITY }
+        };
+        found.into_iter().zip(residuals).map(of_band).collect()
     }
 
     /// Returns G E of some bands.

@@ -241,10 +241,21 @@ fn the_transposed_operator_has_the_same_products() {
 }
 
 #[test]
-fn a_reflection_leaves_the_part_that_the_norm_says() {
-    let [reflectances, _] = bands(3, 40);
-    for k in operator(40).contractions(&reflectances) {
-        assert!(k < 0.95 && k > 0.5, "{k}");
+fn light_that_grows_at_first_and_dies_out_is_bounded_by_its_sum() {
+    // from the second element to the first, and back: (1 − G)⁻¹ 1 = (1 + a, 1 + b)/(1 − ab)
+    for ([a, b], growth) in [
+        ([3.0, 0.1], 4.0 / 0.7),
+        ([9.0, 0.01], 10.0 / 0.91),
+        ([3.0, 1.0], f64::INFINITY),
+        ([1.0, 1.0], f64::INFINITY),
+    ] {
+        let rows =
+            [(1, a), (0, b)].map(|(other, weight)| Row { elements: vec![other], weights: vec![weight] });
+        let operator = Operator::new(rows.into(), (0..=2).collect());
+        let reflection = Reflection::new(operator, vec![vec![1.0; 2]]);
+        let found = reflection.growths(&Unwatched)[0];
+        let is_bound = found >= growth * (1.0 - 1e-12) && found <= 1.01 * growth;
+        assert!(is_bound || found == growth, "{a}, {b}: {found}, {growth}");
     }
 }
 

@@ -41,7 +41,9 @@ impl<'s> Work<'s> {
             history.push(Moment { seconds, error: self.relative_errors(&found).fold(0.0, f64::max) });
             let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
             self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
-            if self.watch.is_stopped() || self.is_enough(&found) {
+            // finer elements do not help where reflected light grows without end
+            let grows = || (0..self.scene.band_count()).any(|band| radiosity.floor(band).is_infinite());
+            if self.watch.is_stopped() || self.is_enough(&found) || grows() {
                 return (radiosity, found);
             }
             let (asking, open) = self.asking(&radiosity, &found);
