@@ -42,8 +42,7 @@ impl<'s> Work<'s> {
             let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
             self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
             // finer elements do not help where reflected light grows without end
-            let grows = || (0..self.scene.band_count()).any(|band| radiosity.floor(band).is_infinite());
-            if self.watch.is_stopped() || self.is_enough(&found) || grows() {
+            if self.watch.is_stopped() || self.is_enough(&found) || radiosity.grows() {
                 return (radiosity, found);
             }
             let (asking, open) = self.asking(&radiosity, &found);

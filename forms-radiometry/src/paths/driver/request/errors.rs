@@ -8,7 +8,7 @@
 //! found only by chance, or where all samples found the same, the brightest light.
 
 use super::Request;
-use crate::answer::{DARK, ErrorKind, ErrorParts};
+use crate::answer::{ErrorKind, ErrorParts};
 use crate::job::MOST_SAMPLES;
 use crate::radiosity::driver::ROUNDING;
 
@@ -97,14 +97,12 @@ impl Request {
         largest
     }
 
-    /// Returns the scale of a value, given the scales of bands; for a cell, at least its own value.
-    /// Where nothing was found, it is the brightest light for cells, of which there are many, and
-    /// otherwise so little that the search goes on.
+    /// Returns the scale of a value, given the scales of bands; for a cell, at least its own value;
+    /// where nothing was found, the brightest light.
     fn scale(&self, place: usize, value: f64, scales: &[f64]) -> f64 {
         let own = if self.cell.is_some() { value.abs() } else { 0.0 };
-        let part = if self.cell.is_some() { 1.0 } else { DARK };
         let scale = scales[self.replicates.band(place)].max(own);
-        if scale > 0.0 { scale } else { part * self.brightest() }
+        if scale > 0.0 { scale } else { self.brightest() }
     }
 
     /// Returns the largest error relative to the scales.
@@ -131,8 +129,7 @@ impl Request {
             }
         };
         let most = (0..self.replicates.len()).map(times).fold(0.0, f64::max);
-        let needed = f64::from(self.replicates.samples) * most;
-        if self.has_found_nothing() { needed.min(f64::from(NOTHING)) } else { needed }
+        f64::from(self.replicates.samples) * most
     }
 
     /// Whether no sample found anything.
