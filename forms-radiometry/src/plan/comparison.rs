@@ -18,9 +18,9 @@ use crate::radiosity::{Question, expected_cost};
 use crate::scene::{Receiver, ReceiverKind};
 use std::sync::Arc;
 
-/// Cost of radiosity, in rays, below which it is not compared with that of path tracing: some tenths
-/// of a second, and some seconds for images, whose pixels are worth waiting for without noise.
-const SMALL: f64 = 3e5;
+/// Cost of radiosity, in rays, below which it is not compared with that of path tracing: about a
+/// second, and some seconds for images, whose pixels are worth waiting for without noise.
+const SMALL: f64 = 1e6;
 const SMALL_IMAGE: f64 = 1e7;
 
 /// Number of faces beyond which they are not kept together with the world of paths: there is no room

@@ -270,11 +270,6 @@ impl<'t> Radiosity<'t> {
         self.tail[band] / PI
     }
 
-    /// Whether reflected light grows without end.
-    pub(crate) fn grows(&self) -> bool {
-        self.tail.iter().any(|tail| tail.is_infinite())
-    }
-
     /// Returns the quadrature error relative to an answer: none for light that is equal everywhere.
     pub(crate) fn rules(&self) -> f64 {
         let variation = |irradiance: &Vec<f64>| {

@@ -42,7 +42,8 @@ impl<'s> Work<'s> {
             let until = foreseen(&history[first..], begin, self.scene.solve.tolerance);
             self.progress.begin(until.map_or(Outlook::Unknown, |until| Outlook::Rounds { until }));
             // finer elements do not help where reflected light grows without end
-            if self.watch.is_stopped() || self.is_enough(&found) || radiosity.grows() {
+            let grows = radiosity.tail.iter().any(|tail| tail.is_infinite());
+            if self.watch.is_stopped() || self.is_enough(&found) || grows {
                 return (radiosity, found);
             }
             let (asking, open) = self.asking(&radiosity, &found);
